@@ -1,0 +1,69 @@
+// From cell to 3D point.
+#include "core/scan/cartesian.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace edgescan {
+namespace {
+
+constexpr double kMetresPerMm = 0.001;
+
+// Multiples of 90 degrees give exact zeros and ones, so that a beam at 90 degrees has x = 0 and not 6e-17.
+double sineDeg(double deg) {
+    const double turn = std::remainder(deg, 360.0);
+    if (turn == 0.0 || std::abs(turn) == 180.0) return 0.0;
+    return std::sin(turn * std::numbers::pi / 180.0);
+}
+double cosineDeg(double deg) {
+    const double turn = std::remainder(deg, 360.0);
+    if (std::abs(turn) == 90.0) return 0.0;
+    return std::cos(turn * std::numbers::pi / 180.0);
+}
+
+Eigen::Vector3d missing() { return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); }
+
+} // namespace
+
+CartesianTables::CartesianTables(const Scan& scan) : scan_(&scan), polar_(std::get_if<PolarGeometry>(&scan.geometry)) {
+    if (polar_ == nullptr) return;
+    for (const double a : polar_->beamDeg) {
+        cosBeam_.push_back(cosineDeg(a));
+        sinBeam_.push_back(sineDeg(a));
+    }
+    for (const double p : polar_->lineDeg) {
+        cosLine_.push_back(cosineDeg(p));
+        sinLine_.push_back(sineDeg(p) * polar_->lineDirection);
+    }
+}
+
+Eigen::Vector3d CartesianTables::direction(int line, int beam) const {
+    if (polar_ == nullptr) {
+        const auto& points = std::get<PointGeometry>(scan_->geometry);
+        return (points.pointsM.at(line, beam) - points.sensorM).normalized();
+    }
+    const auto i = static_cast<std::size_t>(line);
+    const auto j = static_cast<std::size_t>(beam);
+    if (polar_->axis == Axis::Spin) return {cosBeam_[j] * cosLine_[i], cosBeam_[j] * sinLine_[i], sinBeam_[j]};
+    return {cosBeam_[j], -sinBeam_[j] * sinLine_[i], sinBeam_[j] * cosLine_[i]};
+}
+
+Eigen::Vector3d CartesianTables::point(int line, int beam) const {
+    const std::size_t k = scan_->rangeMm.index(line, beam);
+    if (scan_->state[k] != CellState::Valid) return missing();
+    if (polar_ == nullptr) return std::get<PointGeometry>(scan_->geometry).pointsM[k];
+    return direction(line, beam) * (static_cast<double>(scan_->rangeMm[k]) * kMetresPerMm);
+}
+
+Eigen::Vector3d CartesianTables::point(std::size_t k) const {
+    const auto beams = static_cast<std::size_t>(scan_->beams());
+    return point(static_cast<int>(k / beams), static_cast<int>(k % beams));
+}
+
+Eigen::Vector3d CartesianTables::sensor() const {
+    if (polar_ != nullptr) return Eigen::Vector3d::Zero();
+    return std::get<PointGeometry>(scan_->geometry).sensorM;
+}
+
+} // namespace edgescan

@@ -1,0 +1,30 @@
+// From cell to 3D point: tables of sines and cosines per beam and per line, in double (FRAMES.md step 1).
+#pragma once
+
+#include "core/scan/scan.h"
+
+namespace edgescan {
+
+/// Ready to turn any cell of one scan into a point, metres, scanner frame. Costs one sine per line and beam, not per cell.
+/// The scan must outlive it.
+class CartesianTables {
+public:
+    explicit CartesianTables(const Scan& scan);
+
+    /// Point of cell (line, beam); NaN where the cell is not valid.
+    [[nodiscard]] Eigen::Vector3d point(int line, int beam) const;
+    [[nodiscard]] Eigen::Vector3d point(std::size_t k) const;
+
+    /// Unit direction of the beam, also where there is no return; NaN where an organised cloud holds no point.
+    [[nodiscard]] Eigen::Vector3d direction(int line, int beam) const;
+
+    /// Where the beams start, metres.
+    [[nodiscard]] Eigen::Vector3d sensor() const;
+
+private:
+    const Scan* scan_;
+    const PolarGeometry* polar_; // null for an organised cloud
+    std::vector<double> cosBeam_, sinBeam_, cosLine_, sinLine_;
+};
+
+} // namespace edgescan
