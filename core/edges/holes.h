@@ -1,0 +1,14 @@
+// Missing cells as a grid, and which cells have one within reach of a filter window.
+#pragma once
+
+#include "core/scan/scan.h"
+
+namespace edgescan {
+
+/// lines x beams: 255 where the cell has no valid range, else 0.
+[[nodiscard]] Grid<std::uint8_t> missingCells(const Scan& scan);
+
+/// 255 where a missing cell lies at most `reach` lines and beams away.
+[[nodiscard]] Grid<std::uint8_t> nearMissing(const Grid<std::uint8_t>& missing, int reach);
+
+} // namespace edgescan

@@ -1,0 +1,66 @@
+// Runs the method stage by stage.
+#include "core/edges/pipeline.h"
+
+#include "core/edges/canny.h"
+#include "core/edges/holes.h"
+#include "core/edges/smooth.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool sameGray(const Settings& a, const Settings& b) { return a.scaling == b.scaling && same(a.nearMm, b.nearMm) && same(a.farMm, b.farMm); }
+
+bool sameSmoothing(const Settings& a, const Settings& b) {
+    return a.kernel == b.kernel && same(a.sigma, b.sigma) && a.maskMissing == b.maskMissing;
+}
+
+// Runs one stage into `slot`, and notes its time.
+template <class T, class Stage>
+void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage stage) {
+    const auto start = Clock::now();
+    slot = std::make_shared<const T>(stage());
+    frame.timings.push_back({name, millisecondsSince(start)});
+}
+
+} // namespace
+
+std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    const bool sameScan = last_ && last_->scan == scan;
+    if (sameScan && last_->settings == settings) return last_;
+    const auto start = Clock::now();
+    Frame frame = sameScan ? *last_ : Frame{};
+    const bool grayHolds = sameScan && sameGray(last_->settings, settings);
+    const bool smoothHolds = grayHolds && sameSmoothing(last_->settings, settings);
+    frame.scan = scan;
+    frame.settings = settings;
+    frame.timings.clear();
+
+    if (!sameScan) redo(frame, "missing", missing_, [&] { return missingCells(*scan); });
+    if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
+    const Grid<std::uint8_t>& levels = frame.gray->levels;
+    if (!smoothHolds) {
+        redo(frame, "smooth", frame.smoothed,
+             [&] { return settings.maskMissing ? smoothAroundHoles(levels, *missing_, settings) : smooth(levels, settings); });
+    }
+    redo(frame, "canny", frame.mask,
+         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, *missing_, settings) : canny(*frame.smoothed, settings); });
+    redo(frame, "edge cells", frame.edges, [&] { return edgeCells(*frame.mask); });
+    frame.totalMs = millisecondsSince(start);
+    last_ = std::make_shared<const Frame>(std::move(frame));
+    return last_;
+}
+
+std::shared_ptr<const Frame> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    return Pipeline().run(scan, settings);
+}
+
+} // namespace edgescan

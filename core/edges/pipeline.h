@@ -1,0 +1,22 @@
+// Runs the method and redoes only the stages whose inputs changed since the last run.
+#pragma once
+
+#include "core/edges/frame.h"
+
+namespace edgescan {
+
+/// Not for several threads at once; the frames it returns are.
+class Pipeline {
+public:
+    /// The same scan pointer and settings give the last frame again. `scan` must not be null.
+    std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+
+private:
+    std::shared_ptr<const Frame> last_;
+    std::shared_ptr<const Grid<std::uint8_t>> missing_;
+};
+
+/// One run from nothing.
+[[nodiscard]] std::shared_ptr<const Frame> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+
+} // namespace edgescan

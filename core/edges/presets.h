@@ -1,0 +1,27 @@
+// Named settings: the built-in ones and those that people keep in files.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/edges/settings.h"
+
+#include <span>
+#include <string>
+
+namespace edgescan {
+
+struct Preset {
+    std::string name;
+    std::string help; ///< one sentence
+    Settings settings;
+};
+
+/// "default" first, then "thesis" and "window" (CLI.md).
+[[nodiscard]] std::span<const Preset> builtInPresets();
+
+/// A built-in preset's name, or the path of a preset file. Error: neither, or the file is not a preset.
+[[nodiscard]] Result<Preset> findPreset(const std::string& nameOrPath);
+
+/// The text of a preset file: {"format": "edgescan-preset/1", "name": ..., "settings": {...}}.
+[[nodiscard]] std::string presetText(const Preset& preset);
+
+} // namespace edgescan

@@ -1,0 +1,71 @@
+// The thread that runs the method.
+#include "core/edges/worker.h"
+
+#include "core/edges/pipeline.h"
+
+#include <utility>
+
+namespace edgescan {
+
+Worker::Worker(std::function<void()> frameReady) : frameReady_(std::move(frameReady)), thread_([this] { loop(); }) {}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void Worker::post(std::shared_ptr<const Scan> scan) {
+    {
+        const std::lock_guard lock(mutex_);
+        scan_ = std::move(scan);
+        posted_ = true;
+    }
+    wake_.notify_one();
+}
+
+void Worker::post(const Settings& settings) {
+    {
+        const std::lock_guard lock(mutex_);
+        settings_ = settings;
+        posted_ = scan_ != nullptr;
+    }
+    wake_.notify_one();
+}
+
+std::shared_ptr<const Frame> Worker::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(unread_, nullptr);
+}
+
+bool Worker::busy() const {
+    const std::lock_guard lock(mutex_);
+    return posted_ || running_;
+}
+
+void Worker::loop() {
+    Pipeline pipeline;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [this] { return posted_ || stop_; });
+        if (stop_) return;
+        posted_ = false;
+        running_ = true;
+        const std::shared_ptr<const Scan> scan = scan_;
+        const Settings settings = settings_;
+        lock.unlock();
+        std::shared_ptr<const Frame> frame = scan ? pipeline.run(scan, settings) : nullptr;
+        lock.lock();
+        running_ = false;
+        if (!frame) continue;
+        unread_ = std::move(frame);
+        lock.unlock();
+        frameReady_();
+        lock.lock();
+    }
+}
+
+} // namespace edgescan

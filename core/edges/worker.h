@@ -1,0 +1,47 @@
+// The thread that runs the method. Newest wins, both ways: posting overwrites what waits, an unread frame is overwritten.
+#pragma once
+
+#include "core/edges/frame.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace edgescan {
+
+class Worker {
+public:
+    /// `frameReady` is called on the worker's thread whenever take() has something new; it must return at once.
+    explicit Worker(std::function<void()> frameReady);
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    /// A scan to work on from now on, from a file, a replay or a scanner alike.
+    void post(std::shared_ptr<const Scan> scan);
+    void post(const Settings& settings);
+
+    /// The newest frame that nobody took yet, or null.
+    [[nodiscard]] std::shared_ptr<const Frame> take();
+
+    /// Something was posted whose frame is not ready yet.
+    [[nodiscard]] bool busy() const;
+
+private:
+    void loop();
+
+    std::function<void()> frameReady_;
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::shared_ptr<const Scan> scan_;
+    Settings settings_;
+    bool posted_ = false;
+    bool running_ = false;
+    bool stop_ = false;
+    std::shared_ptr<const Frame> unread_;
+    std::thread thread_; // last: starts when all the rest is there
+};
+
+} // namespace edgescan
