@@ -1,0 +1,187 @@
+// The 3D view: the cloud once in the graphics memory, edges as a list of cells, mouse as in VIEWER.md 2.1.
+#pragma once
+
+#include "ui/cloud/camera_motion.h"
+#include "ui/cloud/cloud_geometry.h"
+#include "ui/cloud/drawing_budget.h"
+#include "ui/cloud/mouse_bindings.h"
+#include "ui/cloud/point_pick.h"
+
+#include <QColor>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QString>
+#include <QTimer>
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QPinchGesture;
+
+namespace edgescan::ui {
+
+class CloudOverlay;
+class CloudScene;
+
+/// GUI thread only. The application must call QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat()) before it makes
+/// QApplication, and ask glAvailable() before it makes a CloudView.
+class CloudView : public QVTKOpenGLNativeWidget {
+    Q_OBJECT
+public:
+    using CellIndices = std::vector<std::uint32_t>;
+    enum class Camera { Reset, Keep };
+    enum class Points { AsShown, All };
+
+    explicit CloudView(QWidget* parent = nullptr);
+    ~CloudView() override;
+
+    /// VTK's format with 0 samples: multi-sampling costs four times the time without a graphics card.
+    [[nodiscard]] static QSurfaceFormat surfaceFormat();
+
+    /// Takes a cloud made on the worker thread by makeCloudGeometry(*scan). Keep: a live scan that grows does not move
+    /// the camera. Drops the edges, which belong to the old scan. Null pointers empty the view.
+    void setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const CloudGeometry> geometry, Camera camera = Camera::Reset);
+    /// The same for callers that can wait: makes the geometry on this thread.
+    void setScan(std::shared_ptr<const Scan> scan);
+    /// Cells k = line * beams + beam, ascending. Replaces an index list only; the same pointer again costs nothing.
+    void setEdges(std::shared_ptr<const CellIndices> edgeCells);
+    [[nodiscard]] const std::shared_ptr<const Scan>& scan() const { return scan_; }
+    [[nodiscard]] const std::shared_ptr<const CloudGeometry>& geometryOfCloud() const { return cloud_; }
+
+    [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
+    [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
+    [[nodiscard]] double pointSize() const { return pointSize_; }
+    [[nodiscard]] QColor background() const { return background_; }
+    [[nodiscard]] QColor edgeColour() const { return edgeColour_; }
+    [[nodiscard]] MousePreset mousePreset() const { return mousePreset_; }
+    [[nodiscard]] bool isParallel() const { return pose_.parallel; }
+    [[nodiscard]] bool isTurntable() const { return turntable_; }
+
+    /// Local coordinates: add geometryOfCloud()->originM for those of the scan.
+    [[nodiscard]] CameraPose camera() const { return pose_; }
+    void setCamera(const CameraPose& pose);
+    [[nodiscard]] Eigen::Vector3d rotationCentre() const { return centre_; }
+
+    /// The beam cursor: ring at the point and the laser ray to it; dashed when the point is hidden behind others.
+    void setMarkedCell(std::optional<std::uint32_t> cell);
+    [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
+    /// Text over the picture: "no scan open", "stale" ... Empty = the view's own ("no scan open", "no point to show").
+    void setNote(const QString& note);
+
+    /// Point drawn under a widget position, within 8 px.
+    [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
+    /// Where the point of a cell is drawn (widget position); none when behind the camera or not valid.
+    [[nodiscard]] std::optional<QPointF> pixelOf(std::uint32_t cell) const;
+
+    /// Share of the valid points in the frame shown; 1 when all.
+    [[nodiscard]] double drawnFraction() const { return drawnFraction_; }
+    [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+    /// Frames that VTK really drew (a repaint without change draws none).
+    [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
+
+    /// Draws what is pending and returns the picture with marker and texts, in device pixels.
+    [[nodiscard]] QImage grabFrame(Points points = Points::AsShown);
+
+public slots:
+    void viewFromScanner();
+    void viewFront();
+    void viewBack();
+    void viewLeft();
+    void viewRight();
+    void viewTop();
+    void viewBottom();
+    void viewIsometric();
+    void resetView(); ///< from the scanner, clipping undone
+    void zoomToFit(); ///< keeps the direction
+    void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
+    void flyTo(qint64 cell); ///< looks at the point from nearby and turns about it
+    void setParallel(bool on);
+    void setTurntable(bool on); ///< off = free rotation
+    void setEdgesVisible(bool on);
+    void setCloudDimmed(bool on);     ///< off = the cloud stays bright while edges are on
+    void setPointSize(double pixels); ///< 1 .. 12
+    void setBackground(const QColor& colour);
+    void setEdgeColour(const QColor& colour); ///< (0,255,0), or kColourBlindEdge
+    void setMousePreset(edgescan::ui::MousePreset preset) { mousePreset_ = preset; }
+    void setWheelReversed(bool on) { wheelReversed_ = on; }
+
+signals:
+    void hovered(qint64 cell);
+    void hoverLeft();
+    void clicked(qint64 cell);
+    void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: beside the cloud
+    void drawnFractionChanged(double fraction);
+    void frameDrawn(double ms);
+    void pointSizeChanged(double pixels);
+    void parallelChanged(bool on);
+    void cameraChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void requestFrame();
+    void moved(); // the camera is under way: coarse picture now, full one after a pause
+    void applyCamera();
+    void applyColours();
+    void updateOverlay();
+    void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
+    void drag(QPointF pixels);
+    void setRotationCentre(QPointF pixel);
+    void pinch(const QPinchGesture& gesture);
+    void hover(QPointF pixel);
+    void leaveHover();
+    void wheelZoom(QPointF pixel, double notches);
+    void wheelClip(double& share, double notches);
+    [[nodiscard]] double aspect() const;
+    [[nodiscard]] ScreenView screenView() const;
+    [[nodiscard]] Eigen::Vector3d anchorAt(QPointF pixel) const;
+
+    std::unique_ptr<CloudScene> scene_;
+    CloudOverlay* overlay_ = nullptr; // child widget, owned by Qt
+    std::shared_ptr<const Scan> scan_;
+    std::shared_ptr<const CloudGeometry> cloud_;
+    std::shared_ptr<const CellIndices> edges_;
+
+    CameraPose pose_;
+    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
+    double nearShare_ = 0.0, farShare_ = 0.0;
+    bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, wheelReversed_ = false;
+    double pointSize_ = 2.0;
+    QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
+    MousePreset mousePreset_ = MousePreset::Default;
+    QString note_;
+
+    DragAction drag_ = DragAction::None;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
+    QPointF pressedAt_, lastAt_;
+    bool travelled_ = false;
+    Eigen::Vector3d dragAnchor_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d wheelAnchor_ = Eigen::Vector3d::Zero();
+    QPointF wheelAt_{-1e9, -1e9};
+    std::optional<std::uint32_t> hoveredCell_, marked_;
+
+    DrawingBudget budget_;
+    QTimer restTimer_; // running = the camera (or a slider) is under way
+    QElapsedTimer sinceEdges_;
+    bool framePending_ = true, drawAll_ = false;
+    double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
+    int framesDrawn_ = 0;
+};
+
+inline const QColor kColourBlindEdge{240, 228, 66};
+
+} // namespace edgescan::ui

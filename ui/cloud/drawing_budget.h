@@ -1,0 +1,36 @@
+// How many points to draw so that a frame stays within its time, learnt from the frames so far.
+#pragma once
+
+#include <deque>
+
+namespace edgescan::ui {
+
+/// Fits time = base + slope x fraction to the last frames. Pure: knows no clock and no view.
+class DrawingBudget {
+public:
+    static constexpr double kMovingMs = 40.0; ///< aim while a hand moves the camera
+    static constexpr double kRestMs = 90.0;   ///< aim for the still picture; nothing on the GUI thread may take 100 ms
+
+    /// `perPoint`: first guess of the time for all points, ms; a guess on the safe side keeps the first frame short.
+    explicit DrawingBudget(double allPointsMs = 150.0);
+
+    void measured(double fraction, double ms);
+    /// Index into kPartEnds: draw parts 0 .. index.
+    [[nodiscard]] int lastPart(bool moving) const;
+    [[nodiscard]] double expectedMs(double fraction) const;
+    /// A new scan: forget the frames of the old one.
+    void restart(double allPointsMs = 150.0);
+
+private:
+    struct Frame {
+        double fraction;
+        double ms;
+    };
+    void fit();
+
+    std::deque<Frame> frames_;
+    double base_ = 0.0;
+    double slope_ = 150.0;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,15 @@
+// What a mouse button or wheel means in the cloud view (VIEWER.md 2.1).
+#pragma once
+
+#include <Qt>
+
+namespace edgescan::ui {
+
+enum class MousePreset { Default, CloudCompare };
+enum class DragAction { None, Rotate, Pan, Zoom, Roll };
+enum class WheelAction { Zoom, PointSize, NearClip, FarClip };
+
+[[nodiscard]] DragAction dragAction(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, MousePreset preset = MousePreset::Default);
+[[nodiscard]] WheelAction wheelAction(Qt::KeyboardModifiers modifiers);
+
+} // namespace edgescan::ui

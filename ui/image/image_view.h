@@ -1,0 +1,108 @@
+// Shows one lines x beams image: linked zoom and pan, hover, crosshair, box. Mouse as in VIEWER.md 2.2.
+#pragma once
+
+#include "ui/image/pyramid.h"
+#include "ui/image/viewport.h"
+
+#include <QColor>
+#include <QPoint>
+#include <QRect>
+#include <QString>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QPinchGesture;
+
+namespace edgescan::ui {
+
+/// GUI thread only. Cells as QPoint: x = beam, y = line.
+class ImageView : public QWidget {
+    Q_OBJECT
+public:
+    /// The view port may be shared with other views; the view keeps it alive. Null makes an own one.
+    explicit ImageView(std::shared_ptr<ViewPort> viewPort = nullptr, QWidget* parent = nullptr);
+    ~ImageView() override;
+
+    [[nodiscard]] const std::shared_ptr<ViewPort>& viewPort() const { return viewPort_; }
+
+    /// One pixel per cell. The same pointer again costs nothing; the pointed-to image must never change. Null = empty.
+    void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
+    /// Drawn over the image with this opacity (edges over gray); usually ARGB with transparent background.
+    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::KeepBrightest);
+    [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return picture_.image(); }
+    [[nodiscard]] const std::shared_ptr<const QImage>& overlay() const { return overlay_.image(); }
+
+    /// The cell hovered in another view: ring with dark outline and centre dot.
+    void setMarkedCell(std::optional<QPoint> cell);
+    /// The sticky crosshair: thin lines through the cell. A click sets it in this view; the caller links the others.
+    void setCrosshair(std::optional<QPoint> cell);
+    /// Box of cells that stays drawn (a selection); a finished Shift+drag sets it.
+    void setBox(std::optional<QRect> cells);
+    [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
+    [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
+    [[nodiscard]] std::optional<QRect> box() const { return box_; }
+
+    void setTitle(const QString& title);
+    /// Short text over the picture: "preview", "stale", "no scan open". Empty = none.
+    void setNote(const QString& note);
+    void setBackground(const QColor& colour);
+
+    /// Cell under a widget position; none outside the image.
+    [[nodiscard]] std::optional<QPoint> cellAt(QPointF pixel) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {480, 420}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 90}; }
+
+signals:
+    void hovered(int line, int beam);
+    void hoverLeft();
+    void clicked(int line, int beam);
+    /// Esc took the crosshair (and box) away.
+    void cleared();
+    void boxSelected(const QRect& cells);
+    /// Right drag, pixels since the last signal: x = window, y = level (down is positive).
+    void windowLevelDragged(int dx, int dy);
+    void windowLevelFinished();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { None, Pan, WindowLevel, Box };
+
+    void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
+    void drawMarks(QPainter& painter) const;
+    void drawTexts(QPainter& painter) const;
+    void hover(QPointF pixel);
+    void leaveHover();
+    void pinch(const QPinchGesture& gesture);
+    [[nodiscard]] QRect boxCells(QPointF from, QPointF to) const;
+    [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
+
+    std::shared_ptr<ViewPort> viewPort_;
+    Pyramid picture_;
+    Pyramid overlay_;
+    double overlayOpacity_ = 1.0;
+    std::optional<QPoint> marked_, crosshair_, hoveredCell_;
+    std::optional<QRect> box_;
+    QString title_, note_;
+    QColor background_{48, 48, 48};
+
+    Drag drag_ = Drag::None;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
+    QPointF pressedAt_, lastAt_;
+    bool travelled_ = false; // further than a click
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,43 @@
+// Halved images for zooming out: average for gray, brightest for edges (a line one pixel wide must never vanish).
+#pragma once
+
+#include <QImage>
+
+#include <memory>
+#include <vector>
+
+namespace edgescan::ui {
+
+enum class Shrink {
+    Average,       ///< mean of 2 x 2
+    KeepBrightest, ///< the most opaque, then brightest, of 2 x 2
+};
+
+/// Half as large, rounded up; an odd last row or column stands for itself. Gray stays gray (8 bit), all else becomes
+/// ARGB32 premultiplied.
+[[nodiscard]] QImage halved(const QImage& image, Shrink shrink);
+
+/// Level whose pixels are at least one screen pixel large (KeepBrightest) or just above half a pixel (Average, drawn
+/// smoothly). 0 = the image itself. `scale` = screen pixels per cell.
+[[nodiscard]] int pyramidLevel(double scale, Shrink shrink);
+
+/// The halved images of one image, each made when first asked for.
+class Pyramid {
+public:
+    Pyramid() = default;
+    Pyramid(std::shared_ptr<const QImage> image, Shrink shrink);
+
+    [[nodiscard]] bool empty() const { return image_ == nullptr || image_->isNull(); }
+    [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return image_; }
+    [[nodiscard]] Shrink shrink() const { return shrink_; }
+    /// Stops at 1 x 1. A reference stays valid until the next call of level().
+    [[nodiscard]] const QImage& level(int wanted);
+    [[nodiscard]] int levelsMade() const { return static_cast<int>(halves_.size()); }
+
+private:
+    std::shared_ptr<const QImage> image_;
+    Shrink shrink_ = Shrink::Average;
+    std::vector<QImage> halves_; // [0] is level 1
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,70 @@
+// Which part of the lines x beams image is seen, shared by several image views so that they always zoom and pan together.
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QPointF>
+#include <QRectF>
+#include <QSize>
+#include <QSizeF>
+
+namespace edgescan::ui {
+
+/// Cell coordinates: x = beam, y = line; cell (line, beam) covers [beam, beam+1) x [line, line+1).
+/// GUI thread only.
+class ViewPort : public QObject {
+    Q_OBJECT
+public:
+    explicit ViewPort(QObject* parent = nullptr);
+
+    [[nodiscard]] QPointF centre() const { return centre_; }
+    /// Height of a cell in (device-independent) pixels.
+    [[nodiscard]] double zoom() const { return zoom_; }
+    /// Width of a cell divided by its height: 1 = square pixels.
+    [[nodiscard]] double aspect() const { return aspect_; }
+    [[nodiscard]] QSizeF cellSize() const { return {zoom_ * aspect_, zoom_}; }
+    [[nodiscard]] QSize imageSize() const { return imageSize_; }
+    /// True until somebody zooms or pans: the whole image follows the size of the views.
+    [[nodiscard]] bool fitted() const { return fitted_; }
+
+    /// Beams x lines. A new size fits the image again; the same size keeps zoom and place (a live scan, a re-tune).
+    void setImageSize(QSize beamsByLines);
+    void setAspect(double widthByHeight);
+    /// "True angle" aspect: beam step and line step in degrees.
+    void setTrueAngle(double beamStepDeg, double lineStepDeg);
+    void setSquarePixels() { setAspect(1.0); }
+
+    void fit();
+    /// Makes the cells a factor larger; `cell` stays at the same place on the screen.
+    void zoomAt(QPointF cell, double factor);
+    /// Moves the picture by so many (device-independent) pixels.
+    void panPixels(QPointF pixels);
+    void centreOn(QPointF cell);
+    /// Shows this part as large as possible.
+    void showCells(const QRectF& cells);
+
+    /// Each view tells its size, so that fit() suits the smallest of them.
+    void setViewSize(const QObject* view, QSize size);
+    void forgetView(const QObject* view);
+
+    [[nodiscard]] QPointF toCell(QPointF pixel, QSizeF viewSize) const;
+    [[nodiscard]] QPointF toPixel(QPointF cell, QSizeF viewSize) const;
+
+signals:
+    void changed();
+
+private:
+    [[nodiscard]] QSize smallestView() const;
+    [[nodiscard]] double fittingZoom(QSizeF cells) const;
+    void keepInReach();
+    void refit();
+
+    QPointF centre_{0.5, 0.5};
+    double zoom_ = 1.0;
+    double aspect_ = 1.0;
+    bool fitted_ = true;
+    QSize imageSize_;
+    QHash<const QObject*, QSize> viewSizes_;
+};
+
+} // namespace edgescan::ui
