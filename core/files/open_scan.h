@@ -1,0 +1,40 @@
+// Opens any readable file as a scan. The content decides what it is; the extension is only a hint.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/scan.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// What the user knows and the file may not say. Empty = as the file says, or found out and told in Scan::warnings.
+struct OpenOptions {
+    std::optional<double> beamStartDeg; ///< range CSV: angle of the first column (--beam-start)
+    std::optional<double> beamStepDeg;  ///< --beam-step
+    std::optional<double> lineStartDeg; ///< angle of the first line (--line-start)
+    std::optional<double> lineStepDeg;  ///< --line-step
+    std::optional<Axis> axis;           ///< how the stepper turns (--axis); decides range CSV and point lists that fit both
+    std::optional<double> unitMm;       ///< millimetres per number in the file, instead of what it says or what is detected
+
+    /// Told the stage and how much of it is done (0..1), from the thread that opens; false cancels: Error "cancelled".
+    std::function<bool(const char* stage, double fraction)> progress;
+};
+
+/// The file as a scan of lines x beams cells. Error: one sentence; nothing is loaded by halves.
+Result<Scan> openScan(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// A kind of file, for dialogs and for looking up by extension.
+struct FileKind {
+    std::string title;                   ///< "Point Cloud Library"
+    std::vector<std::string> extensions; ///< lower case, with the dot: {".pcd"}; the first is the usual one
+};
+
+/// Everything openScan understands, the most usual first.
+[[nodiscard]] const std::vector<FileKind>& readableKinds();
+
+} // namespace edgescan

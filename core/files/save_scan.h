@@ -1,0 +1,47 @@
+// Saves a scan, its cloud or its edge points. The extension chooses the format.
+#pragma once
+
+#include "core/base/grid.h"
+#include "core/base/result.h"
+#include "core/files/open_scan.h"
+#include "core/scan/scan.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace edgescan {
+
+enum class SaveFormat : std::uint8_t {
+    RawGrid, ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
+    Pcd,     ///< binary unless asked otherwise
+    Ply,     ///< binary little endian unless asked otherwise
+    Xyz,     ///< text, separated by spaces
+    Csv,     ///< text, separated by commas
+};
+
+/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv); empty when it names none of them.
+[[nodiscard]] std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path);
+
+/// What saveScan / saveCloud and saveEdges write, for dialogs.
+[[nodiscard]] const std::vector<FileKind>& writableScanKinds();
+[[nodiscard]] const std::vector<FileKind>& writableCloudKinds();
+
+struct SaveOptions {
+    bool ascii = false; ///< PCD and PLY as text
+};
+
+/// The whole grid with every cell, its state and the angles: openScan gives back the same ranges, states, angles and axis.
+/// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
+Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// All valid points: x y z (metres), line, beam, range_mm, edge (0 or 255 as in `edgeMask`, lines x beams; null = all 0).
+Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                       const SaveOptions& options = {});
+
+/// Only the valid points whose mask is not 0: x y z (metres), line, beam, range_mm.
+Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                       const SaveOptions& options = {});
+
+} // namespace edgescan
