@@ -2,6 +2,7 @@
 #include "core/edges/gray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -9,92 +10,111 @@ namespace edgescan {
 namespace {
 
 constexpr double kLevels = 255.0;
-constexpr double kLowPercentile = 0.01;
+constexpr double kTrimmedShare = 0.01;      // of the ranges at either end
+constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 degrees then stays below the default thresholds
+constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to these, so that every libm gives the same mask
+constexpr std::size_t kTableMm = 1U << 17U; // ranges looked up instead of searched
 
-// 1 % and 99 % of the valid ranges, not closer together than what makes one gray level one sigma of the range noise.
-GrayScale percentileScale(const Scan& scan) {
+// 1 % and 99 % of the valid ranges, kSmallestRatio apart at least.
+GrayScale logScale(const Scan& scan) {
     std::vector<float> ranges;
     ranges.reserve(scan.cells());
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] == CellState::Valid) ranges.push_back(scan.rangeMm[k]);
+        if (scan.state[k] == CellState::Valid && scan.rangeMm[k] > 0) ranges.push_back(scan.rangeMm[k]);
     }
     if (ranges.empty()) return {};
-    const auto trimmed = static_cast<std::ptrdiff_t>(kLowPercentile * static_cast<double>(ranges.size() - 1));
+    const auto trimmed = static_cast<std::ptrdiff_t>(kTrimmedShare * static_cast<double>(ranges.size() - 1));
     const auto low = ranges.begin() + trimmed;
     const auto high = ranges.end() - 1 - trimmed;
     std::nth_element(ranges.begin(), low, ranges.end());
-    std::nth_element(low, high, ranges.end());
-    GrayScale scale{*low, *high, 0.0};
-    const double smallestSpan = kLevels * std::max(rangeNoiseMm(scan), scan.unitMm);
-    const double missingSpan = smallestSpan - (scale.farMm - scale.nearMm);
-    if (missingSpan > 0) {
-        scale.nearMm = std::max(0.0, scale.nearMm - missingSpan / 2);
-        scale.farMm = scale.nearMm + smallestSpan;
+    double nearMm = *low;
+    std::nth_element(low, high, ranges.end()); // moves what stood at `low`
+    double farMm = *high;
+    if (farMm < nearMm * kSmallestRatio) {
+        const double middle = std::sqrt(nearMm * farMm);
+        nearMm = middle / std::sqrt(kSmallestRatio);
+        farMm = nearMm * kSmallestRatio;
     }
-    return scale;
+    // Whole millimetres: the numbers shown are the numbers used.
+    return {std::max(1.0, std::round(nearMm)), std::round(farMm), true};
 }
 
-// thesis: c = 255 / (Smax - Smin), rint(S c): gray 0 lies at range 0.
-std::uint8_t thesisLevel(double rangeMm, double factor) {
-    return static_cast<std::uint8_t>(std::clamp(std::nearbyint(rangeMm * factor), 0.0, kLevels));
+// limits[n] is the range at which level n turns into level n + 1.
+std::array<double, 255> logLimits(const GrayScale& scale) {
+    std::array<double, 255> limits{};
+    const double ratio = std::log(scale.farMm / scale.nearMm);
+    for (std::size_t n = 0; n < limits.size(); ++n) {
+        const double range = scale.nearMm * std::exp(ratio * (static_cast<double>(n) + 0.5) / kLevels);
+        limits[n] = std::round(range * kFractionsOfMm) / kFractionsOfMm;
+    }
+    return limits;
 }
 
-std::uint8_t windowLevel(double rangeMm, const GrayScale& scale) {
-    const double level = std::nearbyint((rangeMm - scale.nearMm) * kLevels / (scale.farMm - scale.nearMm));
-    return static_cast<std::uint8_t>(std::clamp(level, 0.0, kLevels));
+std::uint8_t clampedLevel(double level) { return static_cast<std::uint8_t>(std::clamp(std::nearbyint(level), 0.0, kLevels)); }
+
+template <class LevelOf>
+void fillLevels(GrayImage& gray, const Scan& scan, LevelOf levelOf) {
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        const double range = scan.rangeMm[k];
+        gray.levels[k] = levelOf(range);
+        gray.saturated += range < gray.scale.nearMm || range > gray.scale.farMm ? 1U : 0U;
+    }
+}
+
+void fillLogLevels(GrayImage& gray, const Scan& scan) {
+    const std::array<double, 255> limits = logLimits(gray.scale);
+    const auto search = [&](double range) {
+        return static_cast<std::uint8_t>(std::upper_bound(limits.begin(), limits.end(), range) - limits.begin());
+    };
+    std::vector<std::uint8_t> table(std::min(kTableMm, static_cast<std::size_t>(gray.scale.farMm) + 2));
+    for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
+    fillLevels(gray, scan, [&](double range) {
+        const double floor = std::floor(range);
+        return range == floor && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)] : search(range);
+    });
 }
 
 } // namespace
 
-double rangeNoiseMm(const Scan& scan) {
-    std::vector<float> differences;
-    differences.reserve(scan.cells());
-    for (int i = 0; i < scan.lines(); ++i) {
-        const float* range = scan.rangeMm.line(i);
-        const CellState* state = scan.state.line(i);
-        for (int j = 1; j + 1 < scan.beams(); ++j) {
-            if (state[j - 1] != CellState::Valid || state[j] != CellState::Valid || state[j + 1] != CellState::Valid) continue;
-            differences.push_back(std::abs(range[j - 1] - 2.0F * range[j] + range[j + 1]));
-        }
-    }
-    if (differences.empty()) return 0.0;
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    return *middle / (0.6745 * std::sqrt(6.0));
-}
-
 GrayScale grayScale(const Scan& scan, const Settings& settings) {
+    const bool logarithmic = settings.scaling == Scaling::Log;
     GrayScale scale;
-    if (settings.scaling == Scaling::Percentile && (std::isnan(settings.nearMm) || std::isnan(settings.farMm))) {
-        scale = percentileScale(scan);
+    if (logarithmic) {
+        scale = logScale(scan);
     } else {
         const RangeLimits limits = rangeLimits(scan);
-        scale = {limits.minMm, limits.maxMm, 0.0};
+        scale = {limits.minMm, limits.maxMm, false};
     }
-    if (settings.scaling == Scaling::Thesis) {
-        scale = {0.0, scale.farMm - scale.nearMm, 0.0};
-    } else {
-        if (!std::isnan(settings.nearMm)) scale.nearMm = settings.nearMm;
-        if (!std::isnan(settings.farMm)) scale.farMm = settings.farMm;
-        scale.farMm = std::max(scale.nearMm, scale.farMm);
-    }
-    scale.mmPerLevel = (scale.farMm - scale.nearMm) / kLevels;
+    // As printed, c = 255 / (Smax - Smin) multiplies S itself: gray 0 lies at range 0.
+    if (settings.scaling == Scaling::Thesis) return {0.0, scale.farMm - scale.nearMm, false};
+    if (!std::isnan(settings.nearMm)) scale.nearMm = settings.nearMm;
+    if (!std::isnan(settings.farMm)) scale.farMm = settings.farMm;
+    if (logarithmic) scale.nearMm = std::max(1.0, scale.nearMm);
+    scale.farMm = std::max(scale.nearMm, scale.farMm);
     return scale;
 }
 
 GrayImage grayImage(const Scan& scan, const Settings& settings) {
     GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
-    const GrayScale& scale = gray.scale;
-    if (scale.farMm <= scale.nearMm) return gray; // one single range: no depth, no gray
-    const bool thesis = settings.scaling == Scaling::Thesis;
-    const double factor = kLevels / (scale.farMm - scale.nearMm);
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::Valid) continue;
-        const double range = scan.rangeMm[k];
-        gray.levels[k] = thesis ? thesisLevel(range, factor) : windowLevel(range, scale);
-        gray.saturated += range < scale.nearMm || range > scale.farMm ? 1U : 0U;
+    const double nearMm = gray.scale.nearMm;
+    const double farMm = gray.scale.farMm;
+    if (farMm <= nearMm) return gray; // one single range: no depth, no gray
+    if (settings.scaling == Scaling::Log) {
+        fillLogLevels(gray, scan);
+    } else if (settings.scaling == Scaling::Thesis) {
+        const double factor = kLevels / (farMm - nearMm);
+        fillLevels(gray, scan, [&](double range) { return clampedLevel(range * factor); });
+    } else {
+        fillLevels(gray, scan, [&](double range) { return clampedLevel((range - nearMm) * kLevels / (farMm - nearMm)); });
     }
     return gray;
+}
+
+double mmPerLevel(const GrayScale& scale, double rangeMm) {
+    if (scale.farMm <= scale.nearMm) return 0.0;
+    if (scale.logarithmic) return rangeMm * std::log(scale.farMm / scale.nearMm) / kLevels;
+    return (scale.farMm - scale.nearMm) / kLevels;
 }
 
 } // namespace edgescan

@@ -6,11 +6,11 @@
 
 namespace edgescan {
 
-/// gray = clamp(rint(range scaled from nearMm..farMm to 0..255), 0, 255).
+/// gray = clamp(rint(range scaled from nearMm..farMm to 0..255), 0, 255), by millimetres or by ratios.
 struct GrayScale {
     double nearMm = 0.0; ///< range of gray 0
     double farMm = 0.0;  ///< range of gray 255; equal to nearMm when the scan has no depth at all
-    double mmPerLevel = 0.0;
+    bool logarithmic = false; ///< equal ratios of range per level instead of equal millimetres
 };
 
 struct GrayImage {
@@ -24,8 +24,7 @@ struct GrayImage {
 
 [[nodiscard]] GrayImage grayImage(const Scan& scan, const Settings& settings);
 
-/// Standard deviation of the range noise, mm: median |second difference along the lines| / (0.6745 sqrt 6).
-/// A smooth surface of any slope gives its noise only; 0 when there are no three valid neighbours.
-[[nodiscard]] double rangeNoiseMm(const Scan& scan);
+/// Millimetres of range that one gray level stands for at `rangeMm`; 0 when the scan has no depth at all.
+[[nodiscard]] double mmPerLevel(const GrayScale& scale, double rangeMm);
 
 } // namespace edgescan

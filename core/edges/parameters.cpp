@@ -13,7 +13,7 @@ namespace edgescan {
 namespace {
 
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
-const std::vector<Choice> kScalings{{0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "percentile", "Percentile (1 to 99 %)"}};
+const std::vector<Choice> kScalings{{0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
@@ -28,7 +28,7 @@ const std::vector<Parameter>& table() {
          [](const Settings& s) { return double(s.kernel); }, [](Settings& s, double v) { s.kernel = int(v); }},
         {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.", 0.1, 10, 0.05, 2, true, false, {},
          [](const Settings& s) { return s.sigma; }, [](Settings& s, double v) { s.sigma = v; }},
-        {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, a near/far window, or percentiles.", 0, 2, 1, 0, false, false,
+        {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.", 0, 2, 1, 0, false, false,
          kScalings, [](const Settings& s) { return double(s.scaling); }, [](Settings& s, double v) { s.scaling = Scaling(int(v)); }},
         {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.", 0, 200000, 10, 3, true, false, {},
          [](const Settings& s) { return s.nearMm; }, [](Settings& s, double v) { s.nearMm = v; }},

@@ -13,7 +13,7 @@ inline constexpr double kAutomatic = std::numeric_limits<double>::quiet_NaN();
 enum class Scaling : std::uint8_t {
     Thesis,     ///< clamp(rint(S * 255 / (Smax - Smin))), saturating when Smin > 0; thesis as printed
     Window,     ///< clamp(rint((S - near) * 255 / (far - near))), near/far = Smin/Smax unless typed
-    Percentile, ///< as Window, near/far = 1 % and 99 % of the ranges unless typed, never finer than the range noise
+    Log,        ///< clamp(rint(ln(S / near) * 255 / ln(far / near))), near/far = 1 % and 99 % of the ranges, a factor 5 apart at least
 };
 
 enum class Norm : std::uint8_t {
@@ -22,7 +22,7 @@ enum class Norm : std::uint8_t {
 };
 
 struct Settings {
-    Scaling scaling = Scaling::Percentile;
+    Scaling scaling = Scaling::Log;
     double nearMm = kAutomatic; ///< range drawn as gray 0, mm
     double farMm = kAutomatic;  ///< range drawn as gray 255, mm
     bool maskMissing = true;    ///< cells without a range take no part in smoothing and gradient

@@ -1,0 +1,98 @@
+// Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
+#include "core/edges/parameters.h"
+#include "core/edges/pipeline.h"
+#include "core/edges/worker.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace edgescan {
+namespace {
+
+Settings randomlyTurned(Settings s, std::mt19937& random) {
+    const auto rows = parameters();
+    const Parameter& p = rows[random() % rows.size()];
+    const double share = static_cast<double>(random() % 1001) / 1000.0;
+    double value = p.choices.empty() ? p.minimum + share * std::min(p.maximum - p.minimum, 20000.0) : p.choices[random() % p.choices.size()].value;
+    if (p.canBeAutomatic && random() % 3 == 0) value = kAutomatic;
+    p.set(s, snapped(p, value));
+    return checkSettings(s) ? s : Settings{};
+}
+
+TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
+    std::mt19937 random(31);
+    std::vector<std::shared_ptr<const Scan>> scans;
+    for (std::uint32_t seed = 0; seed < 3; ++seed) scans.push_back(std::make_shared<Scan>(test::boxesScan(40, 60, seed, 0.05)));
+    Pipeline pipeline;
+    Settings settings;
+    for (int step = 0; step < 400; ++step) {
+        settings = randomlyTurned(settings, random);
+        const auto& scan = scans[random() % 10 == 0 ? random() % 3 : 0];
+        const auto frame = pipeline.run(scan, settings);
+        const auto fresh = detectEdges(scan, settings);
+        ASSERT_EQ(frame->gray->levels, fresh->gray->levels) << step;
+        ASSERT_EQ(*frame->smoothed, *fresh->smoothed) << step;
+        ASSERT_EQ(*frame->mask, *fresh->mask) << step;
+        ASSERT_EQ(*frame->edges, *fresh->edges) << step;
+        EXPECT_EQ(frame->scan, scan);
+    }
+}
+
+TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 60, 1));
+    Pipeline pipeline;
+    Settings settings;
+    const auto first = pipeline.run(scan, settings);
+    EXPECT_EQ(pipeline.run(scan, settings), first);
+    settings.lower = 40;
+    const auto second = pipeline.run(scan, settings);
+    EXPECT_EQ(second->gray, first->gray);
+    EXPECT_EQ(second->smoothed, first->smoothed);
+    EXPECT_NE(second->mask, first->mask);
+    settings.kernel = 5;
+    const auto third = pipeline.run(scan, settings);
+    EXPECT_EQ(third->gray, first->gray);
+    EXPECT_NE(third->smoothed, first->smoothed);
+}
+
+TEST(Worker, ManyPostingsEndWithTheLastOne) {
+    std::atomic<int> ready{0};
+    Worker worker([&] { ++ready; });
+    const auto scan = std::make_shared<const Scan>(test::boxesScan(200, 300, 2));
+    worker.post(scan);
+    Settings settings;
+    for (int i = 0; i < 200; ++i) {
+        settings.lower = 5 + i;
+        worker.post(settings);
+    }
+    while (worker.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const auto frame = worker.take();
+    ASSERT_NE(frame, nullptr);
+    EXPECT_EQ(frame->settings.lower, 204);
+    EXPECT_EQ(*frame->mask, *detectEdges(scan, settings)->mask);
+    EXPECT_EQ(worker.take(), nullptr);
+    EXPECT_GE(ready.load(), 1);
+    EXPECT_LE(ready.load(), 201);
+}
+
+TEST(Worker, SettingsPostedBeforeAScanAreKeptAndStoppingNeverHangs) {
+    for (int round = 0; round < 50; ++round) {
+        std::atomic<int> ready{0};
+        Worker worker([&] { ++ready; });
+        Settings settings;
+        settings.lower = 33;
+        worker.post(settings);
+        EXPECT_FALSE(worker.busy());
+        worker.post(std::make_shared<const Scan>(test::boxesScan(20, 20, 2)));
+        if (round % 2 == 0) continue; // destroyed with work under way
+        while (worker.busy()) std::this_thread::yield();
+        EXPECT_EQ(worker.take()->settings.lower, 33);
+    }
+}
+
+} // namespace
+} // namespace edgescan
