@@ -68,8 +68,8 @@ Result<Done> saveSamples(std::vector<png_byte>& samples, int lines, int beams, i
     Sink sink;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
     png_infop head = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool encoded = head != nullptr && encode(png, head, &sink, static_cast<png_uint_32>(beams), static_cast<png_uint_32>(lines),
-                                                   depth, rows.data());
+    const bool encoded =
+        head != nullptr && encode(png, head, &sink, static_cast<png_uint_32>(beams), static_cast<png_uint_32>(lines), depth, rows.data());
     png_destroy_write_struct(&png, &head);
     if (!encoded) return Error{std::string("the picture cannot be made: ") + message.text, path.string(), "free some memory"};
     return writeWholeFile(path, sink.bytes);

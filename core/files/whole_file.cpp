@@ -53,17 +53,26 @@ struct Temporary {
 Error writeError(const fs::path& path, int code) {
     const std::string reason = std::strerror(code);
     switch (code) {
-    case ENOENT: return {"the folder to write into does not exist", path.string(), "make the folder or choose another"};
-    case ENOTDIR: return {"the folder to write into is not a folder", path.string(), "choose another folder"};
+    case ENOENT:
+        return {"the folder to write into does not exist", path.string(), "make the folder or choose another"};
+    case ENOTDIR:
+        return {"the folder to write into is not a folder", path.string(), "choose another folder"};
     case EACCES:
-    case EPERM: return {"writing here is not allowed", path.string(), "choose another folder or ask for the right to write"};
-    case EROFS: return {"the disk can only be read", path.string(), "choose another folder"};
+    case EPERM:
+        return {"writing here is not allowed", path.string(), "choose another folder or ask for the right to write"};
+    case EROFS:
+        return {"the disk can only be read", path.string(), "choose another folder"};
     case ENOSPC:
-    case EDQUOT: return {"the disk is full, nothing was written", path.string(), "free some space or choose another disk"};
-    case EFBIG: return {"the file would be larger than the limit set for it", path.string(), "choose another disk or raise the limit"};
-    case EISDIR: return {"this is a folder, not a file", path.string(), "give a file name"};
-    case ENAMETOOLONG: return {"the file name is too long", path.string(), "choose a shorter name"};
-    default: return {"the file cannot be written: " + reason, path.string(), "choose another folder or disk"};
+    case EDQUOT:
+        return {"the disk is full, nothing was written", path.string(), "free some space or choose another disk"};
+    case EFBIG:
+        return {"the file would be larger than the limit set for it", path.string(), "choose another disk or raise the limit"};
+    case EISDIR:
+        return {"this is a folder, not a file", path.string(), "give a file name"};
+    case ENAMETOOLONG:
+        return {"the file name is too long", path.string(), "choose a shorter name"};
+    default:
+        return {"the file cannot be written: " + reason, path.string(), "choose another folder or disk"};
     }
 }
 
@@ -71,11 +80,15 @@ Error readError(const fs::path& path, int code) {
     const std::string reason = std::strerror(code);
     switch (code) {
     case ENOENT:
-    case ENOTDIR: return {"there is no such file", path.string(), "check the spelling and the folder"};
+    case ENOTDIR:
+        return {"there is no such file", path.string(), "check the spelling and the folder"};
     case EACCES:
-    case EPERM: return {"reading this file is not allowed", path.string(), "ask its owner for the right to read it"};
-    case EISDIR: return {"this is a folder, not a file", path.string(), "choose a file inside it"};
-    default: return {"the file cannot be read: " + reason, path.string(), "check the disk and the path"};
+    case EPERM:
+        return {"reading this file is not allowed", path.string(), "ask its owner for the right to read it"};
+    case EISDIR:
+        return {"this is a folder, not a file", path.string(), "choose a file inside it"};
+    default:
+        return {"the file cannot be read: " + reason, path.string(), "check the disk and the path"};
     }
 }
 
@@ -170,9 +183,7 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
 
 Result<Done> writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) { return writeWholeFiles({{path, bytes}}); }
 
-Result<Done> writeWholeFile(const fs::path& path, const std::string& text) {
-    return writeWholeFile(path, std::as_bytes(std::span(text)));
-}
+Result<Done> writeWholeFile(const fs::path& path, const std::string& text) { return writeWholeFile(path, std::as_bytes(std::span(text))); }
 
 Result<std::vector<std::byte>> readWholeFile(const fs::path& path) {
     // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.

@@ -1,0 +1,13 @@
+// Polygon files (PLY 1.0): vertices with scalar properties; ascii, little and big endian.
+#pragma once
+
+#include "core/files/source.h"
+
+#include <string_view>
+
+namespace edgescan {
+
+[[nodiscard]] bool looksLikePly(std::string_view text);
+Result<Scan> readPly(const Source& source);
+
+} // namespace edgescan

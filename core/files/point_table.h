@@ -1,0 +1,39 @@
+// Points as any format delivers them, and the scan they become.
+#pragma once
+
+#include "core/files/source.h"
+#include "core/scan/recognise_grid.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+struct PointTable {
+    std::string format;                               ///< "PCD", "PLY", "point list"
+    std::size_t width = 0;                            ///< points per row of an organised cloud; all points otherwise
+    std::size_t height = 1;                           ///< 1 = not organised
+    std::vector<Eigen::Vector3d> points;              ///< the numbers of the file; not finite where missing
+    Precision precision;                              ///< how exactly they are written
+    Eigen::Vector3d sensor = Eigen::Vector3d::Zero(); ///< position of the sensor, in the same numbers
+    std::optional<double> unitMm;                     ///< millimetres per number where the format or a header says so
+    bool leftHanded = false;                          ///< 3DTK: x right, y up, z forward
+    std::string description;                          ///< our own comment lines, JSON
+
+    // Our own columns; empty when the file has them not, else one per point.
+    std::vector<float> rangeMm;
+    std::vector<std::uint8_t> state;
+};
+
+/// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised.
+/// Error: no grid, in numbers; a description that does not fit.
+Result<Scan> scanFromPoints(PointTable table, const Source& source);
+
+/// Adds one line of a comment to the description when it is ours ("edgescan {..."): true when it was.
+bool addToDescription(std::string_view comment, std::string& description);
+
+} // namespace edgescan

@@ -1,0 +1,12 @@
+// Point lists as text: .xyz .txt .asc .csv .pts and 3DTK's .3d.
+#pragma once
+
+#include "core/files/source.h"
+#include "core/files/text_layout.h"
+
+namespace edgescan {
+
+/// Error: a row is cut off or is no number (with its line), fewer rows than promised, no grid.
+Result<Scan> readPointText(const Source& source, const TextLayout& layout);
+
+} // namespace edgescan

@@ -1,0 +1,65 @@
+// How a text of numbers is laid out: separators, decimal comma, comments, header and count lines. And its rows, read fast.
+#pragma once
+
+#include "core/files/source.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+struct TextLayout {
+    std::size_t firstByte = 0;               ///< where the first row of numbers begins
+    std::size_t firstLine = 1;               ///< its line number, from 1
+    char separator = ' ';                    ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
+    bool decimalComma = false;               ///< 1,5;2,25
+    std::size_t columns = 0;                 ///< of the first row
+    std::vector<std::string> names;          ///< column names of the header, lower case; empty when there is none
+    std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
+    std::string description;                 ///< JSON of our own "# edgescan " comment lines
+};
+
+/// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
+[[nodiscard]] std::optional<std::size_t> firstByteThatIsNoText(std::string_view text);
+
+/// Error: there is no row of numbers.
+Result<TextLayout> textLayoutOf(const Source& source);
+
+/// How exactly numbers were printed.
+struct PrintedDigits {
+    int decimals = 0;    ///< most digits after the point
+    int significant = 0; ///< most digits from the first that is not 0
+};
+
+/// Rows of numbers one after the other. An empty cell and "nan" are NaN.
+class RowReader {
+public:
+    RowReader(const Source& source, const TextLayout& layout);
+
+    /// The next row's numbers; false at the end or when something is wrong.
+    bool next(std::vector<double>& numbers);
+    [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+    [[nodiscard]] std::size_t lineNumber() const { return line_; } ///< of the row that next() gave
+    [[nodiscard]] double fraction() const;                         ///< of the text that has been read
+    /// Of the first three columns of the rows read so far.
+    [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
+
+private:
+    bool readCell(const char*& at, const char* end, std::vector<double>& numbers);
+    void countDigits(const char* from, const char* to);
+
+    const Source* source_;
+    const char* begin_;
+    const char* at_;
+    const char* end_;
+    char separator_;
+    bool decimalComma_;
+    std::size_t line_;
+    PrintedDigits digits_;
+    std::optional<Error> problem_;
+};
+
+} // namespace edgescan
