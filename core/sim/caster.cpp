@@ -1,0 +1,122 @@
+// Bundle against triangle and against convex body. The inner loops run over lanes without branches, so that the compiler vectorises them.
+#include "core/sim/caster.h"
+
+namespace edgescan::sim {
+namespace {
+
+constexpr float kNowhere = std::numeric_limits<float>::infinity();
+
+float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
+
+/// The tree follows the centre of the beam, so boxes grow by the radius that the beam has at their far end.
+Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& box, const Footprint& footprint) {
+    const double reach = static_cast<double>(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
+    const auto margin = static_cast<float>(1.05 * footprint.radiusM(reach) + 1e-4);
+    return {box.min() - Eigen::Vector3f::Constant(margin), box.max() + Eigen::Vector3f::Constant(margin)};
+}
+
+BoxTree treeOver(const Mesh& mesh, const Footprint& footprint) {
+    std::vector<Eigen::AlignedBox3f> boxes;
+    boxes.reserve(mesh.size());
+    for (const Triangle& t : mesh) {
+        Eigen::AlignedBox3f box(t.corner);
+        box.extend(t.corner + t.edge1);
+        box.extend(t.corner + t.edge2);
+        boxes.push_back(widened(box, footprint));
+    }
+    return BoxTree(boxes);
+}
+
+void castInto(const Mesh& mesh, const BoxTree& tree, const RayBundle& bundle, BundleHits& hits) {
+    const Eigen::Vector3f centre(bundle.dx[0], bundle.dy[0], bundle.dz[0]);
+    tree.along(
+        centre, [&](std::int32_t part) { meet(mesh[static_cast<std::size_t>(part)], bundle, hits); }, [&] { return farthest(hits); });
+}
+
+} // namespace
+
+Caster::Caster(const Scene& scene, const Footprint& footprint) : scene_(&scene) {
+    for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, footprint));
+    solidTree_ = treeOver(scene.solids, footprint);
+    std::vector<Eigen::AlignedBox3f> boxes;
+    boxes.reserve(scene.bodies.size());
+    for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, footprint));
+    bodyTree_ = BoxTree(boxes);
+}
+
+BundleHits Caster::cast(const RayBundle& bundle) const {
+    BundleHits hits;
+    for (std::size_t v = 0; v < scene_->voids.size(); ++v) {
+        BundleHits wall;
+        castInto(scene_->voids[v], voidTrees_[v], bundle, wall);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            if (v > 0 && wall.distanceM[i] <= hits.distanceM[i]) continue;
+            hits.distanceM[i] = wall.distanceM[i];
+            hits.surface[i] = wall.surface[i];
+        }
+    }
+    castInto(scene_->solids, solidTree_, bundle, hits);
+    const Eigen::Vector3f centre(bundle.dx[0], bundle.dy[0], bundle.dz[0]);
+    bodyTree_.along(
+        centre, [&](std::int32_t part) { meet(scene_->bodies[static_cast<std::size_t>(part)], bundle, hits); },
+        [&] { return farthest(hits); });
+    return hits;
+}
+
+void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits) {
+    constexpr float kRim = 1e-5F; // neighbouring triangles overlap by this share, so that no ray slips between them
+    const Eigen::Vector3f e1 = triangle.edge1;
+    const Eigen::Vector3f e2 = triangle.edge2;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float px = bundle.dy[i] * e2.z() - bundle.dz[i] * e2.y();
+        const float py = bundle.dz[i] * e2.x() - bundle.dx[i] * e2.z();
+        const float pz = bundle.dx[i] * e2.y() - bundle.dy[i] * e2.x();
+        const float determinant = e1.x() * px + e1.y() * py + e1.z() * pz;
+        const float inverse = 1.0F / determinant; // infinite for a ray in the plane: every test below then fails
+        const float sx = bundle.ox[i] - triangle.corner.x();
+        const float sy = bundle.oy[i] - triangle.corner.y();
+        const float sz = bundle.oz[i] - triangle.corner.z();
+        const float u = (sx * px + sy * py + sz * pz) * inverse;
+        const float qx = sy * e1.z() - sz * e1.y();
+        const float qy = sz * e1.x() - sx * e1.z();
+        const float qz = sx * e1.y() - sy * e1.x();
+        const float v = (bundle.dx[i] * qx + bundle.dy[i] * qy + bundle.dz[i] * qz) * inverse;
+        const float t = (e2.x() * qx + e2.y() * qy + e2.z() * qz) * inverse;
+        const bool closer = (u >= -kRim) & (v >= -kRim) & (u + v <= 1.0F + kRim) & (t > 0.0F) & (t < hits.distanceM[i]);
+        hits.distanceM[i] = closer ? t : hits.distanceM[i];
+        hits.surface[i] = closer ? triangle.surface : hits.surface[i];
+    }
+}
+
+void meet(const ConvexBody& body, const RayBundle& bundle, BundleHits& hits) {
+    alignas(16) Lanes<float> enter;
+    alignas(16) Lanes<float> leave;
+    alignas(16) Lanes<std::int32_t> surface;
+    enter.fill(0.0F);
+    leave.fill(kNowhere);
+    surface.fill(-1);
+    for (const Facet& facet : body.facets) {
+        const float nx = facet.normal.x();
+        const float ny = facet.normal.y();
+        const float nz = facet.normal.z();
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float slope = nx * bundle.dx[i] + ny * bundle.dy[i] + nz * bundle.dz[i];
+            const float height = nx * bundle.ox[i] + ny * bundle.oy[i] + nz * bundle.oz[i] - facet.offset;
+            const bool parallel = std::abs(slope) < 1e-9F;
+            const float t = -height / (parallel ? 1e-9F : slope);
+            const bool inward = (slope < 0.0F) & !parallel;
+            const bool later = inward & (t > enter[i]);
+            const bool sooner = !inward & (t < leave[i]);
+            enter[i] = later ? t : enter[i];
+            surface[i] = later ? facet.surface : surface[i];
+            leave[i] = sooner ? t : leave[i];
+        }
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const bool closer = (surface[i] >= 0) & (enter[i] <= leave[i]) & (enter[i] < hits.distanceM[i]);
+        hits.distanceM[i] = closer ? enter[i] : hits.distanceM[i];
+        hits.surface[i] = closer ? surface[i] : hits.surface[i];
+    }
+}
+
+} // namespace edgescan::sim

@@ -1,0 +1,144 @@
+// Rocks: a blocky cloud of corners, its hull, and the half-spaces that rays are tested against.
+#include "core/sim/convex_rock.h"
+
+#include "core/sim/convex_hull.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::sim {
+namespace {
+
+Eigen::Vector3d randomDirection(Dice& dice) {
+    Eigen::Vector3d d;
+    do d = Eigen::Vector3d{dice.normal(), dice.normal(), dice.normal()};
+    while (d.norm() < 1e-3);
+    return d.normalized();
+}
+
+Eigen::Matrix3d randomTurn(Dice& dice) {
+    Eigen::Quaterniond q;
+    do q = Eigen::Quaterniond{dice.normal(), dice.normal(), dice.normal(), dice.normal()};
+    while (q.norm() < 1e-3);
+    return q.normalized().toRotationMatrix();
+}
+
+/// Where the planes normal . x = distance meet on the body that they enclose; each plane is given as normal / distance.
+/// The hull of those points is the body's dual: each of its triangles stands for a corner.
+std::vector<Eigen::Vector3d> cornersBetween(const std::vector<Eigen::Vector3d>& planes) {
+    std::vector<Eigen::Vector3d> corners;
+    for (const HullTriangle& t : convexHull(planes)) {
+        const Eigen::Vector3d& a = planes[static_cast<std::size_t>(t[0])];
+        const Eigen::Vector3d normal = (planes[static_cast<std::size_t>(t[1])] - a).cross(planes[static_cast<std::size_t>(t[2])] - a);
+        corners.emplace_back(normal / normal.dot(a));
+    }
+    return corners;
+}
+
+/// A block between three sets of joints, its corners and edges broken off.
+std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
+    std::vector<Eigen::Vector3d> planes;
+    const double skew = dice.uniform(0.05, 0.30);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const Eigen::Vector3d normal = (side * Eigen::Vector3d::Unit(axis) + skew * randomDirection(dice)).normalized();
+            planes.emplace_back(normal / dice.uniform(0.70, 0.90));
+        }
+    }
+    while (static_cast<int>(planes.size()) < count) planes.emplace_back(randomDirection(dice) / dice.uniform(0.80, 1.0));
+    return planes;
+}
+
+float volumeOf(const std::vector<Eigen::Vector3d>& corners, const std::vector<HullTriangle>& hull) {
+    double six = 0.0;
+    for (const HullTriangle& t : hull)
+        six += corners[static_cast<std::size_t>(t[0])].dot(
+            corners[static_cast<std::size_t>(t[1])].cross(corners[static_cast<std::size_t>(t[2])]));
+    return static_cast<float>(six / 6.0);
+}
+
+/// Longest distance between two corners, then the widths across it: the widest one, and the one at right angles to both.
+std::array<float, 3> spansOf(const std::vector<Eigen::Vector3d>& corners) {
+    const auto longest = [&](auto project) {
+        Eigen::Vector3d best = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            for (std::size_t j = i + 1; j < corners.size(); ++j) {
+                const Eigen::Vector3d chord = project(corners[i] - corners[j]);
+                if (chord.squaredNorm() > best.squaredNorm()) best = chord;
+            }
+        }
+        return best;
+    };
+    const Eigen::Vector3d a = longest([](const Eigen::Vector3d& c) { return c; });
+    const Eigen::Vector3d alongA = a.normalized();
+    const auto acrossA = [&](const Eigen::Vector3d& c) -> Eigen::Vector3d { return c - alongA * alongA.dot(c); };
+    const Eigen::Vector3d b = longest(acrossA);
+    const Eigen::Vector3d across = alongA.cross(b.normalized());
+    const Eigen::Vector3d c = longest([&](const Eigen::Vector3d& chord) -> Eigen::Vector3d { return across * across.dot(chord); });
+    return {static_cast<float>(a.norm()), static_cast<float>(b.norm()), static_cast<float>(c.norm())};
+}
+
+/// Distinct planes (unit normal, offset) of the hull: triangles of one flat face share theirs.
+std::vector<Eigen::Vector4d> planesOf(const std::vector<Eigen::Vector3d>& corners, const std::vector<HullTriangle>& hull) {
+    std::vector<Eigen::Vector4d> planes;
+    for (const HullTriangle& t : hull) {
+        const Eigen::Vector3d& a = corners[static_cast<std::size_t>(t[0])];
+        const Eigen::Vector3d normal =
+            (corners[static_cast<std::size_t>(t[1])] - a).cross(corners[static_cast<std::size_t>(t[2])] - a).normalized();
+        Eigen::Vector4d plane;
+        plane << normal, normal.dot(a);
+        const auto same = [&](const Eigen::Vector4d& other) { return (other - plane).cwiseAbs().maxCoeff() < 1e-5; };
+        if (normal.squaredNorm() > 0.5 && std::none_of(planes.begin(), planes.end(), same)) planes.push_back(plane);
+    }
+    return planes;
+}
+
+void addFacet(Scene& scene, ConvexBody& body, const Eigen::Vector3d& normal, double offset, const Surface& look) {
+    Surface surface = look;
+    surface.normal = normal.cast<float>();
+    body.facets.push_back({surface.normal, static_cast<float>(offset), static_cast<std::int32_t>(scene.surfaces.size())});
+    scene.surfaces.push_back(surface);
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice) {
+    const int planes = dice.whole(9, dice.whole(14, 22)); // a body of n planes has at most 2 n - 4 corners: 14-40
+    std::vector<Eigen::Vector3d> corners = cornersBetween(blockPlanes(planes, dice));
+    const Eigen::Vector3d axes{1.0, dice.uniform(0.55, 1.0), dice.uniform(0.55, 1.0)};
+    const Eigen::Matrix3d turn = randomTurn(dice);
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : corners) box.extend(corner);
+    for (Eigen::Vector3d& corner : corners)
+        corner = turn * (axes.array() * (corner - box.center()).array() / box.sizes().array() * sizeM).matrix();
+    return corners;
+}
+
+void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM) {
+    const std::vector<HullTriangle> hull = convexHull(corners);
+    if (hull.empty()) return;
+    ConvexBody body;
+    Surface look{.object = static_cast<std::uint16_t>(kFirstRock + scene.rocks.size()), .face = 0, .texture = Texture::Rock};
+    for (const Eigen::Vector4d& plane : planesOf(corners, hull)) {
+        ++look.face;
+        addFacet(scene, body, plane.head<3>(), plane.w() + plane.head<3>().dot(centreM), look);
+    }
+    for (const Eigen::Vector3d& corner : corners) body.box.extend((corner + centreM).cast<float>());
+    scene.bodies.push_back(std::move(body));
+    scene.rocks.push_back({look.object, centreM.cast<float>(), spansOf(corners), volumeOf(corners, hull)});
+}
+
+void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object) {
+    ConvexBody body;
+    Surface look{.object = object, .face = 0, .texture = Texture::Smooth};
+    for (int axis = 0; axis < 3; ++axis) {
+        ++look.face;
+        addFacet(scene, body, -Eigen::Vector3d::Unit(axis), -box.min()[axis], look);
+        ++look.face;
+        addFacet(scene, body, Eigen::Vector3d::Unit(axis), box.max()[axis], look);
+    }
+    body.box = box.cast<float>();
+    scene.bodies.push_back(std::move(body));
+}
+
+} // namespace edgescan::sim

@@ -1,0 +1,23 @@
+// Broken rock: angular convex polyhedra.
+#pragma once
+
+#include "core/sim/random.h"
+#include "core/sim/scene.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace edgescan::sim {
+
+/// Corners of a rock round the origin: 12-40 points, longest axis `sizeM`, the two others 0.55-1 of it, turned at random.
+[[nodiscard]] std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice);
+
+/// Adds the hull of the corners, moved to `centreM`, as the scene's next rock. Each flat side becomes a face of its own, numbered from 1.
+/// Corners in one plane add nothing.
+void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM);
+
+/// Adds a box with faces 1-6 (-x, +x, -y, +y, -z, +z) as object `object`.
+void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object);
+
+} // namespace edgescan::sim

@@ -1,0 +1,140 @@
+// The hang-up: large rocks find their places first, the others jam between them and against the walls.
+#include "core/sim/hangup.h"
+
+#include "core/sim/bell.h"
+#include "core/sim/convex_rock.h"
+#include "core/sim/noise.h"
+#include "core/sim/packing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::sim {
+namespace {
+
+constexpr double kMinSizeM = 0.16;
+constexpr double kMaxSizeM = 2.6;
+
+/// Sizes of the rocks, largest first. Stratified, so that every seed has its few keystones and its many stones.
+std::vector<double> rockSizes(int count, std::uint64_t seed) {
+    Dice dice(seed, Purpose::Sizes);
+    std::vector<double> sizes;
+    while (static_cast<int>(sizes.size()) < count) {
+        const double size = 0.50 * std::exp(0.70 * dice.normal());
+        if (size < kMinSizeM || size > kMaxSizeM) continue;
+        sizes.push_back(std::round(size * 1e4) / 1e4); // exp() may differ in its last bit between machines
+    }
+    std::sort(sizes.rbegin(), sizes.rend());
+    // An arch is held by a few blocks that are large against the throat; a log-normal law alone has them only sometimes.
+    constexpr std::array<double, 5> kKeystones{2.6, 2.5, 2.3, 2.1, 1.9};
+    for (std::size_t i = 0; i < std::min(kKeystones.size(), sizes.size() / 8); ++i)
+        sizes[i] = std::max(sizes[i], kKeystones[i] * dice.uniform(0.94, 1.0));
+    return sizes;
+}
+
+/// Where the rocks jam: a vault that stands on the walls, with the chimney through it.
+struct Vault {
+    const Bell& bell;
+    Eigen::Vector2d chimneyM;
+    double chimneyRadiusM = 0.95;
+    double springingM = 4.2; ///< height at the wall
+    double crownM = 6.0;     ///< height on the axis
+    double tilt = 0.0;       ///< rise per metre along x: no real arch is level
+
+    [[nodiscard]] double height(const Eigen::Vector3d& p) const {
+        const double s = std::min(1.0, bell.share(p));
+        return springingM + (crownM - springingM) * (1.0 - s * s) + tilt * p.x();
+    }
+};
+
+std::vector<Ball> scattered(const std::vector<double>& sizes, const Vault& vault, Dice& dice) {
+    std::vector<Ball> balls;
+    for (const double size : sizes) {
+        Ball ball{.radius = 0.43 * size}; // of a ball as large as the rock on average over its aspect ratios
+        double farthest = -1.0;
+        // The best of some candidates: large rocks keep clear of each other, so that none hides behind another.
+        for (int attempt = 0; attempt < 12; ++attempt) {
+            Eigen::Vector3d p;
+            do p = Eigen::Vector3d{dice.uniform(-7.0, 7.0), dice.uniform(-6.0, 6.0), 5.5};
+            while (vault.bell.share(p) > 0.97);
+            p.z() = vault.height(p) + dice.uniform(0.0, 0.8);
+            double clear = 1e9;
+            for (const Ball& other : balls) clear = std::min(clear, (p - other.centre).norm() - other.radius - ball.radius);
+            if (clear <= farthest) continue;
+            farthest = clear;
+            ball.centre = p;
+        }
+        if (farthest < 0.0 && balls.empty()) ball.centre = {0.0, 0.0, vault.crownM};
+        balls.push_back(ball);
+    }
+    return balls;
+}
+
+/// Weight and arching: down onto the vault, off the chimney, and never through the wall.
+void settle(Ball& ball, const Vault& vault, double hang) {
+    const double level = vault.height(ball.centre) + hang;
+    if (ball.centre.z() < level)
+        ball.centre.z() += 0.5 * (level - ball.centre.z());
+    else
+        ball.centre.z() -= std::min(0.06, ball.centre.z() - level);
+    const Eigen::Vector2d off = ball.centre.head<2>() - vault.chimneyM;
+    const double clear = vault.chimneyRadiusM + 0.9 * ball.radius;
+    const double distance = off.norm();
+    if (distance < clear && distance > 1e-6) ball.centre.head<2>() += off * (0.5 * (clear - distance) / distance);
+    const double share = vault.bell.share(ball.centre);
+    const double axis = Bell::halfAxes(ball.centre.z()).minCoeff();
+    const double limit = 1.0 - 0.65 * ball.radius / axis; // wedged into the rough wall rather than leaning on it
+    if (share > limit) ball.centre.head<2>() *= limit / share;
+}
+
+void addArch(Scene& scene, const Vault& vault, int rocks, std::uint64_t seed) {
+    Dice places(seed, Purpose::Places);
+    const std::vector<double> sizes = rockSizes(rocks, seed);
+    std::vector<double> hang;
+    for (const double size : sizes) hang.push_back(size > 1.2 ? places.uniform(-0.45, 0.35) : places.uniform(0.0, 0.7));
+    const std::vector<Ball> balls = jammed(
+        scattered(sizes, vault, places), [&](std::size_t i, Ball& ball) { settle(ball, vault, hang[i]); }, 0.88, 140);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Dice shape(seed, Purpose::Shapes, i);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre);
+    }
+}
+
+/// Stones that came down before it hung up.
+void addRubble(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
+    Dice dice(seed, Purpose::Rubble);
+    for (int i = 0; i < rocks;) {
+        const double x = dice.uniform(-4.5, 4.5);
+        const double y = dice.uniform(-4.5, 2.0);
+        const double size = dice.uniform(0.16, 0.4) + 0.8 * dice.uniform() * dice.uniform() * dice.uniform();
+        const double height = muckHeight(bell, x, y, seed);
+        const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
+        const bool onPole = y * y + height * height < 0.09 * x * x; // a sweep would smear it over every line
+        if (!onSlope || onPole) continue;
+        Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
+        addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size});
+        ++i;
+    }
+}
+
+} // namespace
+
+Scene hangupScene(std::uint64_t seed, int rocks) {
+    Dice dice(seed, Purpose::Bell);
+    const Bell bell(mixed(seed));
+    const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
+    const Vault vault{bell,
+                      {side * dice.uniform(1.3, 2.2), dice.uniform(-1.6, 0.4)},
+                      dice.uniform(0.8, 1.0),
+                      4.2,
+                      dice.uniform(5.6, 6.2),
+                      dice.uniform(-0.12, 0.12)};
+    Scene scene;
+    addBell(scene, bell, {true, vault.chimneyM * 2.3, 1.3});
+    addMuck(scene, bell, mixed(seed));
+    addArch(scene, vault, rocks, seed);
+    addRubble(scene, bell, rocks / 5, mixed(seed));
+    return scene;
+}
+
+} // namespace edgescan::sim

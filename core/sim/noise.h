@@ -1,0 +1,17 @@
+// Smooth random fields over space: rough rock, rough walls, the undulation of a funnel.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace edgescan::sim {
+
+/// Value noise on the unit lattice, twice continuously differentiable, within [-1, 1].
+[[nodiscard]] double valueNoise(const Eigen::Vector3d& place, std::uint64_t seed);
+
+/// Sum of octaves, each half as long and half as high as the one before. Standard deviation about 1, never beyond 5.
+/// @param wavelengthM length of the first octave, metres
+[[nodiscard]] double fractalNoise(const Eigen::Vector3d& placeM, double wavelengthM, int octaves, std::uint64_t seed);
+
+} // namespace edgescan::sim

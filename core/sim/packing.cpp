@@ -1,0 +1,33 @@
+// Position-based relaxation, one ball after the other, always in the same order: the outcome depends on nothing but the input.
+#include "core/sim/packing.h"
+
+#include <cmath>
+
+namespace edgescan::sim {
+namespace {
+
+void pushApart(Ball& a, Ball& b, double touch) {
+    const double reach = touch * (a.radius + b.radius);
+    const Eigen::Vector3d gap = b.centre - a.centre;
+    const double squared = gap.squaredNorm();
+    if (squared >= reach * reach || squared < 1e-12) return;
+    const double distance = std::sqrt(squared);
+    const double weightA = a.radius * a.radius * a.radius;
+    const double weightB = b.radius * b.radius * b.radius;
+    const Eigen::Vector3d push = gap * (0.8 * (reach - distance) / (distance * (weightA + weightB)));
+    a.centre -= push * weightB;
+    b.centre += push * weightA;
+}
+
+} // namespace
+
+std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            for (std::size_t j = i + 1; j < balls.size(); ++j) pushApart(balls[i], balls[j], touch);
+        for (std::size_t i = 0; i < balls.size(); ++i) confine(i, balls[i]);
+    }
+    return balls;
+}
+
+} // namespace edgescan::sim

@@ -1,0 +1,24 @@
+// Jamming: balls that stand for rocks, pushed apart until they touch.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace edgescan::sim {
+
+struct Ball {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< metres
+    double radius = 0.5;
+};
+
+/// Moves a ball back to where it may be.
+using Confine = std::function<void(std::size_t index, Ball& ball)>;
+
+/// Alternates pushing overlapping balls apart and confining each; small balls give way to large ones. The cost grows with the square of the
+/// number of balls.
+/// @param touch distance that two balls settle at, as a share of the sum of their radii; below 1 they stay interlocked
+[[nodiscard]] std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds);
+
+} // namespace edgescan::sim

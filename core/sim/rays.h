@@ -1,0 +1,48 @@
+// One beam as a bundle of sub-rays over its footprint, and what they hit.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace edgescan::sim {
+
+inline constexpr std::size_t kSubRays = 11; ///< per beam (METHOD.md, simulator facts)
+inline constexpr std::size_t kLanes = 12;   ///< sub-rays rounded up to whole vector registers; the last lane repeats the centre
+
+template <class T>
+using Lanes = std::array<T, kLanes>;
+
+/// Metres, scanner frame; directions need no unit length beyond what float gives. Lane 0 is the centre of the beam.
+struct RayBundle {
+    alignas(16) Lanes<float> ox, oy, oz;
+    alignas(16) Lanes<float> dx, dy, dz;
+};
+
+struct BundleHits {
+    alignas(16) Lanes<float> distanceM;      ///< infinite where nothing is hit
+    alignas(16) Lanes<std::int32_t> surface; ///< index into Scene::surfaces, -1 where nothing is hit
+
+    BundleHits() {
+        distanceM.fill(std::numeric_limits<float>::infinity());
+        surface.fill(-1);
+    }
+};
+
+/// Diameter of the beam = apertureM + divergenceRad * range.
+struct Footprint {
+    double apertureM = 0.013;
+    double divergenceRad = 0.0046;
+
+    [[nodiscard]] double radiusM(double rangeM) const { return 0.5 * (apertureM + divergenceRad * rangeM); }
+};
+
+/// The sub-rays of the beam that leaves the origin along a unit direction.
+[[nodiscard]] RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint);
+
+/// Share of the beam's power that each sub-ray carries; sums to 1.
+[[nodiscard]] const Lanes<float>& subRayPower();
+
+} // namespace edgescan::sim

@@ -1,0 +1,58 @@
+// Building blocks of scenes: surfaces through lattices of points, turning.
+#include "core/sim/scene.h"
+
+namespace edgescan::sim {
+namespace {
+
+void addTriangle(Scene& scene, Mesh& mesh, const std::array<Eigen::Vector3d, 3>& corners, Surface look) {
+    Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double area = normal.norm();
+    if (area < 1e-12) return; // a lattice may run together in a point
+    normal /= area;
+    if (normal.dot(corners[0]) > 0.0) normal = -normal;
+    look.normal = normal.cast<float>();
+    mesh.push_back({corners[0].cast<float>(), (corners[1] - corners[0]).cast<float>(), (corners[2] - corners[0]).cast<float>(),
+                    static_cast<std::int32_t>(scene.surfaces.size())});
+    scene.surfaces.push_back(look);
+}
+
+void turn(Mesh& mesh, const Eigen::Matrix3f& rotation) {
+    for (Triangle& t : mesh) {
+        t.corner = rotation * t.corner;
+        t.edge1 = rotation * t.edge1;
+        t.edge2 = rotation * t.edge2;
+    }
+}
+
+} // namespace
+
+void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look) {
+    const int cells = lattice.closed ? lattice.columns : lattice.columns - 1;
+    for (int i = 0; i + 1 < lattice.rows; ++i) {
+        for (int j = 0; j < cells; ++j) {
+            const int next = (j + 1) % lattice.columns;
+            const Eigen::Vector3d a = lattice.point(i, j);
+            const Eigen::Vector3d b = lattice.point(i, next);
+            const Eigen::Vector3d c = lattice.point(i + 1, next);
+            const Eigen::Vector3d d = lattice.point(i + 1, j);
+            addTriangle(scene, mesh, {a, b, c}, look);
+            addTriangle(scene, mesh, {a, c, d}, look);
+        }
+    }
+}
+
+Scene turned(Scene scene, const Eigen::Matrix3f& rotation) {
+    for (Surface& surface : scene.surfaces) surface.normal = rotation * surface.normal;
+    for (Mesh& mesh : scene.voids) turn(mesh, rotation);
+    turn(scene.solids, rotation);
+    for (ConvexBody& body : scene.bodies) {
+        Eigen::AlignedBox3f box;
+        for (int k = 0; k < 8; ++k) box.extend(rotation * body.box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(k)));
+        body.box = box;
+        for (Facet& facet : body.facets) facet.normal = rotation * facet.normal;
+    }
+    for (RockTruth& rock : scene.rocks) rock.centreM = rotation * rock.centreM;
+    return scene;
+}
+
+} // namespace edgescan::sim

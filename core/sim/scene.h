@@ -1,0 +1,78 @@
+// What the beams can hit: the walls of a void, solid surfaces in it, and convex bodies.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace edgescan::sim {
+
+inline constexpr std::uint16_t kWallObject = 1;
+inline constexpr std::uint16_t kFirstRock = 2;
+
+enum class Texture : std::uint8_t { Smooth, Rock, Wall };
+
+/// One flat piece. Pieces with the same object and face make one smooth face of that object.
+struct Surface {
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< unit, towards the scanner's side
+    std::uint16_t object = kWallObject;
+    std::uint16_t face = 1;
+    Texture texture = Texture::Wall;
+};
+
+struct Triangle {
+    Eigen::Vector3f corner, edge1, edge2; ///< metres, scanner frame
+    std::int32_t surface = -1;
+};
+using Mesh = std::vector<Triangle>;
+
+/// Half-space normal . x <= offset.
+struct Facet {
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    float offset = 0.0F;
+    std::int32_t surface = -1;
+};
+
+/// The common part of its half-spaces.
+struct ConvexBody {
+    std::vector<Facet> facets;
+    Eigen::AlignedBox3f box;
+};
+
+/// A rock as it really is, hidden parts included.
+struct RockTruth {
+    std::uint16_t object = 0;
+    Eigen::Vector3f centreM = Eigen::Vector3f::Zero();
+    std::array<float, 3> spansM{}; ///< longest axis first
+    float volumeM3 = 0.0F;
+};
+
+/// Metres, scanner frame, scanner at the origin.
+struct Scene {
+    std::vector<Surface> surfaces;
+    /// Each mesh is the wall of one void that holds the scanner; a beam passes from void to void and ends at the farthest wall.
+    std::vector<Mesh> voids;
+    Mesh solids; ///< surfaces that stop a beam wherever they are
+    std::vector<ConvexBody> bodies;
+    std::vector<RockTruth> rocks;
+};
+
+/// Adds the surface through a rows x columns lattice of points, facing the scanner, two triangles per lattice cell.
+/// @param closed joins the last column to the first
+/// @param point place of lattice node (row, column), metres
+struct Lattice {
+    int rows = 2;
+    int columns = 2;
+    bool closed = false;
+    std::function<Eigen::Vector3d(int row, int column)> point;
+};
+void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look);
+
+/// The scene turned about the scanner.
+[[nodiscard]] Scene turned(Scene scene, const Eigen::Matrix3f& rotation);
+
+} // namespace edgescan::sim

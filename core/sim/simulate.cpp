@@ -1,0 +1,234 @@
+// One sweep: settings checked, scene built, lines cast on all cores.
+#include "core/sim/simulate.h"
+
+#include "core/scan/cartesian.h"
+#include "core/sim/beam.h"
+#include "core/sim/caster.h"
+#include "core/sim/hangup.h"
+#include "core/sim/noise.h"
+#include "core/sim/random.h"
+
+#include <atomic>
+#include <cmath>
+#include <new>
+#include <numbers>
+#include <thread>
+
+namespace edgescan {
+namespace {
+
+using namespace sim;
+
+constexpr double kFirstBeamDeg = -5.0;
+constexpr double kFanDeg = 190.0;
+constexpr double kSweepDeg = 180.0;
+
+struct Patch {
+    Eigen::Vector3d direction;
+    double cosRadius;
+};
+
+/// All that a line needs; shared by the threads, never changed while they run.
+struct Sweep {
+    const SimulationSettings& settings;
+    Scene scene;
+    Footprint footprint;
+    std::vector<Patch> patches;
+    std::array<Scan, 2> aim; ///< true angles of even and odd beams
+};
+
+std::optional<Error> refusal(const SimulationSettings& s) {
+    struct Limit {
+        const char* key;
+        double value, low, high;
+    };
+    const Limit limits[] = {{"lines", 1.0 * s.lines, 2, 100000},
+                            {"beams", 1.0 * s.beams, 2, 100000},
+                            {"rocks", 1.0 * s.rocks, 0, 3000},
+                            {"rock roughness", s.rockRoughnessMm, 0, 200},
+                            {"wall roughness", s.wallRoughnessMm, 0, 200},
+                            {"absorbing patches", 1.0 * s.absorbingPatches, 0, 1000},
+                            {"noise", s.noise, 0, 100},
+                            {"dropouts", s.dropouts, 0, 1},
+                            {"dust", s.dust, 0, 1},
+                            {"range step", s.rangeStepMm, 0.01, 1000},
+                            {"maximum range", s.maxRangeM, 1, 1000},
+                            {"line jitter", s.lineJitterDeg, 0, 1},
+                            {"interlace", s.interlaceDeg, -5, 5},
+                            {"threads", 1.0 * s.threads, 0, 1024}};
+    const auto text = [](double value) {
+        std::string digits = std::to_string(value);
+        digits.erase(digits.find_last_not_of('0') + 1);
+        if (digits.back() == '.') digits.pop_back();
+        return digits;
+    };
+    for (const Limit& limit : limits) {
+        if (limit.value >= limit.low && limit.value <= limit.high) continue;
+        return Error{std::string(limit.key) + " is " + text(limit.value), "simulate", "use " + text(limit.low) + " to " + text(limit.high)};
+    }
+    constexpr double kMostCells = 2e8;
+    if (1.0 * s.lines * s.beams > kMostCells)
+        return Error{"lines x beams is more than 200 million cells", "simulate", "use fewer lines or beams"};
+    return std::nullopt;
+}
+
+Result<Scene> sceneOf(const SimulationSettings& settings) {
+    if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks);
+    std::string names;
+    for (const SimulationScene& scene : simulationScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
+    return Error{"there is no scene \"" + settings.scene + "\"", "simulate", "use one of " + names};
+}
+
+PolarGeometry nominalGeometry(const SimulationSettings& s) {
+    PolarGeometry polar;
+    polar.axis = s.axis;
+    for (int j = 0; j < s.beams; ++j) polar.beamDeg.push_back(kFirstBeamDeg + kFanDeg * j / (s.beams - 1));
+    // The sweep is centred on straight up; a spin may start anywhere, and starts at 0.
+    const double first = s.axis == Axis::Sweep ? -kSweepDeg / 2.0 : 0.0;
+    for (int i = 0; i < s.lines; ++i) polar.lineDeg.push_back(first + kSweepDeg * i / s.lines);
+    return polar;
+}
+
+/// Where the even or odd beams really point.
+PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nominal, bool odd) {
+    PolarGeometry polar = nominal;
+    for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) {
+        polar.lineDeg[i] += s.lineJitterDeg * normalOf(hashOf(s.seed, Purpose::LineJitter, i));
+        if (odd) polar.lineDeg[i] += s.interlaceDeg;
+    }
+    return polar;
+}
+
+std::vector<Patch> patchesOf(const SimulationSettings& s, const CartesianTables& aim) {
+    Dice dice(s.seed, Purpose::Patches);
+    std::vector<Patch> patches;
+    for (int i = 0; i < s.absorbingPatches; ++i) {
+        const double radius = dice.uniform(0.4, 1.0) * std::numbers::pi / 180.0;
+        const int line = static_cast<int>(dice.uniform(0.15, 0.85) * s.lines);
+        const int beam = static_cast<int>(dice.uniform(0.15, 0.85) * s.beams);
+        patches.push_back({aim.direction(line, beam), std::cos(radius)});
+    }
+    return patches;
+}
+
+bool inPatch(const std::vector<Patch>& patches, const Eigen::Vector3d& direction) {
+    for (const Patch& patch : patches)
+        if (direction.dot(patch.direction) > patch.cosRadius) return true;
+    return false;
+}
+
+/// Relief along the ray where a sub-ray ends, metres. Its size is bounded, so it moves no outline.
+double reliefM(const Sweep& sweep, const Surface& surface, double cosine, const Eigen::Vector3d& place) {
+    if (surface.texture == Texture::Smooth) return 0.0;
+    const bool wall = surface.texture == Texture::Wall;
+    const double height = 0.001 * (wall ? sweep.settings.wallRoughnessMm : sweep.settings.rockRoughnessMm);
+    if (height <= 0.0) return 0.0;
+    const double along = std::max(cosine, 0.35);
+    const std::uint64_t seed = hashOf(sweep.settings.seed, Purpose::Shapes, (1ULL << 40U) + surface.object);
+    return height / along * fractalNoise(place, wall ? 1.4 : 0.5, 4, seed);
+}
+
+void castLine(const Sweep& sweep, const Caster& caster, const std::array<CartesianTables, 2>& aim, int line, Simulation& out) {
+    const SimulationSettings& settings = sweep.settings;
+    for (int beam = 0; beam < settings.beams; ++beam) {
+        const std::size_t k = out.scan.rangeMm.index(line, beam);
+        const Eigen::Vector3d direction = aim[static_cast<std::size_t>(beam % 2)].direction(line, beam);
+        const RayBundle bundle = bundleAlong(direction, sweep.footprint);
+        const BundleHits hits = caster.cast(bundle);
+        const bool absorbed = inPatch(sweep.patches, direction);
+        const auto reliefAt = [&](std::size_t lane, double rangeM) {
+            const Surface& surface = sweep.scene.surfaces[static_cast<std::size_t>(hits.surface[lane])];
+            return reliefM(sweep, surface, cosineOf(bundle, lane, surface), direction * rangeM);
+        };
+        Echo echo = echoOf(bundle, hits, sweep.scene, settings);
+        if (absorbed) echo = {};
+        if (echo.signal > 0.0) echo.rangeM = std::max(0.001, echo.rangeM + reliefAt(echo.strongest, echo.rangeM));
+        const auto range = static_cast<float>(measuredMm(echo, k, settings));
+        out.scan.rangeMm[k] = range;
+        out.scan.state[k] = range > 0.0F ? CellState::Valid : CellState::NoReturn;
+        if (!out.truth) continue;
+        out.truth->absorbed[k] = absorbed ? 1 : 0;
+        if (hits.surface[0] < 0) continue;
+        const Surface& surface = sweep.scene.surfaces[static_cast<std::size_t>(hits.surface[0])];
+        const double clean = static_cast<double>(hits.distanceM[0]);
+        out.truth->object[k] = surface.object;
+        out.truth->face[k] = surface.face;
+        out.truth->normal[k] = surface.normal;
+        out.truth->cleanMm[k] = static_cast<float>(1000.0 * (clean + reliefAt(0, clean)));
+    }
+}
+
+/// False when cancelled. Lines are handed out one by one; a cell depends on nothing but its own index.
+bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
+    const Caster caster(sweep.scene, sweep.footprint);
+    const std::array<CartesianTables, 2> aim{CartesianTables(sweep.aim[0]), CartesianTables(sweep.aim[1])};
+    const int lines = sweep.settings.lines;
+    std::atomic<int> next{0};
+    std::atomic<int> finished{0};
+    std::atomic<bool> stopped{false};
+    const auto work = [&](bool reports) {
+        for (int line = next++; line < lines && !stopped; line = next++) {
+            castLine(sweep, caster, aim, line, out);
+            const int done = ++finished;
+            if (reports && progress && !progress(static_cast<double>(done) / lines)) stopped = true;
+        }
+    };
+    const unsigned cores = sweep.settings.threads > 0 ? static_cast<unsigned>(sweep.settings.threads) : std::thread::hardware_concurrency();
+    {
+        std::vector<std::jthread> others;
+        for (unsigned t = 1; t < cores; ++t) others.emplace_back(work, false);
+        work(true);
+    }
+    if (stopped) return false;
+    return !progress || progress(1.0);
+}
+
+SimulationTruth emptyTruth(const SimulationSettings& s, const Scene& scene) {
+    SimulationTruth truth{{s.lines, s.beams}, {s.lines, s.beams},
+                          {s.lines, s.beams}, {s.lines, s.beams, Eigen::Vector3f::Zero().eval()},
+                          {s.lines, s.beams}, {}};
+    for (const RockTruth& rock : scene.rocks) truth.rocks.push_back({rock.object, rock.centreM, rock.spansM, rock.volumeM3});
+    return truth;
+}
+
+Result<Simulation> sweepOf(const SimulationSettings& settings, Scene scene, const SimulationProgress& progress) {
+    Simulation out;
+    const PolarGeometry nominal = nominalGeometry(settings);
+    out.scan.name = settings.scene + "-seed" + std::to_string(settings.seed);
+    out.scan.format = "simulated";
+    out.scan.geometry = nominal;
+    out.scan.unitMm = settings.rangeStepMm;
+    out.scan.rangeMm = {settings.lines, settings.beams};
+    out.scan.state = {settings.lines, settings.beams, CellState::NoReturn};
+    if (settings.truth) out.truth = emptyTruth(settings, scene);
+
+    const Footprint footprint{0.013, settings.profile == DeviceProfile::HighResolution ? 0.0046 : 0.011};
+    Sweep sweep{settings, std::move(scene), footprint, {}, {}};
+    sweep.aim[0].geometry = trueGeometry(settings, nominal, false);
+    sweep.aim[1].geometry = trueGeometry(settings, nominal, true);
+    sweep.patches = patchesOf(settings, CartesianTables(sweep.aim[0]));
+    if (!castAll(sweep, progress, out)) return Error{"cancelled", "", ""};
+    return out;
+}
+
+} // namespace
+
+const std::vector<SimulationScene>& simulationScenes() {
+    static const std::vector<SimulationScene> scenes{
+        {"hangup", "rocks jammed across the bell, seen from below, with a chimney and the drift"},
+    };
+    return scenes;
+}
+
+Result<Simulation> simulate(const SimulationSettings& settings, const SimulationProgress& progress) {
+    if (const auto no = refusal(settings)) return *no;
+    try {
+        Result<Scene> scene = sceneOf(settings);
+        if (!scene) return scene.error();
+        return sweepOf(settings, std::move(*scene), progress);
+    } catch (const std::bad_alloc&) {
+        return Error{"not enough memory for this many cells", "simulate", "use fewer lines or beams"};
+    }
+}
+
+} // namespace edgescan

@@ -1,0 +1,87 @@
+// The synthetic draw-bell: a scene of convex rocks, swept by an LMS511 with its beam, noise and failings (METHOD.md "Simulator facts").
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/scan.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// How fast the beam widens: 4.6 mrad or 11 mrad.
+enum class DeviceProfile : std::uint8_t { HighResolution, Standard };
+
+/// The defaults are the full grid of METHOD.md.
+struct SimulationSettings {
+    std::string scene = "hangup"; ///< one of simulationScenes()
+    std::uint64_t seed = 1;       ///< same seed, same bytes, whatever the number of threads
+    int lines = 1000;             ///< over 180 degrees: steps of 180 / lines
+    int beams = 1141;             ///< over -5..185 degrees, both ends included
+    Axis axis = Axis::Sweep;
+    DeviceProfile profile = DeviceProfile::HighResolution;
+
+    // The scene.
+    int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
+    double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
+    double wallRoughnessMm = 30.0;
+    int absorbingPatches = 6; ///< round spots that send nothing back
+
+    // The measurement; each ingredient can be switched off.
+    double noise = 1.0;         ///< times (5.5 + 0.25 r[m]) mm x (1 + 0.35 (1/cos - 1))
+    double dropouts = 0.002;    ///< probability that a cell is lost at random
+    double dust = 0.0008;       ///< probability of an echo from dust in front of the surface
+    bool footprint = true;      ///< 11 sub-rays per beam; false: the centre alone
+    bool mixedPixels = true;    ///< echoes closer than 0.6 m merge; false: the object with most of the beam gives the range
+    bool echoLoss = true;       ///< grazing and weak echoes are often lost
+    double rangeStepMm = 1.0;   ///< ranges come in whole steps
+    double maxRangeM = 40.0;    ///< nothing comes back from farther away
+    double lineJitterDeg = 0.0; ///< standard deviation of the true line angle round the recorded one
+    double interlaceDeg = 0.0;  ///< true line angle of odd beams minus that of even beams
+
+    bool truth = false; ///< also fill Simulation::truth
+    int threads = 0;    ///< 0: one per core
+};
+
+/// What the centre ray of each cell really hit. Grids are lines x beams; cells that hit nothing hold zeros.
+struct SimulationTruth {
+    Grid<std::uint16_t> object;   ///< 0 nothing, 1 wall, 2.. rocks
+    Grid<std::uint16_t> face;     ///< flat or smooth part of the object, from 1
+    Grid<float> cleanMm;          ///< range with relief, without noise, steps or footprint
+    Grid<Eigen::Vector3f> normal; ///< unit, scanner frame, towards the scanner; without relief
+    Grid<std::uint8_t> absorbed;  ///< 1 in absorbing patches
+
+    struct Rock {
+        int object = 0;
+        Eigen::Vector3f centreM = Eigen::Vector3f::Zero(); ///< scanner frame
+        std::array<float, 3> spansM{};                     ///< full size, longest first, hidden parts included
+        float volumeM3 = 0.0F;
+    };
+    std::vector<Rock> rocks;
+};
+
+struct Simulation {
+    Scan scan; ///< name "<scene>-seed<seed>", format "simulated", whole range steps; cells are Valid or NoReturn (range 0)
+    std::optional<SimulationTruth> truth;
+};
+
+/// Called on the calling thread with the finished share, 0..1, never falling; false cancels.
+using SimulationProgress = std::function<bool(double fraction)>;
+
+/// Scene names and what each shows.
+struct SimulationScene {
+    const char* name;
+    const char* help;
+};
+[[nodiscard]] const std::vector<SimulationScene>& simulationScenes();
+
+/// Casts every beam. Error: a scene that does not exist, a setting outside its limits, not enough memory, or "cancelled".
+[[nodiscard]] Result<Simulation> simulate(const SimulationSettings& settings, const SimulationProgress& progress = {});
+
+} // namespace edgescan
