@@ -133,14 +133,17 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    static constexpr int kRestMs = 160; // after the last movement the full picture is drawn
+
     void requestFrame();
-    void moved(); // the camera is under way: coarse picture now, full one after a pause
+    void moved(int restMs = kRestMs); // the camera is under way: coarse picture now, full one after a pause
     void applyCamera();
     void applyColours();
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
-    void drag(QPointF pixels);
+    void drag(QPointF at);
     void setRotationCentre(QPointF pixel);
+    void showFocus();
     void pinch(const QPinchGesture& gesture);
     void hover(QPointF pixel);
     void leaveHover();

@@ -1,0 +1,331 @@
+// The parts of the cloud view that need no display: geometry, camera motion, picking, budget, mouse bindings.
+#include "cloud_demo_scan.h"
+
+#include "ui/cloud/camera_motion.h"
+#include "ui/cloud/cloud_geometry.h"
+#include "ui/cloud/drawing_budget.h"
+#include "ui/cloud/mouse_bindings.h"
+#include "ui/cloud/point_pick.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <numbers>
+#include <random>
+#include <set>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kAspect = 1.4;
+
+ScreenView viewOf(const CloudGeometry& cloud, const CameraPose& pose, double height = 500.0, double pointSize = 2.0) {
+    return {worldToClip(pose, clipRange(pose, cloud, 0.0, 0.0), kAspect), height * kAspect, height, pointSize};
+}
+
+CameraPose lens(bool parallel = false) {
+    CameraPose pose;
+    pose.viewAngleDeg = 60.0;
+    pose.parallel = parallel;
+    return pose;
+}
+
+std::shared_ptr<Scan> minePoints(const Vector3d& at) {
+    auto scan = std::make_shared<Scan>();
+    PointGeometry geometry;
+    geometry.pointsM = Grid<Vector3d>(20, 30, Vector3d::Zero());
+    geometry.sensorM = at;
+    scan->rangeMm = Grid<float>(20, 30, 1.0F);
+    scan->state = Grid<CellState>(20, 30, CellState::Valid);
+    for (int i = 0; i < 20; ++i) {
+        for (int j = 0; j < 30; ++j) geometry.pointsM.at(i, j) = at + Vector3d(0.001 * j, 5.0, -0.001 * i);
+    }
+    geometry.pointsM.at(3, 4) = Vector3d::Constant(std::nan(""));
+    scan->geometry = geometry;
+    return scan;
+}
+
+} // namespace
+
+class CloudRoomsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void drawingOrderHoldsEveryValidCellOnce() {
+        const auto scan = demo::room(101, 157, 3);
+        const auto cloud = makeCloudGeometry(*scan);
+        std::vector<std::uint32_t> all;
+        for (std::size_t part = 0; part < cloud->drawOrder.size(); ++part) {
+            const auto& order = cloud->drawOrder[part];
+            QVERIFY(std::is_sorted(order.begin(), order.end()));
+            all.insert(all.end(), order.begin(), order.end());
+            const double share = static_cast<double>(all.size()) / static_cast<double>(cloud->validCount);
+            QVERIFY2(std::abs(share - kPartEnds[part]) < 0.01, qPrintable(QString::number(share)));
+        }
+        QCOMPARE(all.size(), cloud->validCount);
+        QCOMPARE(cloud->validCount, countCells(*scan)[0]);
+        const std::set<std::uint32_t> once(all.begin(), all.end());
+        QCOMPARE(once.size(), all.size());
+        for (const std::uint32_t k : all) QVERIFY(scan->state[k] == CellState::Valid);
+    }
+
+    void coarsePartsLeaveNoHoles() {
+        const auto cloud = makeCloudGeometry(*demo::room(128, 128));
+        std::array<int, 64> perBlock{}; // 16 x 16 cells each
+        for (const std::uint32_t k : cloud->drawOrder[0]) ++perBlock[(k / 128 / 16) * 8 + (k % 128) / 16];
+        QVERIFY(*std::min_element(perBlock.begin(), perBlock.end()) >= 2);
+        QVERIFY(*std::max_element(perBlock.begin(), perBlock.end()) <= 6);
+    }
+
+    void pointsAreThoseOfTheTables() {
+        const auto scan = demo::room(40, 50, 7);
+        const auto cloud = makeCloudGeometry(*scan);
+        const CartesianTables tables(*scan);
+        for (std::size_t k = 0; k < scan->cells(); ++k) {
+            QCOMPARE(cloud->drawable(k), scan->state[k] == CellState::Valid);
+            if (cloud->drawable(k)) QVERIFY((cloud->point(k).cast<double>() - tables.point(k)).norm() < 1e-5);
+        }
+        QVERIFY(!cloud->drawable(scan->cells()));
+    }
+
+    void mineCoordinatesKeepTheirMillimetres() {
+        const Vector3d at(723456.7, 5150321.4, 1872.3);
+        const auto scan = minePoints(at);
+        const auto cloud = makeCloudGeometry(*scan);
+        const auto& points = std::get<PointGeometry>(scan->geometry).pointsM;
+        QCOMPARE(std::fmod(cloud->originM.y(), 1000.0), 0.0);
+        QVERIFY(!cloud->drawable(3 * 30 + 4));
+        for (std::size_t k = 0; k < cloud->cells(); ++k) {
+            if (cloud->drawable(k)) QVERIFY((cloud->point(k).cast<double>() + cloud->originM - points[k]).norm() < 1e-4);
+        }
+        QVERIFY(cloud->axes.up.isApprox(Vector3d::UnitZ()));
+        QVERIFY(cloud->axes.forward.isApprox(Vector3d::UnitY()));
+    }
+
+    void scannerSeesRowZeroOnTopAndColumnZeroAtTheLeft() {
+        const auto scan = demo::room(60, 80);
+        const auto cloud = makeCloudGeometry(*scan);
+        for (const bool parallel : {false, true}) {
+            const ScreenView view = viewOf(*cloud, fromScanner(*cloud, lens(parallel), kAspect));
+            const auto at = [&](int line, int beam) { return toScreen(view, cloud->point(scan->rangeMm.index(line, beam))); };
+            QVERIFY(at(10, 40).y < at(50, 40).y);
+            QVERIFY(at(30, 10).x < at(30, 70).x);
+        }
+    }
+
+    void strayReturnDoesNotHideTheCloud() {
+        const auto scan = demo::room(60, 80);
+        scan->rangeMm.at(30, 40) = 8e6F;
+        const auto cloud = makeCloudGeometry(*scan);
+        QVERIFY(cloud->mainBounds.diagonal().norm() < 40.0F);
+        const ScreenView view = viewOf(*cloud, lookingAt(cloud->mainBounds, cloud->axes.forward, cloud->axes.up, lens(), kAspect));
+        int inside = 0;
+        for (std::size_t k = 0; k < cloud->cells(); ++k) {
+            const ScreenPoint p = toScreen(view, cloud->point(k));
+            inside += p.inside && p.x >= 0 && p.x < view.width && p.y >= 0 && p.y < view.height;
+        }
+        QVERIFY(inside > 0.95 * static_cast<double>(cloud->cells()));
+    }
+
+    void turntableKeepsTheHorizonAndTheDistance() {
+        const auto cloud = makeCloudGeometry(*demo::room(60, 80));
+        CameraPose pose = fromScanner(*cloud, lens(), kAspect);
+        const Vector3d centre(0.3, -0.2, 6.0);
+        const Vector3d up = cloud->axes.up;
+        const double distance = (pose.position - centre).norm();
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> step(-0.5, 0.5);
+        for (int i = 0; i < 500; ++i) {
+            pose = turned(pose, centre, up, step(random), step(random));
+            QVERIFY(std::abs((pose.position - centre).norm() - distance) < 1e-6 * distance);
+            QVERIFY(std::abs(pose.right().dot(up)) < 1e-6); // the horizon stays level
+            QVERIFY(pose.up.dot(up) > 0.0);                 // and never flips
+        }
+    }
+
+    void dragRightTurnsTheFrontToTheRight() {
+        const auto cloud = makeCloudGeometry(*demo::room(60, 80));
+        const CameraPose pose = fromScanner(*cloud, lens(), kAspect);
+        const Vector3d centre = pose.focus;
+        const Eigen::Vector3f front = (centre - 1.0 * pose.forward()).cast<float>();
+        const auto at = [&](const CameraPose& p) { return toScreen(viewOf(*cloud, p), front); };
+        QVERIFY(at(turned(pose, centre, cloud->axes.up, 0.2, 0.0)).x > at(pose).x + 1.0);
+        QVERIFY(at(turned(pose, centre, cloud->axes.up, 0.0, 0.2)).y < at(pose).y - 1.0);
+        QVERIFY(at(tumbled(pose, centre, 0.2, 0.0)).x > at(pose).x + 1.0);
+    }
+
+    void zoomKeepsTheAnchorInPlace() {
+        const auto cloud = makeCloudGeometry(*demo::room(60, 80));
+        for (const bool parallel : {false, true}) {
+            CameraPose pose = fromScanner(*cloud, lens(parallel), kAspect);
+            const Eigen::Vector3f anchor = cloud->point(12 * 80 + 20);
+            const ScreenPoint before = toScreen(viewOf(*cloud, pose), anchor);
+            for (int i = 0; i < 6; ++i) pose = zoomed(pose, anchor.cast<double>(), 1.2);
+            const ScreenPoint after = toScreen(viewOf(*cloud, pose), anchor);
+            QVERIFY(std::abs(before.x - after.x) < 1e-6 && std::abs(before.y - after.y) < 1e-6);
+        }
+    }
+
+    void panFollowsTheHand() {
+        const auto cloud = makeCloudGeometry(*demo::room(60, 80));
+        for (const bool parallel : {false, true}) {
+            const CameraPose pose = fromScanner(*cloud, lens(parallel), kAspect);
+            const Eigen::Vector3f anchor = cloud->point(30 * 80 + 40);
+            const ScreenPoint a = toScreen(viewOf(*cloud, pose), anchor);
+            const ScreenPoint b = toScreen(viewOf(*cloud, panned(pose, anchor.cast<double>(), 30, -12, 500)), anchor);
+            QVERIFY(std::abs(b.x - a.x - 30) < 1e-3 && std::abs(b.y - a.y + 12) < 1e-3);
+        }
+    }
+
+    void cursorRayHitsWhatItWasProjectedFrom() {
+        const auto cloud = makeCloudGeometry(*demo::room(60, 80));
+        for (const bool parallel : {false, true}) {
+            const CameraPose pose = rolled(fromScanner(*cloud, lens(parallel), kAspect), 0.3);
+            const ScreenView view = viewOf(*cloud, pose);
+            const Eigen::Vector3f p = cloud->point(5 * 80 + 61);
+            const ScreenPoint s = toScreen(view, p);
+            const double depth = pose.forward().dot(p.cast<double>() - pose.position);
+            const Vector3d back = underCursor(pose, 2 * s.x / view.width - 1, 1 - 2 * s.y / view.height, depth, kAspect);
+            QVERIFY((back - p.cast<double>()).norm() < 1e-5);
+        }
+    }
+
+    void pickEqualsBruteForce() {
+        std::mt19937 random(11);
+        for (const int holes : {0, 3}) {
+            const auto cloud = makeCloudGeometry(*demo::room(120, 160, holes));
+            int hits = 0;
+            for (int i = 0; i < 300; ++i) {
+                CameraPose pose = fromScanner(*cloud, lens(i % 4 == 3), kAspect);
+                std::uniform_real_distribution<double> angle(-2.0, 2.0), x(0.0, 700.0), y(0.0, 500.0), size(1.0, 6.0), zoom(0.5, 20.0);
+                pose = tumbled(pose, pose.focus, angle(random), angle(random));
+                pose = zoomed(pose, pose.focus, zoom(random));
+                const ScreenView view = viewOf(*cloud, pose, 500.0, std::round(size(random)));
+                const double px = x(random), py = y(random);
+                const auto fast = pickPoint(*cloud, view, px, py, 8.0);
+                QCOMPARE(fast, pickPointSlowly(*cloud, view, px, py, 8.0));
+                hits += fast.has_value();
+            }
+            QVERIFY(hits > 50);
+        }
+    }
+
+    void pickedPointIsNeverHidden() {
+        const auto cloud = makeCloudGeometry(*demo::room(120, 160));
+        CameraPose pose = fromScanner(*cloud, lens(), kAspect);
+        pose = turned(pose, pose.focus, cloud->axes.up, 0.9, 0.3);
+        const ScreenView view = viewOf(*cloud, pose, 500.0, 4.0);
+        for (double x = 20; x < view.width; x += 37) {
+            for (double y = 20; y < view.height; y += 29) {
+                if (const auto cell = pickPoint(*cloud, view, x, y, 8.0)) QVERIFY(!isPointHidden(*cloud, view, *cell));
+            }
+        }
+        std::size_t hidden = 0;
+        for (std::uint32_t k = 0; k < cloud->cells(); k += 17) hidden += isPointHidden(*cloud, view, k);
+        QVERIFY(hidden > 0); // the side view has rock behind rock
+    }
+
+    void laserRayIsCutAtTheCamera() {
+        CameraPose pose = lens();
+        pose.position = {0, 0, 5};
+        pose.focus = {0, 0, 10};
+        CloudGeometry cloud;
+        cloud.bounds.extend(Eigen::Vector3f(-1, -1, 0));
+        cloud.bounds.extend(Eigen::Vector3f(1, 1, 10));
+        cloud.mainBounds = cloud.bounds;
+        const ScreenView view = viewOf(cloud, pose);
+        QVERIFY(screenSegment(view, {0, 0, 0}, {0.5F, 0, 10}).has_value());
+        QVERIFY(!screenSegment(view, {0, 0, 0}, {0.5F, 0, 4}).has_value());
+        const auto whole = screenSegment(view, {0, 0, 7}, {0.5F, 0, 10});
+        QVERIFY(whole && std::abs(whole->x0 - 350) < 1e-6);
+    }
+
+    void budgetKeepsTheFrameTime() {
+        // A machine of 12 ms + 140 ms x fraction, jittering by a fifth.
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> jitter(0.9, 1.1);
+        DrawingBudget budget(1000.0); // a bad guess
+        double worstMoving = 0.0, worstRest = 0.0;
+        for (int i = 0; i < 60; ++i) {
+            const bool moving = i % 6 != 0;
+            const double fraction = kPartEnds[static_cast<std::size_t>(budget.lastPart(moving))];
+            const double ms = (12.0 + 140.0 * fraction) * jitter(random);
+            budget.measured(fraction, ms);
+            if (i > 20) (moving ? worstMoving : worstRest) = std::max(moving ? worstMoving : worstRest, ms);
+        }
+        QVERIFY2(worstMoving < 48.0 && worstMoving > 25.0, qPrintable(QString::number(worstMoving)));
+        QVERIFY2(worstRest < 100.0 && worstRest > 60.0, qPrintable(QString::number(worstRest)));
+    }
+
+    void budgetDrawsAllOnAFastMachine() {
+        DrawingBudget budget;
+        for (int i = 0; i < 12; ++i) budget.measured(kPartEnds[static_cast<std::size_t>(budget.lastPart(i % 2 == 0))], 2.0);
+        QCOMPARE(budget.lastPart(true), kCloudParts - 1);
+        QCOMPARE(budget.lastPart(false), kCloudParts - 1);
+    }
+
+    void budgetNeverDrawsNothing() {
+        DrawingBudget budget;
+        for (int i = 0; i < 12; ++i) budget.measured(1.0, 5000.0);
+        QCOMPARE(budget.lastPart(true), 0);
+    }
+
+    void mouseMeansWhatViewerMdSays() {
+        QVERIFY(dragAction(Qt::LeftButton, Qt::NoModifier) == DragAction::Rotate);
+        QVERIFY(dragAction(Qt::LeftButton, Qt::ShiftModifier) == DragAction::Pan);
+        QVERIFY(dragAction(Qt::LeftButton, Qt::ControlModifier) == DragAction::Roll);
+        QVERIFY(dragAction(Qt::MiddleButton, Qt::NoModifier) == DragAction::Pan);
+        QVERIFY(dragAction(Qt::RightButton, Qt::NoModifier) == DragAction::Zoom);
+        QVERIFY(dragAction(Qt::RightButton, Qt::NoModifier, MousePreset::CloudCompare) == DragAction::Pan);
+        QVERIFY(dragAction(Qt::MiddleButton, Qt::NoModifier, MousePreset::CloudCompare) == DragAction::Zoom);
+        QVERIFY(wheelAction(Qt::NoModifier) == WheelAction::Zoom);
+        QVERIFY(wheelAction(Qt::AltModifier) == WheelAction::PointSize);
+        QVERIFY(wheelAction(Qt::ControlModifier) == WheelAction::NearClip);
+        QVERIFY(wheelAction(Qt::ControlModifier | Qt::ShiftModifier) == WheelAction::FarClip);
+    }
+
+    void emptyAndInvalidScans() {
+        const Scan nothing;
+        QCOMPARE(makeCloudGeometry(nothing)->validCount, std::size_t(0));
+        const auto scan = demo::room(20, 30, 1);
+        const auto cloud = makeCloudGeometry(*scan);
+        QCOMPARE(cloud->validCount, std::size_t(0));
+        QVERIFY(cloud->scannerView.forward.allFinite() && cloud->axes.right.allFinite());
+        const CameraPose pose = fromScanner(*cloud, lens(), kAspect);
+        QVERIFY(pose.position.allFinite() && pose.up.allFinite());
+        QVERIFY(!pickPoint(*cloud, viewOf(*cloud, pose), 100, 100, 8));
+    }
+
+    void timesAtFullSize() { // printed, not asserted: the machine is shared
+        const auto scan = demo::room(1000, 1141);
+        QElapsedTimer clock;
+        clock.start();
+        const auto cloud = makeCloudGeometry(*scan);
+        qInfo("makeCloudGeometry 1.141 M: %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        CameraPose pose = fromScanner(*cloud, lens(), kAspect);
+        for (const double turn : {0.0, 0.8, 1.5}) {
+            const ScreenView view = viewOf(*cloud, turned(pose, pose.focus, cloud->axes.up, turn, 0.2), 900.0);
+            double worst = 0.0, sum = 0.0;
+            int n = 0;
+            for (double x = 50; x < view.width; x += 61) {
+                for (double y = 50; y < view.height; y += 61, ++n) {
+                    clock.restart();
+                    (void)pickPoint(*cloud, view, x, y, 8.0);
+                    const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+                    worst = std::max(worst, ms);
+                    sum += ms;
+                }
+            }
+            clock.restart();
+            (void)pickPointSlowly(*cloud, view, 400, 400, 8.0);
+            qInfo("pick, turned %.1f rad: mean %.2f ms, worst %.2f ms; brute force %.1f ms", turn, sum / n, worst,
+                  static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(CloudRoomsTest)
+#include "cloud_rooms_test.moc"

@@ -1,0 +1,77 @@
+// Marker, laser ray and texts over the 3D picture.
+#include "ui/cloud/cloud_overlay.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
+constexpr int kMargin = 8;
+
+void strokeTwice(QPainter& painter, double width, Qt::PenStyle style, const QColor& colour, auto&& draw) {
+    painter.setPen(QPen(QColor(0, 0, 0, 220), width + 2.0));
+    draw();
+    painter.setPen(QPen(colour, width, style));
+    draw();
+}
+
+void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
+    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 150));
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(QColor(235, 235, 235));
+    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+}
+
+} // namespace
+
+CloudOverlay::CloudOverlay(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    hide();
+}
+
+void CloudOverlay::setMarks(const OverlayMarks& marks) {
+    if (marks == marks_) return;
+    const QRect before = covered(marks_);
+    marks_ = marks;
+    setVisible(!marks_.empty());
+    update(before.united(covered(marks_)));
+}
+
+QRect CloudOverlay::covered(const OverlayMarks& marks) const {
+    if (!marks.centreText.isEmpty() || !marks.note.isEmpty()) return rect();
+    const double reach = kRing + 4.0;
+    QRectF area;
+    if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
+    if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
+    return area.toAlignedRect().intersected(rect());
+}
+
+void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    if (marks_.ray) {
+        painter.setPen(QPen(QColor(0, 0, 0, 120), 3.0));
+        painter.drawLine(*marks_.ray);
+        painter.setPen(QPen(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine));
+        painter.drawLine(*marks_.ray);
+    }
+    if (marks_.ring) {
+        strokeTwice(painter, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine, Qt::white,
+                    [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });
+        painter.setPen(QPen(Qt::black, 1.0));
+        painter.setBrush(Qt::white);
+        painter.drawEllipse(*marks_.ring, 2.0, 2.0);
+    }
+    const QRect inner = rect().adjusted(kMargin + 6, kMargin + 3, -kMargin - 6, -kMargin - 3);
+    if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
+    if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
+}
+
+} // namespace edgescan::ui

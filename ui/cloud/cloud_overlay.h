@@ -1,0 +1,40 @@
+// Marker, laser ray and texts over the 3D picture: a transparent child, so that a moving marker redraws no point.
+#pragma once
+
+#include <QLineF>
+#include <QPointF>
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+
+namespace edgescan::ui {
+
+struct OverlayMarks {
+    std::optional<QPointF> ring; ///< the marked point, widget pixels
+    std::optional<QLineF> ray;   ///< from the sensor to the point
+    bool hidden = false;         ///< the point lies behind others: dashed
+    QString centreText;          ///< why the view is empty
+    QString note;                ///< top left
+
+    bool operator==(const OverlayMarks&) const = default;
+    [[nodiscard]] bool empty() const { return !ring && !ray && centreText.isEmpty() && note.isEmpty(); }
+};
+
+class CloudOverlay : public QWidget {
+    Q_OBJECT
+public:
+    explicit CloudOverlay(QWidget* parent);
+    void setMarks(const OverlayMarks& marks);
+    [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QRect covered(const OverlayMarks& marks) const;
+
+    OverlayMarks marks_;
+};
+
+} // namespace edgescan::ui

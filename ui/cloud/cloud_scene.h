@@ -1,0 +1,74 @@
+// The VTK side of the cloud view: one vertex buffer, an index list per part of the drawing order and one for the edges.
+#pragma once
+
+#include "ui/cloud/camera_motion.h"
+#include "ui/cloud/cloud_geometry.h"
+
+#include <QColor>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkActor;
+class vtkOpenGLPolyDataMapper;
+class vtkPoints;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkSphereSource;
+
+namespace edgescan::ui {
+
+struct CloudLook {
+    QColor background, cloud, edge;
+    double pointSize = 2.0; ///< device pixels
+    double halo = 1.0;      ///< device pixels on each side of an edge point
+    bool edges = true;
+};
+
+/// GUI thread only; makes no OpenGL call itself.
+class CloudScene {
+public:
+    explicit CloudScene(vtkRenderWindow* window);
+    ~CloudScene();
+
+    void setCloud(std::shared_ptr<const CloudGeometry> cloud);
+    /// Cells that are not drawable are left out.
+    void setEdges(std::shared_ptr<const std::vector<std::uint32_t>> cells);
+    void setLook(const CloudLook& look);
+    void setCamera(const CameraPose& pose, const ClipRange& clip);
+    /// Draw parts 0 .. last of the drawing order. True when one of them goes to the graphics memory for the first time.
+    bool setLastPart(int last);
+    void showFocus(const Eigen::Vector3d& centre, double radius);
+    void hideFocus();
+
+    [[nodiscard]] std::size_t edgesDrawn() const;
+
+private:
+    struct Layer {
+        Layer();
+        void setCells(vtkPoints* points, const std::vector<std::uint32_t>& cells);
+        vtkNew<vtkPolyData> data;
+        vtkSmartPointer<vtkPolyDataMapper> mapper;
+        vtkNew<vtkActor> actor;
+    };
+
+    vtkNew<vtkRenderer> renderer_;
+    std::shared_ptr<const CloudGeometry> cloud_;              // owns the floats that VTK draws
+    std::shared_ptr<const std::vector<std::uint32_t>> edges_; // and the indices
+    vtkSmartPointer<vtkPoints> points_;
+    std::array<Layer, kCloudParts> parts_;
+    std::array<bool, kCloudParts> uploaded_{};
+    Layer halo_, edge_;
+    vtkNew<vtkSphereSource> focusSphere_;
+    vtkNew<vtkActor> focus_;
+    bool edgesShown_ = true;
+};
+
+} // namespace edgescan::ui

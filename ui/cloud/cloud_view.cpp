@@ -1,0 +1,335 @@
+// The 3D view: what is drawn, when, and how much of it. The mouse is in cloud_view_mouse.cpp.
+#include "ui/cloud/cloud_view.h"
+
+#include "ui/cloud/cloud_overlay.h"
+#include "ui/cloud/cloud_scene.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPixmap>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGuessMsPerPoint = 1.3e-4; // llvmpipe; only until the first frame is measured
+constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
+const QColor kCloudDimmed(121, 121, 121);   // contrast figures in VIEWER.md 2.5
+const QColor kCloudBright(230, 230, 230);
+
+} // namespace
+
+QSurfaceFormat CloudView::surfaceFormat() {
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    return format;
+}
+
+CloudView::CloudView(QWidget* parent) : QVTKOpenGLNativeWidget(parent), scene_(std::make_unique<CloudScene>(renderWindow())) {
+    interactor()->SetInteractorStyle(nullptr);    // the mouse is ours
+    setContextMenuPolicy(Qt::PreventContextMenu); // right drag zooms; we tell a click from a drag
+    pose_.viewAngleDeg = 60.0;
+    overlay_ = new CloudOverlay(this);
+    overlay_->setGeometry(rect());
+    restTimer_.setSingleShot(true);
+    connect(&restTimer_, &QTimer::timeout, this, [this] {
+        if (drag_ == DragAction::None) scene_->hideFocus();
+        requestFrame();
+    });
+    applyColours();
+    applyCamera();
+    updateOverlay();
+}
+
+CloudView::~CloudView() = default;
+
+void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const CloudGeometry> geometry, Camera camera) {
+    const std::shared_ptr<const CloudGeometry> before = cloud_;
+    scan_ = std::move(scan);
+    cloud_ = std::move(geometry);
+    edges_ = nullptr;
+    marked_ = std::nullopt;
+    leaveHover();
+    scene_->setCloud(cloud_);
+    if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
+        budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0);
+    }
+    if (camera == Camera::Keep && before && cloud_ && before->validCount > 0) {
+        const Vector3d shift = before->originM - cloud_->originM;
+        pose_.position += shift;
+        pose_.focus += shift;
+        centre_ += shift;
+        applyCamera();
+    } else {
+        resetView();
+    }
+}
+
+void CloudView::setScan(std::shared_ptr<const Scan> scan) {
+    std::shared_ptr<const CloudGeometry> geometry = scan ? makeCloudGeometry(*scan) : nullptr;
+    setCloud(std::move(scan), std::move(geometry));
+}
+
+void CloudView::setEdges(std::shared_ptr<const CellIndices> edgeCells) {
+    if (edgeCells == edges_) return;
+    edges_ = std::move(edgeCells);
+    scene_->setEdges(edges_);
+    // A slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
+    if (sinceEdges_.isValid() && sinceEdges_.elapsed() < 2 * kRestMs) restTimer_.start(kRestMs);
+    sinceEdges_.start();
+    requestFrame();
+}
+
+void CloudView::requestFrame() {
+    framePending_ = true;
+    update(); // Qt merges these: never more than one waits
+}
+
+void CloudView::moved(int restMs) {
+    restTimer_.start(restMs);
+    applyCamera();
+}
+
+void CloudView::applyCamera() {
+    static const CloudGeometry nothing;
+    scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_));
+    updateOverlay();
+    requestFrame();
+    emit cameraChanged();
+}
+
+void CloudView::applyColours() {
+    CloudLook look;
+    look.background = background_;
+    look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
+    look.edge = edgeColour_;
+    look.pointSize = std::round(pointSize_ * devicePixelRatioF());
+    look.halo = std::round(devicePixelRatioF());
+    look.edges = edgesVisible_;
+    scene_->setLook(look);
+    requestFrame();
+}
+
+void CloudView::initializeGL() {
+    QVTKOpenGLNativeWidget::initializeGL();
+    framePending_ = true;
+}
+
+void CloudView::resizeEvent(QResizeEvent* event) {
+    QVTKOpenGLNativeWidget::resizeEvent(event);
+    overlay_->setGeometry(rect());
+    updateOverlay();
+    applyColours(); // the device pixel ratio may have changed
+}
+
+void CloudView::paintGL() {
+    if (!framePending_) {
+        QVTKOpenGLNativeWidget::paintGL(); // shows the frame that VTK drew before
+        return;
+    }
+    framePending_ = false;
+    const bool moving = restTimer_.isActive();
+    const int last = drawAll_ ? kCloudParts - 1 : budget_.lastPart(moving);
+    const bool uploads = scene_->setLastPart(last);
+    updateSize(); // makes VTK draw anew in paintGL()
+    QElapsedTimer clock;
+    clock.start();
+    QVTKOpenGLNativeWidget::paintGL();
+    context()->functions()->glFinish(); // without it only the sending of commands is measured
+    lastFrameMs_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    ++framesDrawn_;
+
+    const double fraction = kPartEnds[static_cast<std::size_t>(last)];
+    const bool changed = fraction != drawnFraction_;
+    drawnFraction_ = fraction;
+    if (!uploads && cloud_) budget_.measured(fraction, lastFrameMs_);
+    const bool canDoMore = cloud_ && !moving && !drawAll_ && budget_.lastPart(false) > last;
+    // Slots must not run inside a paint event.
+    QMetaObject::invokeMethod(
+        this,
+        [this, changed, canDoMore, ms = lastFrameMs_] {
+            if (canDoMore) requestFrame();
+            if (changed) emit drawnFractionChanged(drawnFraction_);
+            emit frameDrawn(ms);
+        },
+        Qt::QueuedConnection);
+}
+
+QImage CloudView::grabFrame(Points points) {
+    drawAll_ = points == Points::All;
+    framePending_ = true;
+    const QImage image = grab().toImage();
+    drawAll_ = false;
+    return image;
+}
+
+void CloudView::setCamera(const CameraPose& pose) {
+    const bool switched = pose.parallel != pose_.parallel;
+    pose_ = pose;
+    centre_ = pose.focus;
+    applyCamera();
+    if (switched) emit parallelChanged(pose_.parallel);
+}
+
+void CloudView::setNote(const QString& note) {
+    note_ = note;
+    updateOverlay();
+}
+
+void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
+    if (cell == marked_) return;
+    marked_ = cell;
+    updateOverlay();
+}
+
+void CloudView::updateOverlay() {
+    OverlayMarks marks;
+    if (!cloud_) {
+        marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
+    } else if (cloud_->validCount == 0) {
+        marks.centreText = tr("no point to show: no cell of this scan holds a valid range");
+        marks.note = note_;
+    } else {
+        marks.note = note_;
+    }
+    if (marked_ && cloud_ && cloud_->drawable(*marked_)) {
+        const ScreenView view = screenView();
+        marks.ring = pixelOf(*marked_);
+        marks.hidden = marks.ring && isPointHidden(*cloud_, view, *marked_);
+        const auto ray = screenSegment(view, cloud_->sensor, cloud_->point(*marked_));
+        const double dpr = devicePixelRatioF();
+        if (ray) marks.ray = QLineF(ray->x0 / dpr, ray->y0 / dpr, ray->x1 / dpr, ray->y1 / dpr);
+    }
+    overlay_->setMarks(marks);
+}
+
+double CloudView::aspect() const { return static_cast<double>(std::max(1, width())) / std::max(1, height()); }
+
+ScreenView CloudView::screenView() const {
+    static const CloudGeometry nothing;
+    const ClipRange clip = clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_);
+    const double dpr = devicePixelRatioF();
+    return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, std::round(pointSize_ * dpr)};
+}
+
+std::optional<QPointF> CloudView::pixelOf(std::uint32_t cell) const {
+    if (!cloud_ || !cloud_->drawable(cell)) return std::nullopt;
+    const ScreenPoint p = toScreen(screenView(), cloud_->point(cell));
+    if (!p.inside) return std::nullopt;
+    return QPointF(p.x, p.y) / devicePixelRatioF();
+}
+
+void CloudView::look(const Vector3d& forward, const Vector3d& up) {
+    if (!cloud_ || cloud_->mainBounds.isEmpty()) return;
+    pose_ = lookingAt(cloud_->mainBounds, forward, up, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::viewFromScanner() {
+    static const CloudGeometry nothing;
+    pose_ = fromScanner(cloud_ ? *cloud_ : nothing, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::resetView() {
+    nearShare_ = 0.0;
+    farShare_ = 0.0;
+    viewFromScanner();
+}
+
+void CloudView::viewFront() {
+    if (cloud_) look(cloud_->axes.forward, cloud_->axes.up);
+}
+void CloudView::viewBack() {
+    if (cloud_) look(-cloud_->axes.forward, cloud_->axes.up);
+}
+void CloudView::viewLeft() {
+    if (cloud_) look(cloud_->axes.right, cloud_->axes.up);
+}
+void CloudView::viewRight() {
+    if (cloud_) look(-cloud_->axes.right, cloud_->axes.up);
+}
+void CloudView::viewTop() {
+    if (cloud_) look(-cloud_->axes.up, cloud_->axes.forward);
+}
+void CloudView::viewBottom() {
+    if (cloud_) look(cloud_->axes.up, cloud_->axes.forward);
+}
+void CloudView::viewIsometric() {
+    if (cloud_) look((cloud_->axes.forward - cloud_->axes.right - cloud_->axes.up).normalized(), cloud_->axes.up);
+}
+void CloudView::zoomToFit() { look(pose_.forward(), pose_.up); }
+
+void CloudView::zoomToCells(const CellIndices& cells) {
+    if (!cloud_) return;
+    Box3f box;
+    for (const std::uint32_t k : cells) {
+        if (cloud_->drawable(k)) box.extend(cloud_->point(k));
+    }
+    if (box.isEmpty()) return;
+    box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point has no size to fit
+    pose_ = lookingAt(box, pose_.forward(), pose_.up, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::flyTo(qint64 cell) {
+    if (!cloud_ || cell < 0 || !cloud_->drawable(static_cast<std::size_t>(cell))) return;
+    const Vector3d point = cloud_->point(static_cast<std::size_t>(cell)).cast<double>();
+    const double nearby = std::min(pose_.distance(), 0.15 * static_cast<double>(cloud_->mainBounds.diagonal().norm()));
+    const Vector3d forward = pose_.forward();
+    pose_.position = point - forward * std::max(0.1, nearby);
+    pose_.focus = point;
+    centre_ = point;
+    applyCamera();
+}
+
+void CloudView::setParallel(bool on) {
+    if (pose_.parallel == on) return;
+    pose_.parallel = on;
+    applyCamera();
+    emit parallelChanged(on);
+}
+
+void CloudView::setTurntable(bool on) { turntable_ = on; }
+
+void CloudView::setEdgesVisible(bool on) {
+    edgesVisible_ = on;
+    applyColours();
+}
+
+void CloudView::setCloudDimmed(bool on) {
+    cloudDimmed_ = on;
+    applyColours();
+}
+
+void CloudView::setPointSize(double pixels) {
+    const double size = std::clamp(pixels, 1.0, 12.0);
+    if (size == pointSize_) return;
+    pointSize_ = size;
+    applyColours();
+    emit pointSizeChanged(size);
+}
+
+void CloudView::setBackground(const QColor& colour) {
+    background_ = colour;
+    applyColours();
+}
+
+void CloudView::setEdgeColour(const QColor& colour) {
+    edgeColour_ = colour;
+    applyColours();
+}
+
+void CloudView::showFocus() {
+    const double depth = pose_.parallel ? pose_.distance() : std::abs(pose_.forward().dot(centre_ - pose_.position));
+    scene_->showFocus(centre_, kFocusShare * pose_.halfHeight() * depth / pose_.distance());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,197 @@
+// The mouse of the 3D view (VIEWER.md 2.1): events in, camera motion and picks out.
+#include "ui/cloud/cloud_view.h"
+
+#include "ui/cloud/cloud_scene.h"
+
+#include <QGestureEvent>
+#include <QMouseEvent>
+#include <QPinchGesture>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace edgescan::ui {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kClickPx = 4.0; // less travel than this is a click
+constexpr double kPickPx = 8.0;
+constexpr double kSameCursorPx = 3.0;
+constexpr int kShowCentreMs = 600;
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kClipPerNotch = 0.02;
+
+// Qt 5 and Qt 6 name the position of a mouse event differently.
+QPointF place(const QMouseEvent& event) {
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+    return event.position();
+#else
+    return event.localPos();
+#endif
+}
+
+} // namespace
+
+bool CloudView::event(QEvent* event) {
+    if (event->type() == QEvent::Gesture) {
+        auto* gestures = static_cast<QGestureEvent*>(event);
+        if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
+            pinch(*gesture);
+            gestures->accept(gesture);
+            return true;
+        }
+    }
+    // Past VTK's interactor, which would take part in the mouse too.
+    return QOpenGLWidget::event(event);
+}
+
+void CloudView::pinch(const QPinchGesture& gesture) {
+    const QPointF centre = mapFromGlobal(gesture.centerPoint().toPoint());
+    const Vector3d anchor = anchorAt(centre);
+    pose_ = zoomed(pose_, anchor, std::clamp(gesture.scaleFactor(), 0.5, 2.0));
+    const QPointF shift = gesture.centerPoint() - gesture.lastCenterPoint();
+    pose_ = panned(pose_, anchor, shift.x(), shift.y(), height());
+    moved();
+}
+
+Vector3d CloudView::anchorAt(QPointF pixel) const {
+    if (const auto cell = cellAt(pixel)) return cloud_->point(*cell).cast<double>();
+    const double x = 2.0 * pixel.x() / std::max(1, width()) - 1.0;
+    const double y = 1.0 - 2.0 * pixel.y() / std::max(1, height());
+    const double depth = pose_.forward().dot(centre_ - pose_.position);
+    return underCursor(pose_, x, y, depth > 0.0 ? depth : pose_.distance(), aspect());
+}
+
+std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
+    if (!cloud_) return std::nullopt;
+    const double dpr = devicePixelRatioF();
+    return pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+}
+
+void CloudView::mousePressEvent(QMouseEvent* event) {
+    setFocus(Qt::MouseFocusReason);
+    if (drag_ != DragAction::None) return; // a second button during a drag changes nothing
+    drag_ = dragAction(event->button(), event->modifiers(), mousePreset_);
+    dragButton_ = event->button();
+    pressedAt_ = lastAt_ = place(*event);
+    travelled_ = false;
+    if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(pressedAt_);
+}
+
+void CloudView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = place(*event);
+    if (drag_ == DragAction::None) {
+        hover(at);
+        return;
+    }
+    if (!travelled_ && QLineF(pressedAt_, at).length() < kClickPx) return;
+    if (!travelled_) leaveHover();
+    travelled_ = true;
+    drag(at);
+    lastAt_ = at;
+}
+
+void CloudView::drag(QPointF at) {
+    const QPointF by = at - lastAt_;
+    if (drag_ == DragAction::Rotate) {
+        const double perPixel = std::numbers::pi / std::max(1, height());
+        const double right = by.x() * perPixel;
+        const double up = -by.y() * perPixel;
+        const Vector3d axis = cloud_ ? cloud_->axes.up : Vector3d(Vector3d::UnitZ());
+        pose_ = turntable_ ? turned(pose_, centre_, axis, right, up) : tumbled(pose_, centre_, right, up);
+        showFocus();
+    } else if (drag_ == DragAction::Pan) {
+        pose_ = panned(pose_, dragAnchor_, by.x(), by.y(), height());
+    } else if (drag_ == DragAction::Zoom) {
+        pose_ = zoomed(pose_, dragAnchor_, std::pow(1.008, -by.y()));
+    } else if (drag_ == DragAction::Roll) {
+        const QPointF middle = QRectF(rect()).center();
+        const double degrees = QLineF(middle, lastAt_).angleTo(QLineF(middle, at)); // counter-clockwise, 0 .. 360
+        pose_ = rolled(pose_, -std::remainder(degrees, 360.0) * std::numbers::pi / 180.0);
+    }
+    moved();
+}
+
+void CloudView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != dragButton_ || drag_ == DragAction::None) return;
+    const QPointF at = place(*event);
+    const bool click = !travelled_;
+    drag_ = DragAction::None;
+    dragButton_ = Qt::NoButton;
+    if (!click) {
+        scene_->hideFocus();
+        moved();
+        return;
+    }
+    const auto cell = cellAt(at);
+    if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
+    if (event->button() == Qt::MiddleButton) setRotationCentre(at);
+    if (event->button() == Qt::RightButton) {
+        emit contextMenuRequested(mapToGlobal(at.toPoint()), cell ? static_cast<qint64>(*cell) : -1);
+    }
+}
+
+void CloudView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) setRotationCentre(place(*event));
+}
+
+void CloudView::setRotationCentre(QPointF pixel) {
+    const auto cell = cellAt(pixel);
+    if (!cell) return;
+    centre_ = cloud_->point(*cell).cast<double>();
+    showFocus(); // until the view rests
+    moved(kShowCentreMs);
+}
+
+void CloudView::wheelEvent(QWheelEvent* event) {
+    // With Alt held X11 and Qt turn the wheel sideways.
+    const QPoint angle = event->angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    event->accept();
+    if (notches == 0.0) return;
+    const WheelAction action = wheelAction(event->modifiers());
+    if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -notches : notches);
+    if (action == WheelAction::PointSize) setPointSize(pointSize_ + (notches > 0.0 ? 1.0 : -1.0));
+    if (action == WheelAction::NearClip) wheelClip(nearShare_, notches);
+    if (action == WheelAction::FarClip) wheelClip(farShare_, -notches);
+}
+
+void CloudView::wheelZoom(QPointF pixel, double notches) {
+    // One anchor for a whole run of notches, or the picture would creep as the nearest point changes.
+    if (!restTimer_.isActive() || QLineF(pixel, wheelAt_).length() > kSameCursorPx) wheelAnchor_ = anchorAt(pixel);
+    wheelAt_ = pixel;
+    pose_ = zoomed(pose_, wheelAnchor_, std::pow(kZoomPerNotch, notches));
+    moved();
+}
+
+void CloudView::wheelClip(double& share, double notches) {
+    share = std::clamp(share + kClipPerNotch * notches, 0.0, 0.98);
+    moved();
+}
+
+void CloudView::hover(QPointF pixel) {
+    const auto cell = cellAt(pixel);
+    if (cell == hoveredCell_) return;
+    if (!cell) {
+        leaveHover();
+        return;
+    }
+    hoveredCell_ = cell;
+    emit hovered(*cell);
+}
+
+void CloudView::leaveHover() {
+    if (!hoveredCell_) return;
+    hoveredCell_ = std::nullopt;
+    emit hoverLeft();
+}
+
+void CloudView::leaveEvent(QEvent* event) {
+    QVTKOpenGLNativeWidget::leaveEvent(event);
+    leaveHover();
+}
+
+} // namespace edgescan::ui

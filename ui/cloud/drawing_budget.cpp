@@ -1,0 +1,62 @@
+// How many points to draw so that a frame stays within its time.
+#include "ui/cloud/drawing_budget.h"
+
+#include "ui/cloud/cloud_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr std::size_t kRemembered = 12;
+constexpr double kGuessedBase = 0.15; // share of a frame that does not depend on the points, while all frames are alike
+
+} // namespace
+
+DrawingBudget::DrawingBudget(double allPointsMs) { restart(allPointsMs); }
+
+void DrawingBudget::restart(double allPointsMs) {
+    frames_.clear();
+    base_ = 0.0;
+    slope_ = allPointsMs;
+}
+
+void DrawingBudget::measured(double fraction, double ms) {
+    frames_.push_back({fraction, ms});
+    if (frames_.size() > kRemembered) frames_.pop_front();
+    fit();
+}
+
+void DrawingBudget::fit() {
+    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    double weight = 1.0; // old frames count less: the machine may have become busier
+    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame, weight *= 0.8) {
+        n += weight;
+        sx += weight * frame->fraction;
+        sy += weight * frame->ms;
+        sxx += weight * frame->fraction * frame->fraction;
+        sxy += weight * frame->fraction * frame->ms;
+    }
+    const double meanX = sx / n;
+    const double meanY = sy / n;
+    const double varX = sxx / n - meanX * meanX;
+    const double alike = 0.01 * meanX * meanX;
+    slope_ = varX > alike ? (sxy / n - meanX * meanY) / varX : 0.0;
+    base_ = meanY - slope_ * meanX;
+    if (varX <= alike || slope_ <= 0.0 || base_ < 0.0) {
+        base_ = kGuessedBase * meanY;
+        slope_ = (meanY - base_) / std::max(1e-6, meanX);
+    }
+}
+
+double DrawingBudget::expectedMs(double fraction) const { return base_ + slope_ * fraction; }
+
+int DrawingBudget::lastPart(bool moving) const {
+    const double aim = moving ? kMovingMs : kRestMs;
+    int last = 0;
+    while (last + 1 < kCloudParts && expectedMs(kPartEnds[static_cast<std::size_t>(last) + 1]) <= aim) ++last;
+    return last;
+}
+
+} // namespace edgescan::ui

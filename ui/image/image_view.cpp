@@ -1,0 +1,196 @@
+// Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
+#include "ui/image/image_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QResizeEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kRing = 7.0; // radius, px
+const QColor kLine(255, 255, 255, 190);
+const QColor kOutline(0, 0, 0, 170);
+
+// Every mark is drawn dark and wide, then light and thin: seen on black and on white.
+template <class Draw>
+void strokeTwice(QPainter& painter, double width, Qt::PenStyle style, Draw draw) {
+    painter.setPen(QPen(kOutline, width + 2.0));
+    draw();
+    painter.setPen(QPen(kLine, width, style));
+    draw();
+}
+
+void drawRing(QPainter& painter, QPointF at) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, 4.0));
+    painter.drawEllipse(at, kRing, kRing);
+    painter.setPen(QPen(Qt::white, 2.0));
+    painter.drawEllipse(at, kRing, kRing);
+    painter.setPen(QPen(Qt::black, 1.0));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(at, 1.8, 1.8);
+}
+
+void drawLabel(QPainter& painter, QRect place, Qt::Alignment alignment, const QString& text) {
+    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-5, -2, 5, 2);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 150));
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(QColor(235, 235, 235));
+    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+}
+
+} // namespace
+
+ImageView::ImageView(std::shared_ptr<ViewPort> viewPort, QWidget* parent)
+    : QWidget(parent), viewPort_(viewPort ? std::move(viewPort) : std::make_shared<ViewPort>()) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setContextMenuPolicy(Qt::PreventContextMenu); // the right button drags window and level
+    grabGesture(Qt::PinchGesture);
+    setCursor(Qt::CrossCursor);
+    connect(viewPort_.get(), &ViewPort::changed, this, qOverload<>(&QWidget::update));
+}
+
+ImageView::~ImageView() {
+    viewPort_->disconnect(this);
+    viewPort_->forgetView(this);
+}
+
+void ImageView::setImage(std::shared_ptr<const QImage> image, Shrink shrink) {
+    if (image == picture_.image() && shrink == picture_.shrink()) return;
+    picture_ = Pyramid(std::move(image), shrink);
+    if (!picture_.empty()) viewPort_->setImageSize(picture_.image()->size());
+    update();
+}
+
+void ImageView::setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink) {
+    const bool same = image == overlay_.image() && shrink == overlay_.shrink();
+    if (same && opacity == overlayOpacity_) return;
+    if (!same) overlay_ = Pyramid(std::move(image), shrink);
+    overlayOpacity_ = std::clamp(opacity, 0.0, 1.0);
+    update();
+}
+
+void ImageView::setMarkedCell(std::optional<QPoint> cell) {
+    if (cell == marked_) return;
+    marked_ = cell;
+    update();
+}
+
+void ImageView::setCrosshair(std::optional<QPoint> cell) {
+    if (cell == crosshair_) return;
+    crosshair_ = cell;
+    update();
+}
+
+void ImageView::setBox(std::optional<QRect> cells) {
+    if (cells == box_) return;
+    box_ = cells;
+    update();
+}
+
+void ImageView::setTitle(const QString& title) {
+    title_ = title;
+    update();
+}
+
+void ImageView::setNote(const QString& note) {
+    note_ = note;
+    update();
+}
+
+void ImageView::setBackground(const QColor& colour) {
+    background_ = colour;
+    update();
+}
+
+void ImageView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    viewPort_->setViewSize(this, size());
+}
+
+std::optional<QPoint> ImageView::cellAt(QPointF pixel) const {
+    if (picture_.empty()) return std::nullopt;
+    const QPointF at = viewPort_->toCell(pixel, size());
+    const QPoint cell(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
+    if (!picture_.image()->rect().contains(cell)) return std::nullopt;
+    return cell;
+}
+
+QRectF ImageView::toPixels(const QRectF& cells) const {
+    return {viewPort_->toPixel(cells.topLeft(), size()), viewPort_->toPixel(cells.bottomRight(), size())};
+}
+
+void ImageView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.fillRect(rect(), background_);
+    drawPyramid(painter, picture_);
+    if (!overlay_.empty() && overlayOpacity_ > 0.0) {
+        painter.setOpacity(overlayOpacity_);
+        drawPyramid(painter, overlay_);
+        painter.setOpacity(1.0);
+    }
+    drawMarks(painter);
+    drawTexts(painter);
+}
+
+void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
+    if (pyramid.empty()) return;
+    const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
+    const double scale = std::min(cell.width(), cell.height());
+    const QImage& image = pyramid.level(pyramidLevel(scale, pyramid.shrink()));
+    const QSizeF full = pyramid.image()->size();
+    // Odd sizes: the last pixel of a level stands for fewer cells, so cells per pixel is a power of two, not a quotient.
+    const double cellsPerPixel =
+        std::exp2(std::ceil(std::log2(std::max(full.width() / image.width(), full.height() / image.height())) - 1e-9));
+
+    const QPointF topLeft = viewPort_->toCell({0.0, 0.0}, size());
+    const QPointF bottomRight = viewPort_->toCell(QPointF(width(), height()), size());
+    QRectF seen = QRectF(topLeft, bottomRight).intersected(QRectF({0.0, 0.0}, full));
+    if (seen.isEmpty()) return;
+    // Whole pixels of the level, or drawImage would shift the picture by parts of a cell.
+    const QRect source =
+        QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
+    QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);
+    const QRectF target = toPixels(cells);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() == Shrink::Average);
+    painter.save();
+    painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
+    painter.drawImage(target, image, source);
+    painter.restore();
+}
+
+void ImageView::drawMarks(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    if (crosshair_) {
+        const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
+        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
+        strokeTwice(painter, 1.0, Qt::SolidLine, [&] {
+            painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
+            painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
+            painter.drawLine(QPointF(at.x(), 0), QPointF(at.x(), at.y() - gap));
+            painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
+        });
+    }
+    if (box_) strokeTwice(painter, 1.0, Qt::SolidLine, [&] { painter.drawRect(toPixels(QRectF(*box_))); });
+    if (drag_ == Drag::Box && travelled_) {
+        strokeTwice(painter, 1.0, Qt::DashLine, [&] { painter.drawRect(toPixels(QRectF(boxCells(pressedAt_, lastAt_)))); });
+    }
+    if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size()));
+}
+
+void ImageView::drawTexts(QPainter& painter) const {
+    const QRect inner = rect().adjusted(11, 8, -11, -8);
+    if (!title_.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, title_);
+    if (note_.isEmpty()) return;
+    drawLabel(painter, inner, picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop, note_);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,152 @@
+// The mouse of an image view (VIEWER.md 2.2).
+#include "ui/image/image_view.h"
+
+#include <QGestureEvent>
+#include <QKeyEvent>
+#include <QLineF>
+#include <QMouseEvent>
+#include <QPinchGesture>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kClickPx = 4.0; // less travel than this is a click
+constexpr double kZoomPerNotch = 1.25;
+
+// Qt 5 and Qt 6 name the position of a mouse event differently.
+QPointF place(const QMouseEvent& event) {
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+    return event.position();
+#else
+    return event.localPos();
+#endif
+}
+
+} // namespace
+
+bool ImageView::event(QEvent* event) {
+    if (event->type() == QEvent::Gesture) {
+        auto* gestures = static_cast<QGestureEvent*>(event);
+        if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
+            pinch(*gesture);
+            gestures->accept(gesture);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void ImageView::pinch(const QPinchGesture& gesture) {
+    const QPointF centre = mapFromGlobal(gesture.centerPoint().toPoint());
+    viewPort_->zoomAt(viewPort_->toCell(centre, size()), std::clamp(gesture.scaleFactor(), 0.5, 2.0));
+    viewPort_->panPixels(gesture.centerPoint() - gesture.lastCenterPoint());
+}
+
+void ImageView::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::None) return; // a second button during a drag changes nothing
+    dragButton_ = event->button();
+    pressedAt_ = lastAt_ = place(*event);
+    travelled_ = false;
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    if (dragButton_ == Qt::LeftButton) drag_ = shift && !picture_.empty() ? Drag::Box : Drag::Pan;
+    if (dragButton_ == Qt::MiddleButton) drag_ = Drag::Pan;
+    if (dragButton_ == Qt::RightButton) drag_ = Drag::WindowLevel;
+}
+
+void ImageView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = place(*event);
+    hover(at);
+    if (drag_ == Drag::None) return;
+    if (!travelled_ && QLineF(pressedAt_, at).length() < kClickPx) return;
+    travelled_ = true;
+    if (drag_ == Drag::Pan) viewPort_->panPixels(at - lastAt_);
+    if (drag_ == Drag::Box) update();
+    if (drag_ == Drag::WindowLevel) {
+        const QPoint by = at.toPoint() - lastAt_.toPoint();
+        if (!by.isNull()) emit windowLevelDragged(by.x(), by.y());
+    }
+    lastAt_ = at;
+}
+
+void ImageView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != dragButton_ || drag_ == Drag::None) return;
+    const Drag was = drag_;
+    drag_ = Drag::None;
+    dragButton_ = Qt::NoButton;
+    if (travelled_) {
+        if (was == Drag::WindowLevel) emit windowLevelFinished();
+        if (was == Drag::Box) {
+            setBox(boxCells(pressedAt_, lastAt_));
+            update();
+            emit boxSelected(*box_);
+        }
+        return;
+    }
+    const auto cell = cellAt(place(*event));
+    if (event->button() != Qt::LeftButton || was != Drag::Pan || !cell) return;
+    setCrosshair(cell);
+    emit clicked(cell->y(), cell->x());
+}
+
+void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) viewPort_->fit();
+}
+
+void ImageView::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    const QPoint angle = event->angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches));
+    hover(event->position()); // another cell may lie under the cursor now
+}
+
+void ImageView::keyPressEvent(QKeyEvent* event) {
+    const bool something = crosshair_ || box_;
+    if (event->key() != Qt::Key_Escape || !something) {
+        QWidget::keyPressEvent(event); // Esc goes on to the window: cancel job, leave tool
+        return;
+    }
+    setCrosshair(std::nullopt);
+    setBox(std::nullopt);
+    emit cleared();
+}
+
+QRect ImageView::boxCells(QPointF from, QPointF to) const {
+    const QRect all = picture_.image()->rect();
+    const auto inside = [&](QPointF pixel) {
+        const QPointF at = viewPort_->toCell(pixel, size());
+        return QPoint(std::clamp(static_cast<int>(std::floor(at.x())), all.left(), all.right()),
+                      std::clamp(static_cast<int>(std::floor(at.y())), all.top(), all.bottom()));
+    };
+    const QPoint a = inside(from);
+    const QPoint b = inside(to);
+    return {QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())), QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))};
+}
+
+void ImageView::hover(QPointF pixel) {
+    const auto cell = cellAt(pixel);
+    if (cell == hoveredCell_) return;
+    if (!cell) {
+        leaveHover();
+        return;
+    }
+    hoveredCell_ = cell;
+    emit hovered(cell->y(), cell->x());
+}
+
+void ImageView::leaveHover() {
+    if (!hoveredCell_) return;
+    hoveredCell_ = std::nullopt;
+    emit hoverLeft();
+}
+
+void ImageView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    leaveHover();
+}
+
+} // namespace edgescan::ui
