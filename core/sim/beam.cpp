@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMergeM = 0.6;        // echoes closer than this are one pulse to the receiver
 constexpr double kReflectivity = 0.35; // of dry rock at 905 nm
-constexpr double kWeakSignal = 0.006;  // below it echoes begin to be lost
+constexpr double kWeakSignal = 0.02;   // below it echoes begin to be lost
 constexpr double kGrazingCosine = 0.10;
 
 struct Return {

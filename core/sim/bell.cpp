@@ -104,8 +104,8 @@ Eigen::Vector3d Bell::wall(double c, double s, double heightM) const {
     const Eigen::Vector2d axes = halfAxes(heightM);
     // Blasted walls are not elliptic: wide bulges and, smaller, the half-metre steps between rounds of holes.
     const Eigen::Vector3d place(2.2 * c, 2.2 * s, 0.5 * heightM);
-    const double bulge =
-        1.0 + 0.10 * valueNoise(place, seed_) + 0.035 * valueNoise(2.3 * place, seed_ + 1) + 0.018 * valueNoise(6.1 * place, seed_ + 2);
+    const double bulge = 1.0 + 0.10 * valueNoise(place, seed_) + 0.035 * valueNoise((2.3 * place).array() + 0.37, seed_ + 1) +
+                         0.018 * valueNoise((6.1 * place).array() + 0.71, seed_ + 2);
     return {axes.x() * c * bulge, axes.y() * s * bulge, heightM};
 }
 
@@ -149,11 +149,15 @@ double muckHeight(const Bell& bell, double x, double y, std::uint64_t seed) {
 }
 
 void addMuck(Scene& scene, const Bell& bell, std::uint64_t seed) {
-    constexpr int kRings = 60;
-    const std::vector<Eigen::Vector2d> around = compass(160);
+    addGround(scene, [&](double x, double y) { return muckHeight(bell, x, y, seed); });
+}
+
+void addGround(Scene& scene, const std::function<double(double x, double y)>& heightM) {
+    constexpr int kRings = 80;
+    const std::vector<Eigen::Vector2d> around = compass(180);
     const auto place = [&](int ring, int column) {
-        const Eigen::Vector2d d = around[static_cast<std::size_t>(column)] * (0.3 + 7.0 * ring / (kRings - 1));
-        return Eigen::Vector3d(d.x(), d.y(), muckHeight(bell, d.x(), d.y(), seed));
+        const Eigen::Vector2d d = around[static_cast<std::size_t>(column)] * (0.3 + 7.7 * ring / (kRings - 1));
+        return Eigen::Vector3d(d.x(), d.y(), heightM(d.x(), d.y()));
     };
     addLattice(scene, scene.solids, {kRings, static_cast<int>(around.size()), true, place}, wallFace(kMuckFace));
 }

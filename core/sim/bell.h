@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace edgescan::sim {
@@ -42,8 +43,10 @@ struct Roof {
 void addBell(Scene& scene, const Bell& bell, const Roof& roof);
 
 /// Adds broken rock that has run down: a heap that rises towards the wall all round except where the drift comes in.
-/// @param heightM of the heap's foot above the floor at the wall, about
 void addMuck(Scene& scene, const Bell& bell, std::uint64_t seed);
+
+/// Adds loose ground of a given height over plan, out to 8 m round the scanner.
+void addGround(Scene& scene, const std::function<double(double x, double y)>& heightM);
 
 /// Height of the muck's surface, metres.
 [[nodiscard]] double muckHeight(const Bell& bell, double x, double y, std::uint64_t seed);

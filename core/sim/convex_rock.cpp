@@ -4,10 +4,14 @@
 #include "core/sim/convex_hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace edgescan::sim {
 namespace {
+
+constexpr double kMinSizeM = 0.16;
+constexpr double kMaxSizeM = 2.6;
 
 Eigen::Vector3d randomDirection(Dice& dice) {
     Eigen::Vector3d d;
@@ -42,7 +46,7 @@ std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
             const Eigen::Vector3d normal = (side * Eigen::Vector3d::Unit(axis) + skew * randomDirection(dice)).normalized();
-            planes.emplace_back(normal / dice.uniform(0.70, 0.90));
+            planes.emplace_back(normal / dice.uniform(0.72, 0.92));
         }
     }
     while (static_cast<int>(planes.size()) < count) planes.emplace_back(randomDirection(dice) / dice.uniform(0.80, 1.0));
@@ -101,6 +105,29 @@ void addFacet(Scene& scene, ConvexBody& body, const Eigen::Vector3d& normal, dou
 }
 
 } // namespace
+
+std::vector<double> rockSizes(int count, std::uint64_t seed) {
+    Dice dice(seed, Purpose::Sizes);
+    std::vector<double> sizes;
+    while (static_cast<int>(sizes.size()) < count) {
+        const double size = 0.50 * std::exp(0.70 * dice.normal());
+        if (size < kMinSizeM || size > kMaxSizeM) continue;
+        sizes.push_back(std::round(size * 1e4) / 1e4); // exp() may differ in its last bit between machines
+    }
+    std::sort(sizes.rbegin(), sizes.rend());
+    // An arch is held by a few blocks that are large against the throat; a log-normal law alone has them only sometimes.
+    constexpr std::array<double, 5> kKeystones{2.6, 2.5, 2.3, 2.1, 1.9};
+    for (std::size_t i = 0; i < std::min(kKeystones.size(), sizes.size() / 8); ++i)
+        sizes[i] = std::max(sizes[i], kKeystones[i] * dice.uniform(0.94, 1.0));
+    return sizes;
+}
+
+std::vector<double> ballRadii(const std::vector<double>& sizesM) {
+    constexpr double kShare = 0.43; // half the mean of the axes, which are 1, 0.78 and 0.78 on average
+    std::vector<double> radii;
+    for (const double size : sizesM) radii.push_back(kShare * size);
+    return radii;
+}
 
 std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice) {
     const int planes = dice.whole(9, dice.whole(14, 22)); // a body of n planes has at most 2 n - 4 corners: 14-40

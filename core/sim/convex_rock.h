@@ -10,6 +10,12 @@
 
 namespace edgescan::sim {
 
+/// Longest axes of rocks in metres, largest first: log-normal between 0.16 and 2.6, with a few keystones among more than forty.
+[[nodiscard]] std::vector<double> rockSizes(int count, std::uint64_t seed);
+
+/// Radius of a ball that stands for a rock of that size while it finds its place.
+[[nodiscard]] std::vector<double> ballRadii(const std::vector<double>& sizesM);
+
 /// Corners of a rock round the origin: 12-40 points, longest axis `sizeM`, the two others 0.55-1 of it, turned at random.
 [[nodiscard]] std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice);
 

@@ -1,5 +1,5 @@
 // The hang-up: large rocks find their places first, the others jam between them and against the walls.
-#include "core/sim/hangup.h"
+#include "core/sim/scenes.h"
 
 #include "core/sim/bell.h"
 #include "core/sim/convex_rock.h"
@@ -11,26 +11,6 @@
 
 namespace edgescan::sim {
 namespace {
-
-constexpr double kMinSizeM = 0.16;
-constexpr double kMaxSizeM = 2.6;
-
-/// Sizes of the rocks, largest first. Stratified, so that every seed has its few keystones and its many stones.
-std::vector<double> rockSizes(int count, std::uint64_t seed) {
-    Dice dice(seed, Purpose::Sizes);
-    std::vector<double> sizes;
-    while (static_cast<int>(sizes.size()) < count) {
-        const double size = 0.50 * std::exp(0.70 * dice.normal());
-        if (size < kMinSizeM || size > kMaxSizeM) continue;
-        sizes.push_back(std::round(size * 1e4) / 1e4); // exp() may differ in its last bit between machines
-    }
-    std::sort(sizes.rbegin(), sizes.rend());
-    // An arch is held by a few blocks that are large against the throat; a log-normal law alone has them only sometimes.
-    constexpr std::array<double, 5> kKeystones{2.6, 2.5, 2.3, 2.1, 1.9};
-    for (std::size_t i = 0; i < std::min(kKeystones.size(), sizes.size() / 8); ++i)
-        sizes[i] = std::max(sizes[i], kKeystones[i] * dice.uniform(0.94, 1.0));
-    return sizes;
-}
 
 /// Where the rocks jam: a vault that stands on the walls, with the chimney through it.
 struct Vault {
@@ -46,29 +26,6 @@ struct Vault {
         return springingM + (crownM - springingM) * (1.0 - s * s) + tilt * p.x();
     }
 };
-
-std::vector<Ball> scattered(const std::vector<double>& sizes, const Vault& vault, Dice& dice) {
-    std::vector<Ball> balls;
-    for (const double size : sizes) {
-        Ball ball{.radius = 0.43 * size}; // of a ball as large as the rock on average over its aspect ratios
-        double farthest = -1.0;
-        // The best of some candidates: large rocks keep clear of each other, so that none hides behind another.
-        for (int attempt = 0; attempt < 12; ++attempt) {
-            Eigen::Vector3d p;
-            do p = Eigen::Vector3d{dice.uniform(-7.0, 7.0), dice.uniform(-6.0, 6.0), 5.5};
-            while (vault.bell.share(p) > 0.97);
-            p.z() = vault.height(p) + dice.uniform(0.0, 0.8);
-            double clear = 1e9;
-            for (const Ball& other : balls) clear = std::min(clear, (p - other.centre).norm() - other.radius - ball.radius);
-            if (clear <= farthest) continue;
-            farthest = clear;
-            ball.centre = p;
-        }
-        if (farthest < 0.0 && balls.empty()) ball.centre = {0.0, 0.0, vault.crownM};
-        balls.push_back(ball);
-    }
-    return balls;
-}
 
 /// Weight and arching: down onto the vault, off the chimney, and never through the wall.
 void settle(Ball& ball, const Vault& vault, double hang) {
@@ -92,8 +49,15 @@ void addArch(Scene& scene, const Vault& vault, int rocks, std::uint64_t seed) {
     const std::vector<double> sizes = rockSizes(rocks, seed);
     std::vector<double> hang;
     for (const double size : sizes) hang.push_back(size > 1.2 ? places.uniform(-0.45, 0.35) : places.uniform(0.0, 0.7));
-    const std::vector<Ball> balls = jammed(
-        scattered(sizes, vault, places), [&](std::size_t i, Ball& ball) { settle(ball, vault, hang[i]); }, 0.88, 140);
+    const auto place = [&](Dice& dice) {
+        Eigen::Vector3d p;
+        do p = Eigen::Vector3d{dice.uniform(-7.0, 7.0), dice.uniform(-6.0, 6.0), vault.crownM};
+        while (vault.bell.share(p) > 0.97);
+        p.z() = vault.height(p) + dice.uniform(0.0, 0.8);
+        return p;
+    };
+    const Confine confine = [&](std::size_t i, Ball& ball) { settle(ball, vault, hang[i]); };
+    const std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
         addRock(scene, rockCorners(sizes[i], shape), balls[i].centre);
@@ -109,7 +73,7 @@ void addRubble(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
         const double size = dice.uniform(0.16, 0.4) + 0.8 * dice.uniform() * dice.uniform() * dice.uniform();
         const double height = muckHeight(bell, x, y, seed);
         const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
-        const bool onPole = y * y + height * height < 0.09 * x * x; // a sweep would smear it over every line
+        const bool onPole = y * y + height * height < 0.2 * x * x; // a sweep would smear it over every line
         if (!onSlope || onPole) continue;
         Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
         addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size});

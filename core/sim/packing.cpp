@@ -1,7 +1,9 @@
 // Position-based relaxation, one ball after the other, always in the same order: the outcome depends on nothing but the input.
 #include "core/sim/packing.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace edgescan::sim {
 namespace {
@@ -26,6 +28,25 @@ std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double
         for (std::size_t i = 0; i < balls.size(); ++i)
             for (std::size_t j = i + 1; j < balls.size(); ++j) pushApart(balls[i], balls[j], touch);
         for (std::size_t i = 0; i < balls.size(); ++i) confine(i, balls[i]);
+    }
+    return balls;
+}
+
+std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(Dice&)>& place, Dice& dice) {
+    constexpr int kCandidates = 12;
+    std::vector<Ball> balls;
+    for (const double radius : radii) {
+        Ball ball{.radius = radius};
+        double most = -std::numeric_limits<double>::infinity();
+        for (int candidate = 0; candidate < kCandidates; ++candidate) {
+            const Eigen::Vector3d p = place(dice);
+            double clear = std::numeric_limits<double>::max();
+            for (const Ball& other : balls) clear = std::min(clear, (p - other.centre).norm() - other.radius);
+            if (clear <= most) continue;
+            most = clear;
+            ball.centre = p;
+        }
+        balls.push_back(ball);
     }
     return balls;
 }

@@ -1,6 +1,8 @@
 // Jamming: balls that stand for rocks, pushed apart until they touch.
 #pragma once
 
+#include "core/sim/random.h"
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -20,5 +22,9 @@ using Confine = std::function<void(std::size_t index, Ball& ball)>;
 /// number of balls.
 /// @param touch distance that two balls settle at, as a share of the sum of their radii; below 1 they stay interlocked
 [[nodiscard]] std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds);
+
+/// Balls of the given radii, each at that of twelve drawn places which lies farthest from the balls before it: large ones, coming first, do
+/// not hide behind each other.
+[[nodiscard]] std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(Dice&)>& place, Dice& dice);
 
 } // namespace edgescan::sim

@@ -16,11 +16,11 @@ void addTriangle(Scene& scene, Mesh& mesh, const std::array<Eigen::Vector3d, 3>&
     scene.surfaces.push_back(look);
 }
 
-void turn(Mesh& mesh, const Eigen::Matrix3f& rotation) {
+void transform(Mesh& mesh, const Eigen::Matrix3f& by) {
     for (Triangle& t : mesh) {
-        t.corner = rotation * t.corner;
-        t.edge1 = rotation * t.edge1;
-        t.edge2 = rotation * t.edge2;
+        t.corner = by * t.corner;
+        t.edge1 = by * t.edge1;
+        t.edge2 = by * t.edge2;
     }
 }
 
@@ -41,10 +41,26 @@ void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface&
     }
 }
 
+Scene scaled(Scene scene, float factor) {
+    const Eigen::Matrix3f by = factor * Eigen::Matrix3f::Identity();
+    for (Mesh& mesh : scene.voids) transform(mesh, by);
+    transform(scene.solids, by);
+    for (ConvexBody& body : scene.bodies) {
+        body.box = {body.box.min() * factor, body.box.max() * factor};
+        for (Facet& facet : body.facets) facet.offset *= factor;
+    }
+    for (RockTruth& rock : scene.rocks) {
+        rock.centreM *= factor;
+        for (float& span : rock.spansM) span *= factor;
+        rock.volumeM3 *= factor * factor * factor;
+    }
+    return scene;
+}
+
 Scene turned(Scene scene, const Eigen::Matrix3f& rotation) {
     for (Surface& surface : scene.surfaces) surface.normal = rotation * surface.normal;
-    for (Mesh& mesh : scene.voids) turn(mesh, rotation);
-    turn(scene.solids, rotation);
+    for (Mesh& mesh : scene.voids) transform(mesh, rotation);
+    transform(scene.solids, rotation);
     for (ConvexBody& body : scene.bodies) {
         Eigen::AlignedBox3f box;
         for (int k = 0; k < 8; ++k) box.extend(rotation * body.box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(k)));

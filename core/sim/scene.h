@@ -72,6 +72,9 @@ struct Lattice {
 };
 void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look);
 
+/// The scene made larger or smaller, the scanner staying where it is.
+[[nodiscard]] Scene scaled(Scene scene, float factor);
+
 /// The scene turned about the scanner.
 [[nodiscard]] Scene turned(Scene scene, const Eigen::Matrix3f& rotation);
 

@@ -4,9 +4,9 @@
 #include "core/scan/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/caster.h"
-#include "core/sim/hangup.h"
 #include "core/sim/noise.h"
 #include "core/sim/random.h"
+#include "core/sim/scenes.h"
 
 #include <atomic>
 #include <cmath>
@@ -48,6 +48,8 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                             {"rock roughness", s.rockRoughnessMm, 0, 200},
                             {"wall roughness", s.wallRoughnessMm, 0, 200},
                             {"absorbing patches", 1.0 * s.absorbingPatches, 0, 1000},
+                            {"distance", s.distanceM, 0.1, 100},
+                            {"hole", s.holeM, 0, 100},
                             {"noise", s.noise, 0, 100},
                             {"dropouts", s.dropouts, 0, 1},
                             {"dust", s.dust, 0, 1},
@@ -74,6 +76,10 @@ std::optional<Error> refusal(const SimulationSettings& s) {
 
 Result<Scene> sceneOf(const SimulationSettings& settings) {
     if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks);
+    if (settings.scene == "pile") return pileScene(settings.seed, settings.rocks);
+    if (settings.scene == "empty") return emptyScene(settings.seed);
+    if (settings.scene == "wall") return wallScene(settings.distanceM, settings.hole, settings.holeM);
+    if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
     std::string names;
     for (const SimulationScene& scene : simulationScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
     return Error{"there is no scene \"" + settings.scene + "\"", "simulate", "use one of " + names};
@@ -216,6 +222,10 @@ Result<Simulation> sweepOf(const SimulationSettings& settings, Scene scene, cons
 const std::vector<SimulationScene>& simulationScenes() {
     static const std::vector<SimulationScene> scenes{
         {"hangup", "rocks jammed across the bell, seen from below, with a chimney and the drift"},
+        {"pile", "a slope of rocks against one wall, the bell open above"},
+        {"empty", "the bell without rocks"},
+        {"wall", "a flat wall, with a round or square hole on demand"},
+        {"staircase", "treads that fall away to both sides by known steps"},
     };
     return scenes;
 }

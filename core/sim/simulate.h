@@ -18,6 +18,12 @@ namespace edgescan {
 /// How fast the beam widens: 4.6 mrad or 11 mrad.
 enum class DeviceProfile : std::uint8_t { HighResolution, Standard };
 
+enum class WallHole : std::uint8_t { None, Round, Square };
+
+/// Steps of the scene "staircase", mm, from the middle outwards: even places towards +x, odd ones towards -x. Outer treads are farther
+/// away.
+inline constexpr std::array<double, 8> kStaircaseMm{20.0, 30.0, 50.0, 80.0, 120.0, 200.0, 300.0, 500.0};
+
 /// The defaults are the full grid of METHOD.md.
 struct SimulationSettings {
     std::string scene = "hangup"; ///< one of simulationScenes()
@@ -31,7 +37,10 @@ struct SimulationSettings {
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
     double wallRoughnessMm = 30.0;
-    int absorbingPatches = 6; ///< round spots that send nothing back
+    int absorbingPatches = 6;       ///< round spots that send nothing back
+    double distanceM = 6.0;         ///< of the wall or of the staircase's middle tread
+    WallHole hole = WallHole::None; ///< an open void in the middle of the wall
+    double holeM = 2.0;             ///< its diameter or side
 
     // The measurement; each ingredient can be switched off.
     double noise = 1.0;         ///< times (5.5 + 0.25 r[m]) mm x (1 + 0.35 (1/cos - 1))

@@ -1,0 +1,75 @@
+// The pile: what lies in the drawpoint when the bell has run, and the empty bell itself.
+#include "core/sim/bell.h"
+#include "core/sim/convex_rock.h"
+#include "core/sim/noise.h"
+#include "core/sim/packing.h"
+#include "core/sim/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::sim {
+namespace {
+
+constexpr double kLarger = 2.1; // the slope is built at the size of the bell in "hangup", then enlarged: there is room in front of it
+
+/// Surface of the slope below the rocks: up towards -y at the angle of repose.
+double slopeHeight(double x, double y, std::uint64_t seed) {
+    const double rise = 0.72 * std::max(0.0, -y - 1.6 + 0.03 * x * x);
+    return kFloorM - 0.2 + std::min(rise, 3.2) + 0.15 * valueNoise({0.9 * x, 0.9 * y, 2.0}, seed);
+}
+
+void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
+    constexpr double kClearM = 1.7; // nothing lies on the robot
+    const double level = slopeHeight(ball.centre.x(), ball.centre.y(), seed) + 0.4 * ball.radius;
+    ball.centre.z() = std::max(level, ball.centre.z() - 0.05);
+    const double distance = ball.centre.norm();
+    const double clear = kClearM + ball.radius;
+    if (distance < clear && distance > 1e-6) ball.centre *= clear / distance;
+    const double share = bell.share(ball.centre);
+    const double limit = 1.0 - 0.65 * ball.radius / Bell::halfAxes(ball.centre.z()).minCoeff();
+    if (share > limit) ball.centre.head<2>() *= limit / share;
+}
+
+void addPile(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
+    Dice places(seed, Purpose::Places);
+    std::vector<double> sizes = rockSizes(rocks, seed);
+    for (double& size : sizes) size /= kLarger;
+    const auto place = [&](Dice& dice) {
+        Eigen::Vector3d p;
+        do p = Eigen::Vector3d{dice.uniform(-5.5, 5.5), dice.uniform(-5.5, -0.8), 1.0};
+        while (bell.share(p) > 0.97);
+        p.z() = slopeHeight(p.x(), p.y(), seed) + dice.uniform(0.2, 1.5);
+        return p;
+    };
+    const std::vector<Ball> balls = jammed(
+        scattered(ballRadii(sizes), place, places), [&](std::size_t, Ball& ball) { settle(ball, bell, seed); }, 0.88, 140);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Dice shape(seed, Purpose::Shapes, i);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre);
+    }
+}
+
+} // namespace
+
+Scene pileScene(std::uint64_t seed, int rocks) {
+    const Bell bell(mixed(seed));
+    Scene scene;
+    addBell(scene, bell, {.present = false});
+    addGround(scene, [&](double x, double y) { return slopeHeight(x, y, seed); });
+    addPile(scene, bell, rocks, seed);
+    // The boom leans towards the slope: the middle beam looks along -y, 16 degrees up.
+    Eigen::Matrix3f lean;
+    lean << 1.0F, 0.0F, 0.0F, 0.0F, 0.28F, 0.96F, 0.0F, -0.96F, 0.28F;
+    return turned(scaled(std::move(scene), static_cast<float>(kLarger)), lean);
+}
+
+Scene emptyScene(std::uint64_t seed) {
+    const Bell bell(mixed(seed));
+    Scene scene;
+    addBell(scene, bell, {});
+    addMuck(scene, bell, mixed(seed));
+    return scene;
+}
+
+} // namespace edgescan::sim

@@ -1,0 +1,25 @@
+// The scenes that can be simulated, one function each.
+#pragma once
+
+#include "core/sim/scene.h"
+#include "core/sim/simulate.h"
+
+namespace edgescan::sim {
+
+/// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (METHOD.md "Scenes").
+/// @param rocks in the arch; a fifth more lie on the muck
+[[nodiscard]] Scene hangupScene(std::uint64_t seed, int rocks);
+
+/// A muck slope of rocks against one wall, the scanner leaned towards it, the bell open above.
+[[nodiscard]] Scene pileScene(std::uint64_t seed, int rocks);
+
+/// The bell after the blast: walls, drift, muck, a raise at the top.
+[[nodiscard]] Scene emptyScene(std::uint64_t seed);
+
+/// A flat wall at right angles to the middle beam, three times as wide to each side as it is far, with or without an open hole.
+[[nodiscard]] Scene wallScene(double distanceM, WallHole hole, double holeM);
+
+/// Treads at right angles to the middle beam, the middle one nearest, kStaircaseMm falling away to both sides.
+[[nodiscard]] Scene staircaseScene(double distanceM);
+
+} // namespace edgescan::sim

@@ -1,0 +1,312 @@
+// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts that METHOD.md states.
+#include "core/scan/cartesian.h"
+#include "core/sim/beam.h"
+#include "core/sim/simulate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+SimulationSettings small(const char* scene) {
+    SimulationSettings settings;
+    settings.scene = scene;
+    settings.lines = 60;
+    settings.beams = 80;
+    return settings;
+}
+
+/// Nothing but geometry: ranges are those of the centre rays.
+SimulationSettings perfect(const char* scene) {
+    SimulationSettings settings = small(scene);
+    settings.noise = 0.0;
+    settings.dropouts = 0.0;
+    settings.dust = 0.0;
+    settings.footprint = false;
+    settings.echoLoss = false;
+    settings.absorbingPatches = 0;
+    settings.rockRoughnessMm = 0.0;
+    settings.wallRoughnessMm = 0.0;
+    settings.truth = true;
+    return settings;
+}
+
+Simulation swept(const SimulationSettings& settings) {
+    Result<Simulation> result = simulate(settings);
+    EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
+    return result ? std::move(*result) : Simulation{};
+}
+
+TEST(SimSweep, NominalGeometry) {
+    SimulationSettings settings = perfect("wall");
+    settings.lines = 1000;
+    settings.beams = 1141;
+    settings.truth = false;
+    const Simulation full = swept(settings);
+    const auto& polar = std::get<PolarGeometry>(full.scan.geometry);
+    EXPECT_EQ(full.scan.name, "wall-seed1");
+    EXPECT_EQ(full.scan.format, "simulated");
+    EXPECT_EQ(full.scan.lines(), 1000);
+    EXPECT_EQ(full.scan.beams(), 1141);
+    EXPECT_DOUBLE_EQ(polar.beamDeg.front(), -5.0);
+    EXPECT_DOUBLE_EQ(polar.beamDeg.back(), 185.0);
+    EXPECT_NEAR(polar.beamDeg[1] - polar.beamDeg[0], 1.0 / 6.0, 1e-12);
+    EXPECT_DOUBLE_EQ(polar.lineDeg.front(), -90.0);
+    EXPECT_NEAR(polar.lineDeg[1] - polar.lineDeg[0], 0.18, 1e-12);
+    EXPECT_FLOAT_EQ(full.scan.rangeMm.at(500, 570), 6000.0F);
+    EXPECT_FALSE(full.truth);
+}
+
+TEST(SimSweep, EverySceneSweepsInBothMountings) {
+    for (const SimulationScene& scene : simulationScenes()) {
+        for (const Axis axis : {Axis::Sweep, Axis::Spin}) {
+            SimulationSettings settings = small(scene.name);
+            settings.axis = axis;
+            settings.truth = true;
+            const Simulation result = swept(settings);
+            const auto counts = countCells(result.scan);
+            EXPECT_EQ(counts[0] + counts[1], result.scan.cells()) << scene.name;
+            EXPECT_GT(counts[0], result.scan.cells() / 8) << scene.name;
+            for (std::size_t k = 0; k < result.scan.cells(); ++k) {
+                const float range = result.scan.rangeMm[k];
+                EXPECT_EQ(range, std::round(range));
+                EXPECT_EQ(range > 0.0F, result.scan.state[k] == CellState::Valid);
+                EXPECT_EQ(result.truth->object[k] > 0, result.truth->cleanMm[k] > 0.0F);
+            }
+        }
+    }
+}
+
+TEST(SimSweep, SameSeedSameBytesForAnyNumberOfThreads) {
+    SimulationSettings settings = small("hangup");
+    settings.truth = true;
+    settings.threads = 1;
+    const Simulation one = swept(settings);
+    settings.threads = 2;
+    const Simulation two = swept(settings);
+    settings.threads = 5;
+    const Simulation five = swept(settings);
+    EXPECT_EQ(one.scan.rangeMm, two.scan.rangeMm);
+    EXPECT_EQ(one.scan.rangeMm, five.scan.rangeMm);
+    EXPECT_EQ(one.scan.state, two.scan.state);
+    EXPECT_EQ(one.truth->object, two.truth->object);
+    EXPECT_EQ(one.truth->cleanMm, five.truth->cleanMm);
+    settings.seed = 2;
+    EXPECT_NE(swept(settings).scan.rangeMm, one.scan.rangeMm);
+}
+
+TEST(SimSweep, TruthChangesNoRange) {
+    SimulationSettings settings = small("hangup");
+    const Simulation without = swept(settings);
+    settings.truth = true;
+    EXPECT_EQ(swept(settings).scan.rangeMm, without.scan.rangeMm);
+}
+
+TEST(SimSweep, NoiseOnAWallIsTheModels) {
+    SimulationSettings settings = perfect("wall");
+    settings.noise = 1.0;
+    settings.rangeStepMm = 0.01;
+    settings.lines = 300;
+    settings.beams = 300;
+    const Simulation result = swept(settings);
+    const CartesianTables tables(result.scan);
+    double squares = 0.0;
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t k = 0; k < result.scan.cells(); ++k) {
+        if (result.scan.state[k] != CellState::Valid) continue;
+        const double clean = static_cast<double>(result.truth->cleanMm[k]);
+        const double cosine = 6000.0 / clean;
+        const double sigma = (5.5 + 0.25 * clean / 1000.0) * (1.0 + 0.35 * (1.0 / cosine - 1.0));
+        const double deviation = (static_cast<double>(result.scan.rangeMm[k]) - clean) / sigma;
+        sum += deviation;
+        squares += deviation * deviation;
+        ++count;
+    }
+    ASSERT_GT(count, 30000);
+    EXPECT_NEAR(sum / count, 0.0, 0.02);
+    EXPECT_NEAR(std::sqrt(squares / count), 1.0, 0.02);
+    EXPECT_NEAR(sim::rangeSigmaM(10.0, 1.0), 0.008, 1e-12);
+}
+
+TEST(SimSweep, DropoutsComeAtTheirRate) {
+    SimulationSettings settings = perfect("wall");
+    settings.lines = 200;
+    settings.beams = 300;
+    const auto valid = static_cast<double>(countCells(swept(settings).scan)[0]);
+    settings.dropouts = 0.05;
+    const auto left = static_cast<double>(countCells(swept(settings).scan)[0]);
+    EXPECT_NEAR(1.0 - left / valid, 0.05, 4.0 * std::sqrt(0.05 / valid));
+    settings.dropouts = 1.0;
+    EXPECT_EQ(countCells(swept(settings).scan)[0], 0U);
+}
+
+TEST(SimSweep, DustLiesInFrontOfTheWall) {
+    SimulationSettings settings = perfect("wall");
+    settings.dust = 0.1;
+    const Simulation result = swept(settings);
+    int dust = 0;
+    int valid = 0;
+    for (std::size_t k = 0; k < result.scan.cells(); ++k) {
+        if (result.scan.state[k] != CellState::Valid) continue;
+        ++valid;
+        if (result.scan.rangeMm[k] < result.truth->cleanMm[k] - 1.0F) ++dust;
+        EXPECT_LE(result.scan.rangeMm[k], result.truth->cleanMm[k] + 1.0F);
+    }
+    EXPECT_NEAR(static_cast<double>(dust) / valid, 0.1, 0.03);
+}
+
+TEST(SimSweep, GrazingAndPatchesLoseEchoes) {
+    SimulationSettings settings = perfect("empty");
+    settings.absorbingPatches = 40;
+    const Simulation result = swept(settings);
+    std::size_t absorbed = 0;
+    for (std::size_t k = 0; k < result.scan.cells(); ++k) {
+        if (result.truth->absorbed[k] == 0) continue;
+        ++absorbed;
+        EXPECT_EQ(result.scan.state[k], CellState::NoReturn);
+    }
+    EXPECT_GT(absorbed, 5U);
+    sim::Echo grazing{.rangeM = 4.0, .cosine = 0.03, .signal = 1.0};
+    sim::Echo weak{.rangeM = 30.0, .cosine = 1.0, .signal = 0.002};
+    settings.echoLoss = true;
+    int lostGrazing = 0;
+    int lostWeak = 0;
+    for (std::size_t k = 0; k < 1000; ++k) {
+        lostGrazing += sim::measuredMm(grazing, k, settings) == 0.0 ? 1 : 0;
+        lostWeak += sim::measuredMm(weak, k, settings) == 0.0 ? 1 : 0;
+    }
+    EXPECT_NEAR(lostGrazing, 630, 60);
+    EXPECT_NEAR(lostWeak, 900, 40);
+}
+
+TEST(SimSweep, MixedPixelsLieOnlyAtEdges) {
+    SimulationSettings settings = perfect("staircase");
+    settings.lines = 20;
+    settings.beams = 1141;
+    settings.footprint = true;
+    settings.rangeStepMm = 0.1;
+    const Simulation mixed = swept(settings);
+    settings.mixedPixels = false;
+    const Simulation clean = swept(settings);
+    const auto& truth = *mixed.truth;
+    int between = 0;
+    for (int i = 0; i < 20; ++i) {
+        for (int j = 2; j + 2 < 1141; ++j) {
+            if (truth.object.at(i, j) == 0 || truth.cleanMm.at(i, j) > 12000.0F) continue;
+            bool edge = false;
+            for (int d = -1; d <= 1; ++d) edge = edge || truth.object.at(i, j + d) != truth.object.at(i, j);
+            const float off = std::abs(mixed.scan.rangeMm.at(i, j) - truth.cleanMm.at(i, j));
+            if (off > 10.0F && edge) ++between;
+            if (!edge) {
+                EXPECT_LT(off, 5.0F) << i << ' ' << j;
+                EXPECT_EQ(mixed.scan.rangeMm.at(i, j), clean.scan.rangeMm.at(i, j));
+            }
+        }
+    }
+    EXPECT_GT(between, 10);
+}
+
+TEST(SimSweep, StaircaseStepsAreRecovered) {
+    SimulationSettings settings = perfect("staircase");
+    settings.lines = 20;
+    settings.beams = 1141;
+    settings.noise = 1.0;
+    settings.footprint = true;
+    const Simulation result = swept(settings);
+    const CartesianTables tables(result.scan);
+    std::map<int, std::pair<double, int>> depth; // by object: sum of z and count, along the line that looks straight up
+    for (int j = 1; j + 1 < 1141; ++j) {
+        const int object = result.truth->object.at(10, j);
+        const bool edge = result.truth->object.at(10, j - 1) != object || result.truth->object.at(10, j + 1) != object;
+        const Eigen::Vector3d p = tables.point(10, j);
+        if (object == 0 || edge || p.hasNaN()) continue;
+        depth[object].first += p.z();
+        ++depth[object].second;
+    }
+    const auto mean = [&](int object) { return 1000.0 * depth[object].first / depth[object].second; };
+    ASSERT_EQ(depth.size(), 9U);
+    EXPECT_NEAR(mean(2), 6000.0, 3.0);
+    for (int i = 0; i < 4; ++i) { // objects 3-6 to the right, 7-10 to the left
+        const auto place = static_cast<std::size_t>(2 * i);
+        EXPECT_NEAR(mean(3 + i) - mean(i == 0 ? 2 : 2 + i), kStaircaseMm[place], 6.0);
+        EXPECT_NEAR(mean(7 + i) - mean(i == 0 ? 2 : 6 + i), kStaircaseMm[place + 1], 6.0);
+    }
+}
+
+TEST(SimSweep, WallHoleIsAVoidOfItsSize) {
+    for (const WallHole hole : {WallHole::Round, WallHole::Square}) {
+        SimulationSettings settings = perfect("wall");
+        settings.lines = 180;
+        settings.beams = 191;
+        settings.hole = hole;
+        const Simulation result = swept(settings);
+        const CartesianTables tables(result.scan);
+        for (int i = 45; i < 135; ++i) {
+            for (int j = 50; j < 140; ++j) {
+                const Eigen::Vector3d d = tables.direction(i, j);
+                const Eigen::Vector2d p = 6.0 * d.head<2>() / d.z();
+                const double reach = hole == WallHole::Round ? p.norm() : p.cwiseAbs().maxCoeff();
+                if (std::abs(reach - 1.0) < 0.01) continue;
+                EXPECT_EQ(result.scan.state.at(i, j) == CellState::Valid, reach > 1.0) << p.transpose();
+            }
+        }
+    }
+}
+
+TEST(SimSweep, HangupFillsTheMiddleOfThePicture) {
+    SimulationSettings settings = perfect("hangup");
+    settings.lines = 200;
+    settings.beams = 228;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        settings.seed = seed;
+        const Simulation result = swept(settings);
+        std::map<int, int> visible;
+        int middle = 0;
+        for (int i = 60; i < 140; ++i)
+            for (int j = 70; j < 158; ++j) middle += result.truth->object.at(i, j) > 1 ? 1 : 0;
+        for (const auto object : result.truth->object.cells) ++visible[object];
+        EXPECT_GT(middle, 80 * 88 * 7 / 10) << seed;
+        EXPECT_GT(visible.size(), 150U) << seed;
+        EXPECT_EQ(result.truth->rocks.size(), 504U);
+    }
+}
+
+TEST(SimSweep, NonsenseIsRefusedInOneSentence) {
+    const auto sentence = [](auto change) {
+        SimulationSettings settings = small("hangup");
+        change(settings);
+        const auto result = simulate(settings);
+        return result ? std::string() : result.error().sentence();
+    };
+    EXPECT_EQ(sentence([](auto& s) { s.scene = "moon"; }),
+              "simulate: there is no scene \"moon\"; use one of hangup, pile, empty, wall, staircase.");
+    EXPECT_EQ(sentence([](auto& s) { s.lines = 1; }), "simulate: lines is 1; use 2 to 100000.");
+    EXPECT_NE(sentence([](auto& s) { s.beams = 100001; }), "");
+    EXPECT_NE(sentence([](auto& s) { s.lines = s.beams = 100000; }), "");
+    EXPECT_NE(sentence([](auto& s) { s.noise = std::nan(""); }), "");
+    EXPECT_NE(sentence([](auto& s) { s.rocks = -1; }), "");
+    EXPECT_EQ(sentence([](auto& s) { s.rocks = 0; }), "");
+}
+
+TEST(SimSweep, ProgressRisesAndCancels) {
+    double last = 0.0;
+    const auto watched = simulate(small("wall"), [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+    });
+    EXPECT_TRUE(watched);
+    EXPECT_DOUBLE_EQ(last, 1.0);
+    const auto cancelled = simulate(small("wall"), [](double) { return false; });
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().what, "cancelled");
+}
+
+} // namespace
+} // namespace edgescan
