@@ -68,9 +68,9 @@ std::optional<Error> refusal(const SimulationSettings& s) {
         if (limit.value >= limit.low && limit.value <= limit.high) continue;
         return Error{std::string(limit.key) + " is " + text(limit.value), "simulate", "use " + text(limit.low) + " to " + text(limit.high)};
     }
-    constexpr double kMostCells = 2e8;
+    constexpr double kMostCells = 1e8;
     if (1.0 * s.lines * s.beams > kMostCells)
-        return Error{"lines x beams is more than 200 million cells", "simulate", "use fewer lines or beams"};
+        return Error{"lines x beams is more than 100 million cells", "simulate", "use fewer lines or beams"};
     return std::nullopt;
 }
 
