@@ -47,8 +47,8 @@ Gradient sobel(const Grid<std::uint8_t>& smoothed, int aperture) {
 }
 
 // One cell's gradient with missing cells counted as the centre.
-void gradientAt(Gradient& gradient, const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing, const SobelWeights& weights, int line,
-                int beam) {
+void gradientAt(Gradient& gradient, const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing, const SobelWeights& weights,
+                int line, int beam) {
     const int aperture = static_cast<int>(weights.derivative.size());
     const int reach = aperture / 2;
     const int centre = smoothed.at(line, beam);
@@ -88,8 +88,10 @@ Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Gr
     for (int i = 0; i < mask.lines; ++i) {
         for (int j = 0; j < mask.beams; ++j) {
             const std::size_t k = mask.index(i, j);
-            if (missing[k] != 0) gradient.alongBeams[k] = gradient.alongLines[k] = 0;
-            else if (near[k] != 0) gradientAt(gradient, smoothed, missing, weights, i, j);
+            if (missing[k] != 0)
+                gradient.alongBeams[k] = gradient.alongLines[k] = 0;
+            else if (near[k] != 0)
+                gradientAt(gradient, smoothed, missing, weights, i, j);
         }
     }
     cv::Mat output = asMat(mask);

@@ -14,7 +14,8 @@ namespace edgescan {
 
 /// As canny(), but a missing cell in the gradient window counts as the window's centre and has no gradient itself, so that the
 /// border of a hole makes no edge. Bit-identical to canny() where no cell is missing. `missing`: 255 = no valid range.
-[[nodiscard]] Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing, const Settings& settings);
+[[nodiscard]] Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing,
+                                                  const Settings& settings);
 
 /// Indices k = line * beams + beam of the edge cells, ascending.
 [[nodiscard]] std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask);

@@ -20,10 +20,10 @@ struct Frame {
     std::shared_ptr<const Scan> scan;
     Settings settings;
     std::shared_ptr<const GrayImage> gray;
-    std::shared_ptr<const Grid<std::uint8_t>> smoothed; ///< lines x beams, what the gradient saw
-    std::shared_ptr<const Grid<std::uint8_t>> mask;     ///< lines x beams, 255 = edge
+    std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, what the gradient saw
+    std::shared_ptr<const Grid<std::uint8_t>> mask;          ///< lines x beams, 255 = edge
     std::shared_ptr<const std::vector<std::uint32_t>> edges; ///< indices of the edge cells, ascending
-    std::vector<StageTime> timings; ///< only the stages that were run again
+    std::vector<StageTime> timings;                          ///< only the stages that were run again
     double totalMs = 0.0;
 };
 

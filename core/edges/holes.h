@@ -8,6 +8,9 @@ namespace edgescan {
 /// lines x beams: 255 where the cell has no valid range, else 0.
 [[nodiscard]] Grid<std::uint8_t> missingCells(const Scan& scan);
 
+/// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (METHOD.md step 1).
+[[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
+
 /// 255 where a missing cell lies at most `reach` lines and beams away.
 [[nodiscard]] Grid<std::uint8_t> nearMissing(const Grid<std::uint8_t>& missing, int reach);
 

@@ -13,29 +13,91 @@ namespace edgescan {
 namespace {
 
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
-const std::vector<Choice> kScalings{{0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
+const std::vector<Choice> kScalings{
+    {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 
 const std::vector<Parameter>& table() {
     static const std::vector<Parameter> rows{
-        {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.", 0, 340, 1, 1,
-         false, false, {}, [](const Settings& s) { return s.lower; }, [](Settings& s, double v) { s.lower = v; }},
-        {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.", 1, 10, 0.1, 2, false, false, {},
-         [](const Settings& s) { return s.ratio; }, [](Settings& s, double v) { s.ratio = v; }},
-        {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.", 1, 11, 2, 0, false, false, kKernels,
-         [](const Settings& s) { return double(s.kernel); }, [](Settings& s, double v) { s.kernel = int(v); }},
-        {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.", 0.1, 10, 0.05, 2, true, false, {},
-         [](const Settings& s) { return s.sigma; }, [](Settings& s, double v) { s.sigma = v; }},
-        {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.", 0, 2, 1, 0, false, false,
-         kScalings, [](const Settings& s) { return double(s.scaling); }, [](Settings& s, double v) { s.scaling = Scaling(int(v)); }},
-        {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.", 0, 200000, 10, 3, true, false, {},
-         [](const Settings& s) { return s.nearMm; }, [](Settings& s, double v) { s.nearMm = v; }},
-        {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.", 0, 200000, 10, 3, true, false, {},
-         [](const Settings& s) { return s.farMm; }, [](Settings& s, double v) { s.farMm = v; }},
-        {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.", 0, 1, 1,
-         0, false, false, kOffOn, [](const Settings& s) { return double(s.maskMissing); }, [](Settings& s, double v) { s.maskMissing = v != 0; }},
+        {"lower",
+         "Lower threshold",
+         "levels",
+         "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.",
+         0,
+         340,
+         1,
+         1,
+         false,
+         false,
+         {},
+         [](const Settings& s) { return s.lower; },
+         [](Settings& s, double v) { s.lower = v; }},
+        {"ratio",
+         "Ratio upper : lower",
+         "x",
+         "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
+         1,
+         10,
+         0.1,
+         2,
+         false,
+         false,
+         {},
+         [](const Settings& s) { return s.ratio; },
+         [](Settings& s, double v) { s.ratio = v; }},
+        {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.", 1, 11, 2, 0, false, false,
+         kKernels, [](const Settings& s) { return double(s.kernel); }, [](Settings& s, double v) { s.kernel = int(v); }},
+        {"sigma",
+         "Gaussian sigma",
+         "cells",
+         "Width of the smoothing; auto takes it from the kernel size.",
+         0.1,
+         10,
+         0.05,
+         2,
+         true,
+         false,
+         {},
+         [](const Settings& s) { return s.sigma; },
+         [](Settings& s, double v) { s.sigma = v; }},
+        {"scaling", "Gray scaling", "",
+         "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.", 0, 2, 1,
+         0, false, false, kScalings, [](const Settings& s) { return double(s.scaling); },
+         [](Settings& s, double v) { s.scaling = Scaling(int(v)); }},
+        {"near",
+         "Near",
+         "mm",
+         "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
+         0,
+         200000,
+         10,
+         0,
+         true,
+         false,
+         {},
+         [](const Settings& s) { return s.nearMm; },
+         [](Settings& s, double v) { s.nearMm = v; }},
+        {"far",
+         "Far",
+         "mm",
+         "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
+         0,
+         200000,
+         10,
+         0,
+         true,
+         false,
+         {},
+         [](const Settings& s) { return s.farMm; },
+         [](Settings& s, double v) { s.farMm = v; }},
+        {"mask-missing", "Mask missing data", "",
+         "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.", 0, 1, 1, 0, false,
+         false, kOffOn, [](const Settings& s) { return double(s.maskMissing); }, [](Settings& s, double v) { s.maskMissing = v != 0; }},
+        {"mask-isolated", "Mask isolated cells", "",
+         "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.", 0, 1, 1, 0, false,
+         false, kOffOn, [](const Settings& s) { return double(s.maskIsolated); }, [](Settings& s, double v) { s.maskIsolated = v != 0; }},
         {"aperture", "Sobel aperture", "cells", "Size of the gradient operator.", 3, 7, 2, 0, false, true, kApertures,
          [](const Settings& s) { return double(s.aperture); }, [](Settings& s, double v) { s.aperture = int(v); }},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.", 0, 1, 1, 0, false, true, kNorms,
@@ -61,8 +123,8 @@ std::string flag(const Parameter& parameter) { return std::string("--") + parame
 Result<double> withinLimits(const Parameter& parameter, double value) {
     if (value >= parameter.minimum && value <= parameter.maximum) return value;
     const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
-    return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit, flag(parameter),
-                 "give a value within these limits"};
+    return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit,
+                 flag(parameter), "give a value within these limits"};
 }
 
 // "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the unit's own name is always allowed.
@@ -110,7 +172,8 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return Error{"\"" + typed + "\" is not a number" + (parameter.canBeAutomatic ? " and not auto" : ""), flag(parameter), "write it like 12.5"};
+        return Error{"\"" + typed + "\" is not a number" + (parameter.canBeAutomatic ? " and not auto" : ""), flag(parameter),
+                     "write it like 12.5"};
     }
     return withinLimits(parameter, value * factor);
 }
@@ -147,9 +210,12 @@ nlohmann::json settingsToJson(const Settings& settings) {
     for (const Parameter& p : table()) {
         const double value = p.get(settings);
         const bool asNumber = !std::isnan(value) && (p.choices.empty() || p.choices.front().name[0] <= '9');
-        if (asNumber && value == std::floor(value)) object[p.key] = static_cast<std::int64_t>(value);
-        else if (asNumber) object[p.key] = value;
-        else object[p.key] = formatValue(p, value);
+        if (asNumber && value == std::floor(value))
+            object[p.key] = static_cast<std::int64_t>(value);
+        else if (asNumber)
+            object[p.key] = value;
+        else
+            object[p.key] = formatValue(p, value);
     }
     return object;
 }
@@ -158,11 +224,15 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
     if (!object.is_object()) return Error{"the settings are not a JSON object", where, "write {\"kernel\": 3, ...}"};
     for (const auto& [key, value] : object.items()) {
         const Parameter* parameter = findParameter(key);
-        if (parameter == nullptr) return Error{"there is no parameter \"" + key + "\"", where, "see edgescan-cli detect --help for the names"};
+        if (parameter == nullptr)
+            return Error{"there is no parameter \"" + key + "\"", where, "see edgescan-cli detect --help for the names"};
         std::string text;
-        if (value.is_string()) text = value.get<std::string>();
-        else if (value.is_boolean()) text = value.get<bool>() ? "on" : "off";
-        else if (value.is_number()) text = shortest(value.get<double>());
+        if (value.is_string())
+            text = value.get<std::string>();
+        else if (value.is_boolean())
+            text = value.get<bool>() ? "on" : "off";
+        else if (value.is_number())
+            text = shortest(value.get<double>());
         const Result<double> parsed = parseValue(*parameter, text);
         if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().todo};
         parameter->set(settings, *parsed);

@@ -20,7 +20,13 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 bool sameGray(const Settings& a, const Settings& b) { return a.scaling == b.scaling && same(a.nearMm, b.nearMm) && same(a.farMm, b.farMm); }
 
 bool sameSmoothing(const Settings& a, const Settings& b) {
-    return a.kernel == b.kernel && same(a.sigma, b.sigma) && a.maskMissing == b.maskMissing;
+    return a.kernel == b.kernel && same(a.sigma, b.sigma) && a.maskMissing == b.maskMissing && a.maskIsolated == b.maskIsolated;
+}
+
+Grid<std::uint8_t> missingOrIsolated(const Scan& scan, const Grid<std::uint8_t>& missing) {
+    Grid<std::uint8_t> both = isolatedCells(scan);
+    for (std::size_t k = 0; k < both.size(); ++k) both[k] |= missing[k];
+    return both;
 }
 
 // Runs one stage into `slot`, and notes its time.
@@ -44,15 +50,21 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     frame.settings = settings;
     frame.timings.clear();
 
-    if (!sameScan) redo(frame, "missing", missing_, [&] { return missingCells(*scan); });
+    if (!sameScan) {
+        redo(frame, "missing", missing_, [&] { return missingCells(*scan); });
+        isolated_.reset();
+    }
+    const bool maskIsolated = settings.maskMissing && settings.maskIsolated;
+    if (maskIsolated && !isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*scan, *missing_); });
+    const Grid<std::uint8_t>& masked = maskIsolated ? *isolated_ : *missing_;
     if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
     const Grid<std::uint8_t>& levels = frame.gray->levels;
     if (!smoothHolds) {
         redo(frame, "smooth", frame.smoothed,
-             [&] { return settings.maskMissing ? smoothAroundHoles(levels, *missing_, settings) : smooth(levels, settings); });
+             [&] { return settings.maskMissing ? smoothAroundHoles(levels, masked, settings) : smooth(levels, settings); });
     }
     redo(frame, "canny", frame.mask,
-         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, *missing_, settings) : canny(*frame.smoothed, settings); });
+         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, masked, settings) : canny(*frame.smoothed, settings); });
     redo(frame, "edge cells", frame.edges, [&] { return edgeCells(*frame.mask); });
     frame.totalMs = millisecondsSince(start);
     last_ = std::make_shared<const Frame>(std::move(frame));

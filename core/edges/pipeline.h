@@ -13,7 +13,8 @@ public:
 
 private:
     std::shared_ptr<const Frame> last_;
-    std::shared_ptr<const Grid<std::uint8_t>> missing_;
+    std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
+    std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
 };
 
 /// One run from nothing.

@@ -16,10 +16,13 @@ namespace {
 
 constexpr const char* kFormat = "edgescan-preset/1";
 
+// As the thesis: lower 10, holes and dust take part like any other cell.
 Settings withoutMask(Scaling scaling) {
     Settings settings;
     settings.scaling = scaling;
     settings.maskMissing = false;
+    settings.maskIsolated = false;
+    settings.lower = 10.0;
     return settings;
 }
 
@@ -27,7 +30,9 @@ Settings withoutMask(Scaling scaling) {
 
 std::span<const Preset> builtInPresets() {
     static const std::vector<Preset> presets{
-        {"default", "Logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.", Settings{}},
+        {"default",
+         "Logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.",
+         Settings{}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis)},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window)},
     };

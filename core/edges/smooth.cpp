@@ -11,7 +11,7 @@
 namespace edgescan {
 namespace {
 
-constexpr int kOne = 256;                // fixed-point one of a weight
+constexpr int kOne = 256;                     // fixed-point one of a weight
 constexpr int kHalfSquared = kOne * kOne / 2; // rounds the product of two weights
 
 double openCvSigma(double sigma) { return std::isnan(sigma) ? 0.0 : sigma; }
@@ -19,7 +19,8 @@ double openCvSigma(double sigma) { return std::isnan(sigma) ? 0.0 : sigma; }
 // Mirrors an index at the border without repeating the border cell, as cv::BORDER_REFLECT_101.
 int reflected(int i, int count) { return cv::borderInterpolate(i, count, cv::BORDER_REFLECT_101); }
 
-std::uint8_t smoothedCell(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing, const std::vector<int>& weights, int line, int beam) {
+std::uint8_t smoothedCell(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing, const std::vector<int>& weights, int line,
+                          int beam) {
     const int reach = static_cast<int>(weights.size()) / 2;
     const int centre = gray.at(line, beam);
     int sum = 0;
@@ -70,8 +71,10 @@ Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<
     for (int i = 0; i < gray.lines; ++i) {
         for (int j = 0; j < gray.beams; ++j) {
             const std::size_t k = gray.index(i, j);
-            if (missing[k] != 0) result[k] = 0;
-            else if (near[k] != 0) result[k] = smoothedCell(gray, missing, weights, i, j);
+            if (missing[k] != 0)
+                result[k] = 0;
+            else if (near[k] != 0)
+                result[k] = smoothedCell(gray, missing, weights, i, j);
         }
     }
     return result;

@@ -1,8 +1,8 @@
 // Gaussian smoothing of the gray image: OpenCV's, or one that does not look through holes.
 #pragma once
 
-#include "core/edges/settings.h"
 #include "core/base/grid.h"
+#include "core/edges/settings.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,6 +18,7 @@ namespace edgescan {
 
 /// As smooth(), but a missing cell in the window takes the value of the window's centre, and missing cells stay 0: nothing is
 /// smoothed across the border of a hole. Bit-identical to smooth() where no cell is missing. `missing`: 255 = no valid range.
-[[nodiscard]] Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing, const Settings& settings);
+[[nodiscard]] Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing,
+                                                   const Settings& settings);
 
 } // namespace edgescan

@@ -13,7 +13,7 @@ namespace edgescan {
 
 class Worker {
 public:
-    /// `frameReady` is called on the worker's thread whenever take() has something new; it must return at once.
+    /// `frameReady` is called on the worker's thread whenever take() has something new; the next run waits until it returns.
     explicit Worker(std::function<void()> frameReady);
     ~Worker();
     Worker(const Worker&) = delete;

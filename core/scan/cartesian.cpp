@@ -22,6 +22,12 @@ double cosineDeg(double deg) {
     return std::cos(turn * std::numbers::pi / 180.0);
 }
 
+// Unit direction of a beam from the cosine and sine of its two angles.
+Eigen::Vector3d beamDirection(Axis axis, double cosBeam, double sinBeam, double cosLine, double sinLine) {
+    if (axis == Axis::Spin) return {cosBeam * cosLine, cosBeam * sinLine, sinBeam};
+    return {cosBeam, -sinBeam * sinLine, sinBeam * cosLine};
+}
+
 Eigen::Vector3d missing() { return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
 } // namespace
@@ -45,8 +51,7 @@ Eigen::Vector3d CartesianTables::direction(int line, int beam) const {
     }
     const auto i = static_cast<std::size_t>(line);
     const auto j = static_cast<std::size_t>(beam);
-    if (polar_->axis == Axis::Spin) return {cosBeam_[j] * cosLine_[i], cosBeam_[j] * sinLine_[i], sinBeam_[j]};
-    return {cosBeam_[j], -sinBeam_[j] * sinLine_[i], sinBeam_[j] * cosLine_[i]};
+    return beamDirection(polar_->axis, cosBeam_[j], sinBeam_[j], cosLine_[i], sinLine_[i]);
 }
 
 Eigen::Vector3d CartesianTables::point(int line, int beam) const {
@@ -64,6 +69,16 @@ Eigen::Vector3d CartesianTables::point(std::size_t k) const {
 Eigen::Vector3d CartesianTables::sensor() const {
     if (polar_ != nullptr) return Eigen::Vector3d::Zero();
     return std::get<PointGeometry>(scan_->geometry).sensorM;
+}
+
+Eigen::Vector3d pointOfCell(const Scan& scan, std::size_t k) {
+    if (scan.state[k] != CellState::Valid) return missing();
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return std::get<PointGeometry>(scan.geometry).pointsM[k];
+    const double beam = polar->beamDeg[k % static_cast<std::size_t>(scan.beams())];
+    const double line = polar->lineDeg[k / static_cast<std::size_t>(scan.beams())];
+    const double range = static_cast<double>(scan.rangeMm[k]) * kMetresPerMm;
+    return beamDirection(polar->axis, cosineDeg(beam), sineDeg(beam), cosineDeg(line), sineDeg(line) * polar->lineDirection) * range;
 }
 
 } // namespace edgescan

@@ -27,4 +27,7 @@ private:
     std::vector<double> cosBeam_, sinBeam_, cosLine_, sinLine_;
 };
 
+/// One point without tables: for a probe, not for a loop.
+[[nodiscard]] Eigen::Vector3d pointOfCell(const Scan& scan, std::size_t k);
+
 } // namespace edgescan

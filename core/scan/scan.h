@@ -46,7 +46,7 @@ struct PolarGeometry {
 /// An organised cloud whose ray angles are not known (a depth camera): the points themselves, metres, NaN where missing.
 /// Its rangeMm is the distance from `sensorM`.
 struct PointGeometry {
-    Grid<Eigen::Vector3d> pointsM;                   ///< lines x beams
+    Grid<Eigen::Vector3d> pointsM;                     ///< lines x beams
     Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< position of the sensor in the frame of pointsM
 };
 
@@ -64,11 +64,11 @@ struct Scan {
     Grid<CellState> state; ///< lines x beams
     Geometry geometry;
 
-    double unitMm = 1.0;                    ///< millimetres per raw count
+    double unitMm = 1.0;                         ///< millimetres per raw count
     std::vector<std::uint32_t> noReturnCodes{0}; ///< raw counts that mean "no return"
-    std::vector<std::uint32_t> statusCodes; ///< raw counts that are device status codes
-    std::vector<std::string> warnings;      ///< sentences about what was assumed, repaired or lost on reading
-    std::string note;                       ///< free text that the file carried
+    std::vector<std::uint32_t> statusCodes;      ///< raw counts that are device status codes
+    std::vector<std::string> warnings;           ///< sentences about what was assumed, repaired or lost on reading
+    std::string note;                            ///< free text that the file carried
 
     [[nodiscard]] int lines() const { return rangeMm.lines; }
     [[nodiscard]] int beams() const { return rangeMm.beams; }

@@ -121,7 +121,8 @@ TEST(Smooth, AroundHolesEqualsOpenCvWhereNothingIsMissing) {
 }
 
 // The definition, cell by cell: a missing cell counts as the centre of the window.
-Grid<std::uint8_t> smoothedByDefinition(const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing, const std::vector<int>& weights) {
+Grid<std::uint8_t> smoothedByDefinition(const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing,
+                                        const std::vector<int>& weights) {
     const int reach = static_cast<int>(weights.size()) / 2;
     Grid<std::uint8_t> result(image.lines, image.beams);
     for (int i = 0; i < image.lines; ++i) {

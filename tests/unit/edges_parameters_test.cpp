@@ -21,7 +21,8 @@ TEST(Parameters, KeysAreUniqueAndEveryRowExplainsItself) {
         EXPECT_LT(p.minimum, p.maximum) << p.key;
         EXPECT_EQ(findParameter(p.key), &p);
     }
-    for (const char* fixed : {"kernel", "sigma", "lower", "ratio", "aperture", "norm", "near", "far", "mask-missing"}) EXPECT_TRUE(keys.count(fixed)) << fixed;
+    for (const char* fixed : {"kernel", "sigma", "lower", "ratio", "aperture", "norm", "near", "far", "mask-missing"})
+        EXPECT_TRUE(keys.count(fixed)) << fixed;
     EXPECT_EQ(findParameter("nonsense"), nullptr);
 }
 
@@ -67,7 +68,8 @@ TEST(Parameters, LengthsTakeTheirUnit) {
 
 TEST(Parameters, SnappingGivesOddKernelsAndStaysInside) {
     const Parameter& kernel = *findParameter("kernel");
-    for (const auto& [typed, expected] : {std::pair{-5.0, 1.0}, {4.4, 5.0}, {8.1, 9.0}, {99.0, 11.0}}) EXPECT_EQ(snapped(kernel, typed), expected);
+    for (const auto& [typed, expected] : {std::pair{-5.0, 1.0}, {4.4, 5.0}, {8.1, 9.0}, {99.0, 11.0}})
+        EXPECT_EQ(snapped(kernel, typed), expected);
     EXPECT_EQ(snapped(*findParameter("lower"), 10.04), 10.0);
     EXPECT_EQ(snapped(*findParameter("lower"), 1e9), 340.0);
     EXPECT_TRUE(std::isnan(snapped(*findParameter("sigma"), kAutomatic)));
@@ -93,8 +95,9 @@ TEST(Presets, AFileComesBackAsItWas) {
     ASSERT_TRUE(back) << back.error().sentence();
     EXPECT_EQ(back->name, "my bell");
     EXPECT_TRUE(back->settings == preset.settings);
-    for (const char* text : {"", "{}", "[1]", "{\"format\": \"edgescan-preset/1\"}", "{\"format\": \"edgescan-preset/1\", \"settings\": {\"kernal\": 3}}",
-                             "{\"format\": \"edgescan-preset/1\", \"settings\": {\"kernel\": 4}}"}) {
+    for (const char* text :
+         {"", "{}", "[1]", "{\"format\": \"edgescan-preset/1\"}", "{\"format\": \"edgescan-preset/1\", \"settings\": {\"kernal\": 3}}",
+          "{\"format\": \"edgescan-preset/1\", \"settings\": {\"kernel\": 4}}"}) {
         std::ofstream(path) << text;
         const Result<Preset> bad = findPreset(path.string());
         ASSERT_FALSE(bad) << text;

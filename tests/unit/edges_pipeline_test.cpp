@@ -17,7 +17,8 @@ Settings randomlyTurned(Settings s, std::mt19937& random) {
     const auto rows = parameters();
     const Parameter& p = rows[random() % rows.size()];
     const double share = static_cast<double>(random() % 1001) / 1000.0;
-    double value = p.choices.empty() ? p.minimum + share * std::min(p.maximum - p.minimum, 20000.0) : p.choices[random() % p.choices.size()].value;
+    double value =
+        p.choices.empty() ? p.minimum + share * std::min(p.maximum - p.minimum, 20000.0) : p.choices[random() % p.choices.size()].value;
     if (p.canBeAutomatic && random() % 3 == 0) value = kAutomatic;
     p.set(s, snapped(p, value));
     return checkSettings(s) ? s : Settings{};

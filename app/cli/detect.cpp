@@ -1,0 +1,148 @@
+// edgescan-cli detect: runs the method on files and writes what was asked for.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/edges/pipeline.h"
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "core/files/whole_file.h"
+#include "core/report/report.h"
+#include "core/scan/range_picture.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Detect {
+    std::vector<std::string> files;
+    std::string json, mask, gray, range, edges, cloud, folder;
+    ReadFlags read;
+    MethodFlags method;
+};
+
+// Where the results of one scan go; an empty path is not written.
+struct Outputs {
+    std::string json, mask, gray, range, edges, cloud;
+};
+
+Outputs outputsOf(const Detect& detect, const Scan& scan) {
+    Outputs out{detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud};
+    if (detect.folder.empty()) return out;
+    const std::string stem = (fs::path(detect.folder) / scan.name).string();
+    const auto fill = [&](std::string& path, const char* tail) {
+        if (path.empty()) path = stem + tail;
+    };
+    fill(out.json, "_edges.json");
+    fill(out.mask, "_edges.png");
+    fill(out.gray, "_gray.png");
+    fill(out.range, "_range.png");
+    fill(out.edges, "_edges.pcd");
+    fill(out.cloud, "_cloud.pcd");
+    return out;
+}
+
+Result<Done> writeOutputs(const Outputs& out, const Frame& frame, double loadMs, bool several) {
+    const Scan& scan = *frame.scan;
+    std::vector<Result<Done>> results;
+    if (!out.mask.empty()) results.push_back(savePng8(*frame.mask, out.mask));
+    if (!out.gray.empty()) results.push_back(savePng8(frame.gray->levels, out.gray));
+    if (!out.range.empty()) results.push_back(savePng16(rangePicture(scan), out.range));
+    if (!out.edges.empty()) results.push_back(saveEdges(scan, *frame.mask, out.edges));
+    if (!out.cloud.empty()) results.push_back(saveCloud(scan, out.cloud, frame.mask.get()));
+    for (const Result<Done>& result : results) {
+        if (!result) return result.error();
+    }
+    if (out.json.empty()) return Done{};
+    const nlohmann::ordered_json report = detectReport(frame, loadMs);
+    if (out.json != "-") return writeWholeFile(out.json, report.dump(2) + "\n");
+    std::cout << report.dump(several ? -1 : 2) << '\n';
+    return Done{};
+}
+
+bool nothingAskedFor(const Outputs& out) {
+    return out.json.empty() && out.mask.empty() && out.gray.empty() && out.range.empty() && out.edges.empty() && out.cloud.empty();
+}
+
+Result<Done> detectOne(const Detect& detect, const std::string& file, const Settings& settings, bool several) {
+    const auto start = std::chrono::steady_clock::now();
+    Result<Scan> opened = openScan(file, openOptions(detect.read));
+    if (!opened) return opened.error();
+    const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), settings);
+    const Outputs out = outputsOf(detect, *frame->scan);
+    if (nothingAskedFor(out)) {
+        std::cout << file << ": " << frame->edges->size() << " edge cells of " << frame->scan->cells() << " (" << frame->scan->lines()
+                  << " lines x " << frame->scan->beams() << " beams), " << std::fixed << std::setprecision(1) << frame->totalMs << " ms\n";
+        return Done{};
+    }
+    return writeOutputs(out, *frame, loadMs, several);
+}
+
+// One output file cannot hold the results of several scans.
+bool onePathForSeveral(const Detect& detect) {
+    const bool onePath = !(detect.json.empty() || detect.json == "-") || !detect.mask.empty() || !detect.gray.empty() ||
+                         !detect.range.empty() || !detect.edges.empty() || !detect.cloud.empty();
+    return detect.files.size() > 1 && onePath;
+}
+
+// Wrong usage is found before anything is read.
+Result<Done> checkUsage(const Detect& detect) {
+    if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
+    for (const std::string& path : {detect.edges, detect.cloud}) {
+        if (!path.empty() && !saveFormatOf(path))
+            return Error{"the extension names no format for points", path, "use .pcd, .ply, .csv or .xyz"};
+    }
+    return Done{};
+}
+
+int run(const Detect& detect) {
+    const Result<Done> usage = checkUsage(detect);
+    const Result<Settings> settings = settingsOf(detect.method);
+    if (!usage || !settings) {
+        complain(usage ? settings.error() : usage.error());
+        return kWrongUsage;
+    }
+    if (!detect.folder.empty()) {
+        std::error_code failed;
+        fs::create_directories(detect.folder, failed);
+        if (failed) {
+            complain({"the folder cannot be made (" + failed.message() + ")", detect.folder, "give -o a folder that can be written to"});
+            return kRefused;
+        }
+    }
+    int code = kDone;
+    for (const std::string& file : detect.files) {
+        const Result<Done> result = detectOne(detect, file, *settings, detect.files.size() > 1);
+        if (result) continue;
+        complain(result.error());
+        code = kRefused;
+    }
+    return code;
+}
+
+} // namespace
+
+void addDetect(CLI::App& app, int& code) {
+    auto detect = std::make_shared<Detect>();
+    CLI::App& command = *app.add_subcommand("detect", "Finds the edges and writes what is asked for");
+    command.add_option("FILE", detect->files, "Scans; after a bad one the others are still done")->required();
+    const char* group = "Results";
+    command.add_option("--json", detect->json, "Counts, settings, mask hash, times; - is stdout")->group(group);
+    command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
+    command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
+    command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
+    command.add_option("--edges", detect->edges, "Edge points in metres: .pcd .ply .csv .xyz")->group(group);
+    command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: .pcd .ply .csv .xyz")->group(group);
+    command.add_option("-o,--output", detect->folder, "Folder for all of these, under the scan's name")->group(group);
+    addMethodFlags(command, detect->method);
+    addReadFlags(command, detect->read);
+    command.callback([detect, &code] { code = run(*detect); });
+}
+
+} // namespace edgescan::cli

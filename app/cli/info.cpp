@@ -1,0 +1,41 @@
+// edgescan-cli info: one JSON object per file.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/report/report.h"
+
+#include <iostream>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct Info {
+    std::vector<std::string> files;
+    ReadFlags read;
+};
+
+int run(const Info& info) {
+    int code = kDone;
+    for (const std::string& file : info.files) {
+        const Result<Scan> scan = openScan(file, openOptions(info.read));
+        if (!scan) {
+            complain(scan.error());
+            code = kRefused;
+            continue;
+        }
+        std::cout << infoReport(*scan).dump() << '\n';
+    }
+    return code;
+}
+
+} // namespace
+
+void addInfo(CLI::App& app, int& code) {
+    auto info = std::make_shared<Info>();
+    CLI::App& command = *app.add_subcommand("info", "What a file holds: one JSON object per file on stdout");
+    command.add_option("FILE", info->files, "Scans")->required();
+    addReadFlags(command, info->read);
+    command.callback([info, &code] { code = run(*info); });
+}
+
+} // namespace edgescan::cli

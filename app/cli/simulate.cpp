@@ -1,0 +1,107 @@
+// edgescan-cli simulate: a synthetic sweep as a raw grid.
+#include "core/sim/simulate.h"
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/files/save_scan.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct Simulate {
+    std::string out;
+    std::string profile = "high";
+    std::string axis = "sweep";
+    bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
+    bool progress = false;
+    SimulationSettings settings;
+};
+
+SimulationSettings settingsOf(const Simulate& simulate) {
+    SimulationSettings settings = simulate.settings;
+    settings.profile = simulate.profile == "high" ? DeviceProfile::HighResolution : DeviceProfile::Standard;
+    settings.axis = simulate.axis == "spin" ? Axis::Spin : Axis::Sweep;
+    settings.footprint = !simulate.noFootprint;
+    settings.mixedPixels = !simulate.noMixedPixels;
+    settings.echoLoss = !simulate.noEchoLoss;
+    return settings;
+}
+
+int run(const Simulate& simulate) {
+    if (!saveFormatOf(simulate.out)) {
+        complain(
+            {"the extension names no format that can be written", simulate.out, "use .json for a raw grid, or .pcd, .ply, .csv, .xyz"});
+        return kWrongUsage;
+    }
+    SimulationProgress progress;
+    if (simulate.progress || isatty(STDERR_FILENO) != 0) {
+        progress = [](double fraction) {
+            std::fprintf(stderr, "\rcasting beams %3.0f %%%s", fraction * 100, fraction >= 1.0 ? "\n" : "");
+            return true;
+        };
+    }
+    const Result<Simulation> simulation = edgescan::simulate(settingsOf(simulate), progress);
+    if (!simulation) {
+        complain(simulation.error());
+        return kWrongUsage;
+    }
+    const Result<Done> saved = saveScan(simulation->scan, simulate.out);
+    if (saved) return kDone;
+    complain(saved.error());
+    return kRefused;
+}
+
+std::string sceneHelp() {
+    std::string text = "What is scanned:";
+    for (const SimulationScene& scene : simulationScenes()) text += std::string(" ") + scene.name + " (" + scene.help + ")";
+    return text;
+}
+
+} // namespace
+
+void addSimulate(CLI::App& app, int& code) {
+    auto simulate = std::make_shared<Simulate>();
+    SimulationSettings& s = simulate->settings;
+    CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
+    command.add_option("-o,--output", simulate->out, "New file: .json for a raw grid")->required();
+    command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
+    command.add_option("--seed", s.seed, "Seed of everything random")->capture_default_str();
+    command.add_option("--lines", s.lines, "Scan lines over 180 degrees")->capture_default_str();
+    command.add_option("--beams", s.beams, "Beams over -5 to 185 degrees")->capture_default_str();
+    command.add_option("--axis", simulate->axis, "Mounting of the stepper")->check(CLI::IsMember({"spin", "sweep"}))->capture_default_str();
+    command.add_option("--profile", simulate->profile, "Beam divergence: high (resolution, 4.6 mrad) or standard (11 mrad)")
+        ->check(CLI::IsMember({"high", "standard"}))
+        ->capture_default_str();
+    const char* scene = "Scene";
+    command.add_option("--rocks", s.rocks, "Boulders in the arch or pile")->capture_default_str()->group(scene);
+    command.add_option("--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]")
+        ->capture_default_str()
+        ->group(scene);
+    command.add_option("--wall-roughness", s.wallRoughnessMm, "Relief of the wall, standard deviation [mm]")
+        ->capture_default_str()
+        ->group(scene);
+    command.add_option("--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back")
+        ->capture_default_str()
+        ->group(scene);
+    const char* measurement = "Measurement";
+    command.add_option("--noise", s.noise, "Times the range noise of the device")->capture_default_str()->group(measurement);
+    command.add_option("--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1")->capture_default_str()->group(measurement);
+    command.add_option("--dust", s.dust, "Share of cells with an echo from dust, 0 to 1")->capture_default_str()->group(measurement);
+    command.add_option("--line-jitter", s.lineJitterDeg, "Jitter of the line angle [degrees]")->capture_default_str()->group(measurement);
+    command.add_option("--interlace", s.interlaceDeg, "Line angle of odd beams minus that of even beams [degrees]")
+        ->capture_default_str()
+        ->group(measurement);
+    command.add_option("--max-range", s.maxRangeM, "Farthest range [m]")->capture_default_str()->group(measurement);
+    command.add_flag("--no-footprint", simulate->noFootprint, "The beam is a line without width")->group(measurement);
+    command.add_flag("--no-mixed-pixels", simulate->noMixedPixels, "Echoes of two surfaces never merge")->group(measurement);
+    command.add_flag("--no-echo-loss", simulate->noEchoLoss, "Grazing and weak echoes are not lost")->group(measurement);
+    command.add_option("--threads", s.threads, "0 = one per core; the result is the same")->capture_default_str();
+    command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
+    command.callback([simulate, &code] { code = run(*simulate); });
+}
+
+} // namespace edgescan::cli

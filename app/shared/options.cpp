@@ -1,0 +1,97 @@
+// Flags that several commands share.
+#include "app/shared/options.h"
+
+#include "core/edges/parameters.h"
+#include "core/edges/presets.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+// The limits and the default, for --help: "x, 1 to 10, default 3".
+std::string hint(const Parameter& p) {
+    std::string text = p.help;
+    text += " [";
+    if (p.choices.empty()) {
+        const auto number = [](double v) {
+            std::string s = std::to_string(v);
+            s.erase(s.find_last_not_of('0') + 1);
+            if (s.back() == '.') s.pop_back();
+            return s;
+        };
+        if (*p.unit != '\0') text += std::string(p.unit) + ", ";
+        text += number(p.minimum) + " to " + number(p.maximum);
+        if (p.canBeAutomatic) text += " or auto";
+    } else {
+        for (const Choice& choice : p.choices) text += (&choice == &p.choices.front() ? "" : "|") + std::string(choice.name);
+    }
+    return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
+}
+
+// One line per stage on stderr, redrawn in place.
+bool tellProgress(const char* stage, double fraction) {
+    std::fprintf(stderr, "\r%-24s %3.0f %%", stage, fraction * 100);
+    if (fraction >= 1.0) std::fputc('\n', stderr);
+    return true;
+}
+
+} // namespace
+
+void addReadFlags(CLI::App& command, ReadFlags& flags) {
+    const char* group = "Reading";
+    command.add_option("--beam-start", flags.options.beamStartDeg, "Angle of the first beam [degrees]")->group(group);
+    command.add_option("--beam-step", flags.options.beamStepDeg, "Angle from beam to beam [degrees]")->group(group);
+    command.add_option("--line-start", flags.options.lineStartDeg, "Angle of the first line [degrees]")->group(group);
+    command.add_option("--line-step", flags.options.lineStepDeg, "Angle from line to line [degrees]")->group(group);
+    command.add_option("--axis", flags.axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
+        ->check(CLI::IsMember({"spin", "sweep"}))
+        ->group(group);
+    command.add_option("--unit", flags.unit, "Unit of the numbers in the file, where it does not say")
+        ->check(CLI::IsMember({"mm", "cm", "m"}))
+        ->group(group);
+    command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group(group);
+}
+
+OpenOptions openOptions(const ReadFlags& flags) {
+    OpenOptions options = flags.options;
+    if (!flags.axis.empty()) options.axis = flags.axis == "spin" ? Axis::Spin : Axis::Sweep;
+    if (!flags.unit.empty()) options.unitMm = flags.unit == "m" ? 1000.0 : flags.unit == "cm" ? 10.0 : 1.0;
+    if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellProgress;
+    return options;
+}
+
+void addMethodFlags(CLI::App& command, MethodFlags& flags) {
+    const char* group = "Method";
+    std::string names;
+    for (const Preset& preset : builtInPresets()) names += (names.empty() ? "" : "|") + preset.name;
+    command.add_option("--preset", flags.preset, "Settings to start from: " + names + " or a preset file")
+        ->capture_default_str()
+        ->group(group);
+    for (const Parameter& p : parameters()) {
+        command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
+    }
+}
+
+Result<Settings> settingsOf(const MethodFlags& flags) {
+    const Result<Preset> preset = findPreset(flags.preset);
+    if (!preset) return preset.error();
+    Settings settings = preset->settings;
+    for (const auto& [key, text] : flags.typed) {
+        if (text.empty()) continue;
+        const Parameter& parameter = *findParameter(key);
+        const Result<double> value = parseValue(parameter, text);
+        if (!value) return value.error();
+        parameter.set(settings, *value);
+    }
+    if (const auto checked = checkSettings(settings); !checked) return checked.error();
+    return settings;
+}
+
+void complain(const Error& error) { std::cerr << "edgescan-cli: " << error.sentence() << '\n'; }
+
+} // namespace edgescan::cli

@@ -1,0 +1,40 @@
+// Flags that several commands share: how a file is read, which settings the method gets, and how progress is told.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/edges/settings.h"
+#include "core/files/open_scan.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+
+namespace edgescan::cli {
+
+/// --beam-start --beam-step --line-start --line-step --axis --unit --progress.
+struct ReadFlags {
+    OpenOptions options;
+    std::string axis;
+    std::string unit;
+    bool progress = false;
+};
+void addReadFlags(CLI::App& command, ReadFlags& flags);
+
+/// The options to open with; progress goes to stderr, on a terminal or with --progress.
+[[nodiscard]] OpenOptions openOptions(const ReadFlags& flags);
+
+/// --preset and one flag per row of the parameter table.
+struct MethodFlags {
+    std::string preset = "default";
+    std::map<std::string, std::string> typed; ///< by parameter key
+};
+void addMethodFlags(CLI::App& command, MethodFlags& flags);
+
+/// Preset first, then the flags. Error: unknown preset, or values that do not go together.
+[[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);
+
+/// "edgescan-cli: SENTENCE" on stderr.
+void complain(const Error& error);
+
+} // namespace edgescan::cli

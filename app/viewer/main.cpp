@@ -1,0 +1,120 @@
+// edgescan: the viewer.
+#include "app/shared/options.h"
+#include "core/base/version.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/cloud/gl_check.h"
+#include "ui/main/main_window.h"
+#include "ui/main/memory.h"
+#include "ui/main/theme.h"
+
+#include <QApplication>
+#include <QTimer>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <optional>
+
+namespace {
+
+using namespace edgescan;
+
+struct Wanted {
+    std::vector<std::string> files;
+    cli::MethodFlags method;
+    cli::ReadFlags read;
+    bool demo = false;
+    bool noSettings = false;
+    std::string screenshot;
+    double quitAfter = 0.0;
+};
+
+void addFlags(CLI::App& app, Wanted& wanted) {
+    app.set_version_flag("--version", version());
+    app.add_option("FILE", wanted.files, "Scan to open");
+    app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
+    app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
+    app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
+    app.add_option("--quit-after", wanted.quitAfter, "Quit after so many seconds");
+    cli::addMethodFlags(app, wanted.method);
+    cli::addReadFlags(app, wanted.read);
+}
+
+bool methodTyped(const Wanted& wanted, const CLI::App& app) {
+    if (app.count("--preset") > 0) return true;
+    for (const auto& [key, text] : wanted.method.typed) {
+        if (!text.empty()) return true;
+    }
+    return false;
+}
+
+// Once the first picture is shown and the cloud has come to rest, or at once when the scan was refused.
+void screenshotWhenShown(ui::MainWindow& window, const std::string& path) {
+    constexpr int kRestMs = 700;
+    const auto write = [&window, path] {
+        const bool written = window.screenshot().save(QString::fromStdString(path));
+        if (!written) std::cerr << "edgescan: " << path << ": the picture cannot be written; choose another folder.\n";
+        QApplication::exit(written ? 0 : 1);
+    };
+    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write] { QTimer::singleShot(kRestMs, &window, write); });
+    QObject::connect(&window.session(), &ui::Session::failed, &window, [](const QString& sentence) {
+        std::cerr << "edgescan: " << sentence.toStdString() << '\n';
+        QApplication::exit(1);
+    });
+}
+
+int runViewer(QApplication& application, Wanted& wanted, const std::optional<Settings>& settings) {
+    ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
+    ui::MainWindow window(memory);
+    if (settings) {
+        if (const auto preset = findPreset(wanted.method.preset)) window.usePreset(*preset);
+        window.useSettings(*settings);
+    }
+    window.show();
+    if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot);
+    if (wanted.quitAfter > 0) QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, &QApplication::quit);
+    if (!wanted.files.empty())
+        window.openFile(QString::fromStdString(wanted.files.front()), cli::openOptions(wanted.read));
+    else if (wanted.demo)
+        window.openDemo();
+    return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Wanted wanted;
+    CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
+    addFlags(app, wanted);
+    // Before QApplication is made.
+    QSurfaceFormat::setDefaultFormat(ui::CloudView::surfaceFormat());
+    QApplication::setApplicationName("EdgeScan");
+    QApplication::setApplicationVersion(version());
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
+    std::vector<char*> qtArguments{argv[0]};
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    std::optional<Settings> settings;
+    if (methodTyped(wanted, app)) {
+        const Result<Settings> typed = cli::settingsOf(wanted.method);
+        if (!typed) {
+            std::cerr << "edgescan: " << typed.error().sentence() << '\n';
+            return 2;
+        }
+        settings = *typed;
+    }
+    int qtArgc = 1;
+    QApplication application(qtArgc, qtArguments.data());
+    ui::useTheme(application);
+    if (const ui::GlCheck gl = ui::checkGl(); !gl.available) {
+        std::cerr << "edgescan: " << gl.reason.toStdString() << '\n';
+        return 1;
+    }
+    return runViewer(application, wanted, settings);
+}

@@ -1,0 +1,110 @@
+// Scans and results as JSON.
+#include "core/report/report.h"
+
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "core/edges/parameters.h"
+
+#include <cmath>
+#include <span>
+
+namespace edgescan {
+namespace {
+
+using json = nlohmann::ordered_json; // keys in the order of CLI.md
+
+// Rounded for reading; the angles themselves stay as they are in the scan.
+double tidy(double value, double steps) { return std::round(value * steps) / steps; }
+
+// First, last and step of a list of angles; "uneven" with the smallest and largest step where they differ.
+json anglesReport(const std::vector<double>& degrees) {
+    if (degrees.empty()) return json::object();
+    json report{{"first", degrees.front()}, {"last", degrees.back()}, {"count", degrees.size()}};
+    if (degrees.size() < 2) return report;
+    const double mean = (degrees.back() - degrees.front()) / static_cast<double>(degrees.size() - 1);
+    double smallest = degrees[1] - degrees[0];
+    double largest = smallest;
+    for (std::size_t i = 1; i < degrees.size(); ++i) {
+        const double step = degrees[i] - degrees[i - 1];
+        if (std::abs(step) < std::abs(smallest)) smallest = step;
+        if (std::abs(step) > std::abs(largest)) largest = step;
+    }
+    report["step"] = tidy(mean, 1e9);
+    report["even"] = largest - smallest <= 1e-6 * std::abs(mean) + 1e-9;
+    if (!report["even"].get<bool>()) {
+        report["smallest_step"] = tidy(smallest, 1e9);
+        report["largest_step"] = tidy(largest, 1e9);
+    }
+    return report;
+}
+
+json rangeReport(const Scan& scan) {
+    const RangeLimits limits = rangeLimits(scan);
+    if (countCells(scan)[static_cast<std::size_t>(CellState::Valid)] == 0) return {{"min", nullptr}, {"max", nullptr}};
+    return {{"min", limits.minMm}, {"max", limits.maxMm}};
+}
+
+} // namespace
+
+nlohmann::ordered_json cellsReport(const Scan& scan) {
+    const auto counts = countCells(scan);
+    json report = json::object();
+    for (int s = 0; s < kCellStates; ++s) report[cellStateName(static_cast<CellState>(s))] = counts[static_cast<std::size_t>(s)];
+    return report;
+}
+
+nlohmann::ordered_json infoReport(const Scan& scan) {
+    json report{{"input", scan.path},
+                {"name", scan.name},
+                {"format", scan.format},
+                {"sha256", scan.sha256},
+                {"lines", scan.lines()},
+                {"beams", scan.beams()},
+                {"cells", cellsReport(scan)},
+                {"range_mm", rangeReport(scan)},
+                {"unit_mm", scan.unitMm},
+                {"frame", "scanner"},
+                {"pose", nullptr},
+                {"warnings", scan.warnings}};
+    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
+        report["geometry"] = "beam x line angles";
+        report["axis"] = polar->axis == Axis::Spin ? "spin" : "sweep";
+        report["line_direction"] = polar->lineDirection;
+        report["beam_deg"] = anglesReport(polar->beamDeg);
+        report["line_deg"] = anglesReport(polar->lineDeg);
+    } else {
+        const Eigen::Vector3d& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
+        report["geometry"] = "organised points";
+        report["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
+    }
+    if (!scan.note.empty()) report["note"] = scan.note;
+    return report;
+}
+
+nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
+    const Scan& scan = *frame.scan;
+    json timings{{"load", tidy(loadMs, 1000)}};
+    for (const StageTime& time : frame.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
+    timings["total"] = tidy(loadMs + frame.totalMs, 1000);
+    const GrayScale& scale = frame.gray->scale;
+    return {
+        {"input", scan.path},
+        {"sha256", scan.sha256},
+        {"lines", scan.lines()},
+        {"beams", scan.beams()},
+        {"cells", cellsReport(scan)},
+        {"range_mm", rangeReport(scan)},
+        {"settings", settingsToJson(frame.settings)},
+        {"upper", frame.settings.upper()},
+        {"gray",
+         {{"near_mm", scale.nearMm}, {"far_mm", scale.farMm}, {"logarithmic", scale.logarithmic}, {"saturated", frame.gray->saturated}}},
+        {"edges", frame.edges->size()},
+        {"edge_mask_sha256", maskSha256(*frame.mask)},
+        {"timings_ms", timings},
+        {"warnings", scan.warnings},
+        {"version", version()}};
+}
+
+std::string maskSha256(const Grid<std::uint8_t>& mask) { return sha256Hex(std::as_bytes(std::span(mask.cells))); }
+
+} // namespace edgescan

@@ -1,0 +1,22 @@
+// What a scan holds and what the method made of it, as JSON for scripts (CLI.md: `info` and `detect --json`).
+#pragma once
+
+#include "core/edges/frame.h"
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan {
+
+/// {"valid": n, "no_return": n, ...}; the values add up to lines x beams.
+[[nodiscard]] nlohmann::ordered_json cellsReport(const Scan& scan);
+
+/// The object that `edgescan-cli info` prints for one file.
+[[nodiscard]] nlohmann::ordered_json infoReport(const Scan& scan);
+
+/// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
+[[nodiscard]] nlohmann::ordered_json detectReport(const Frame& frame, double loadMs);
+
+/// SHA-256 of the lines x beams mask bytes, 0 or 255.
+[[nodiscard]] std::string maskSha256(const Grid<std::uint8_t>& mask);
+
+} // namespace edgescan

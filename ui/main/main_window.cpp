@@ -1,0 +1,364 @@
+// The window: builds its views and keeps them in step.
+#include "ui/main/main_window.h"
+
+#include "ui/cloud/cloud_view.h"
+#include "ui/cloud/gl_check.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+#include "ui/main/notice_bar.h"
+#include "ui/main/pane.h"
+#include "ui/main/settings_undo.h"
+#include "ui/main/status_line.h"
+#include "ui/panel/edges_panel.h"
+
+#include <QCloseEvent>
+#include <QDesktopServices>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QScreen>
+#include <QSplitter>
+#include <QUndoStack>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kWideScreen = 1920; // VIEWER.md 2.4: three views in one row from here on
+constexpr int kRememberAfterMs = 300;
+constexpr int kShowWorkAfterMs = 100;
+
+} // namespace
+
+MainWindow::MainWindow(Memory& memory, QWidget* parent)
+    : QMainWindow(parent), memory_(memory), undo_(new QUndoStack(this)), viewPort_(std::make_shared<ViewPort>()) {
+    setObjectName("edgescan");
+    setWindowTitle("EdgeScan");
+    setAcceptDrops(true);
+    buildViews();
+    buildPanel();
+    status_ = new StatusLine(this);
+    setStatusBar(status_);
+    buildMenus();
+    connectSession();
+    linkViews();
+    rememberTimer_.setSingleShot(true);
+    rememberTimer_.setInterval(kRememberAfterMs);
+    connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
+    resize(1600, 950);
+    restoreLayout();
+    useSettings(memory_.settings(session_.settings()));
+    status_->showRenderer(checkGl().renderer);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildViews() {
+    gray_ = new ImageView(viewPort_);
+    edges_ = new ImageView(viewPort_);
+    cloud_ = new CloudView;
+    gray_->setObjectName("gray");
+    edges_->setObjectName("edges");
+    cloud_->setObjectName("cloud");
+    for (ImageView* view : {gray_, edges_}) view->setNote(tr("Open a scan: Ctrl+O, or drop a file here"));
+    grayPane_ = new Pane(tr("Range image"), gray_);
+    edgePane_ = new Pane(tr("Edge map"), edges_);
+    cloudPane_ = new Pane(tr("Cloud"), cloud_);
+    for (Pane* pane : {grayPane_, edgePane_, cloudPane_}) connect(pane, &Pane::maximiseWanted, this, [this, pane] { maximise(pane); });
+
+    images_ = new QSplitter(Qt::Vertical);
+    images_->addWidget(grayPane_);
+    images_->addWidget(edgePane_);
+    views_ = new QSplitter(Qt::Horizontal);
+    views_->addWidget(images_);
+    views_->addWidget(cloudPane_);
+    for (QSplitter* splitter : {images_, views_}) {
+        splitter->setChildrenCollapsible(false);
+        connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
+    }
+    notice_ = new NoticeBar;
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(notice_);
+    column->addWidget(views_, 1);
+    setCentralWidget(centre);
+}
+
+void MainWindow::buildPanel() {
+    panel_ = new EdgesPanel;
+    dock_ = new QDockWidget(tr("Edges"), this);
+    dock_->setObjectName("dock-edges");
+    dock_->setWidget(panel_);
+    addDockWidget(Qt::RightDockWidgetArea, dock_);
+    connect(panel_, &EdgesPanel::edited, this, &MainWindow::changeSettings);
+    connect(panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
+    connect(panel_, &EdgesPanel::presetChosen, this, &MainWindow::usePreset);
+    connect(panel_, &EdgesPanel::openPresetWanted, this, &MainWindow::askOpenPreset);
+    connect(panel_, &EdgesPanel::savePresetWanted, this, &MainWindow::askSavePreset);
+    connect(panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
+}
+
+void MainWindow::connectSession() {
+    workTimer_.setSingleShot(true);
+    workTimer_.setInterval(kShowWorkAfterMs);
+    connect(&workTimer_, &QTimer::timeout, this, [this] { status_->showWork(workTitle_, QString(), 0.0); });
+    connect(&session_, &Session::workStarted, this, [this](const QString& title) {
+        workTitle_ = title;
+        workTimer_.start();
+    });
+    connect(&session_, &Session::workProgressed, this, [this](const QString& stage, double fraction) {
+        if (!workTimer_.isActive()) status_->showWork(workTitle_, stage, fraction);
+    });
+    connect(&session_, &Session::workEnded, this, [this] {
+        workTimer_.stop();
+        status_->hideWork();
+    });
+    connect(status_, &StatusLine::cancelWanted, &session_, &Session::cancel);
+    connect(&session_, &Session::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
+    connect(&session_, &Session::opened, this, [this](const QString& path) {
+        openedPath_ = path;
+        notice_->hide();
+        if (path.isEmpty()) return;
+        memory_.keepRecentFile(path);
+        memory_.keepFolder("scans", path);
+        memory_.write();
+    });
+    connect(&session_, &Session::saved, this, [this](const QString& path, qint64 count) {
+        notice_->showNotice(NoticeBar::Kind::Done,
+                            tr("Saved %1: %2, %3 kB.").arg(path).arg(count).arg((QFileInfo(path).size() + 999) / 1000));
+        notice_->offer(tr("Open folder"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath())); });
+    });
+    connect(&session_, &Session::settingsChanged, this, [this] {
+        sinceChange_.start();
+        panel_->show(session_.settings());
+        panel_->setBehind(session_.behind());
+        memory_.keepSettings(session_.settings());
+        rememberTimer_.start();
+    });
+    connect(&session_, &Session::pictureReady, this, &MainWindow::showPicture);
+}
+
+void MainWindow::linkViews() {
+    for (ImageView* view : {gray_, edges_}) {
+        connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
+            if (shown_) showHover(shown_->frame->scan->rangeMm.index(line, beam), view);
+        });
+        connect(view, &ImageView::hoverLeft, this, [this, view] { showHover(std::nullopt, view); });
+        connect(view, &ImageView::clicked, this, [this](int line, int beam) {
+            if (shown_) stick(shown_->frame->scan->rangeMm.index(line, beam));
+        });
+        connect(view, &ImageView::cleared, this, [this] { stick(std::nullopt); });
+        connect(view, &ImageView::windowLevelDragged, this, &MainWindow::changeDisplayLevels);
+    }
+    connect(cloud_, &CloudView::hovered, this, [this](qint64 cell) { showHover(static_cast<std::size_t>(cell), cloud_); });
+    connect(cloud_, &CloudView::hoverLeft, this, [this] { showHover(std::nullopt, cloud_); });
+    connect(cloud_, &CloudView::clicked, this, [this](qint64 cell) { stick(static_cast<std::size_t>(cell)); });
+    connect(cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
+        QMenu menu;
+        if (cell >= 0) menu.addAction(tr("Fly to this point"), this, [this, cell] { cloud_->flyTo(cell); });
+        menu.addAction(tr("View from scanner"), cloud_, &CloudView::viewFromScanner);
+        menu.addAction(tr("Fit"), cloud_, &CloudView::zoomToFit);
+        menu.exec(position);
+    });
+    connect(cloud_, &CloudView::drawnFractionChanged, this, [this](double fraction) {
+        cloudPane_->setRemark(fraction >= 1.0 ? QString() : tr("%1 % of the points drawn").arg(std::lround(fraction * 100)));
+    });
+}
+
+void MainWindow::showPicture() {
+    const std::shared_ptr<const Picture> last = shown_;
+    shown_ = session_.picture();
+    const Frame& frame = *shown_->frame;
+    const bool newScan = !last || last->frame->scan != frame.scan;
+    if (newScan) {
+        levels_ = {};
+        stick(std::nullopt);
+        hovered_.reset();
+        viewPort_->setImageSize({frame.scan->beams(), frame.scan->lines()});
+        cloud_->setCloud(frame.scan, shown_->cloud);
+        for (ImageView* view : {gray_, edges_}) view->setNote(QString());
+        setWindowTitle(QString::fromStdString(frame.scan->name) + " - EdgeScan");
+        QStringList warnings;
+        for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
+        if (!warnings.isEmpty()) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+    }
+    const bool newGray = newScan || last->gray != shown_->gray;
+    if (newGray) {
+        const bool asIs = levels_ == DisplayLevels{};
+        gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(frame, levels_)));
+    }
+    gray_->setOverlay(overlay_ ? shown_->overlay : nullptr, 1.0);
+    edges_->setImage(shown_->edges, Shrink::KeepBrightest);
+    cloud_->setEdges(frame.edges);
+    status_->showCounts(frame);
+    status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : frame.totalMs);
+    panel_->showScale(frame.gray->scale);
+    panel_->setBehind(session_.behind());
+    showHover(hovered_, nullptr);
+    emit pictureShown();
+}
+
+std::optional<QPoint> MainWindow::asPoint(std::optional<std::size_t> cell) const {
+    if (!cell || !shown_) return std::nullopt;
+    const auto beams = static_cast<std::size_t>(shown_->frame->scan->beams());
+    return QPoint(static_cast<int>(*cell % beams), static_cast<int>(*cell / beams));
+}
+
+void MainWindow::showHover(std::optional<std::size_t> cell, const QObject* from) {
+    hovered_ = cell;
+    const std::optional<std::size_t> marked = cell ? cell : sticky_;
+    for (ImageView* view : {gray_, edges_}) view->setMarkedCell(view == from ? std::nullopt : asPoint(cell));
+    if (marked && shown_)
+        cloud_->setMarkedCell(static_cast<std::uint32_t>(*marked));
+    else
+        cloud_->setMarkedCell(std::nullopt);
+    status_->showProbe(marked && shown_ ? std::optional<Probe>(probeCell(*shown_->frame, *marked)) : std::nullopt);
+}
+
+void MainWindow::stick(std::optional<std::size_t> cell) {
+    sticky_ = cell;
+    for (ImageView* view : {gray_, edges_}) view->setCrosshair(asPoint(cell));
+    showHover(hovered_, nullptr);
+}
+
+void MainWindow::changeDisplayLevels(int window, int level) {
+    if (!shown_) return;
+    // As in medical viewers: to the right the window opens, downwards the picture gets darker.
+    const int centre = (levels_.black + levels_.white) / 2 + level;
+    const int half = std::clamp((levels_.white - levels_.black + window) / 2, 2, 255);
+    levels_ = {centre - half, centre + half};
+    gray_->setImage(std::make_shared<const QImage>(grayPicture(*shown_->frame, levels_)));
+    grayPane_->setRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
+}
+
+void MainWindow::changeSettings(const Settings& settings, bool dragging) {
+    if (settings == session_.settings()) return;
+    if (!dragging) ++drag_;
+    undo_->push(new SettingsChange(session_.settings(), settings, drag_, [this](const Settings& s) { session_.setSettings(s); }));
+}
+
+void MainWindow::usePreset(const Preset& preset) {
+    panel_->setPreset(preset);
+    memory_.keep("edges/preset", QString::fromStdString(preset.name));
+    changeSettings(preset.settings, false);
+    panel_->show(session_.settings());
+}
+
+void MainWindow::useSettings(const Settings& settings) {
+    session_.setSettings(settings);
+    panel_->show(session_.settings());
+}
+
+void MainWindow::openFile(const QString& path, const OpenOptions& options) { session_.open(path, options); }
+
+void MainWindow::openDemo() { session_.openDemo(); }
+
+void MainWindow::arrangePanes() {
+    const Qt::Orientation wanted = width() >= kWideScreen ? Qt::Horizontal : Qt::Vertical;
+    if (images_->orientation() == wanted) return;
+    images_->setOrientation(wanted);
+    views_->setSizes(wanted == Qt::Horizontal ? QList<int>{2000, 1000} : QList<int>{1000, 1400});
+}
+
+void MainWindow::maximise(Pane* pane) {
+    maximised_ = maximised_ == pane ? nullptr : pane;
+    for (Pane* each : {grayPane_, edgePane_, cloudPane_}) each->setVisible(maximised_ == nullptr || maximised_ == each);
+    images_->setVisible(maximised_ != cloudPane_);
+}
+
+void MainWindow::remember() {
+    memory_.keep("window/geometry", saveGeometry());
+    memory_.keep("window/state", saveState());
+    memory_.keep("window/views", views_->saveState());
+    memory_.keep("window/images", images_->saveState());
+    memory_.write();
+}
+
+void MainWindow::restoreLayout() {
+    restoreGeometry(memory_.bytes("window/geometry"));
+    restoreState(memory_.bytes("window/state"));
+    images_->restoreState(memory_.bytes("window/images"));
+    if (!views_->restoreState(memory_.bytes("window/views"))) views_->setSizes({1000, 1400});
+    arrangePanes();
+    // A window on a screen that is gone is pulled back.
+    bool onScreen = false;
+    for (const QScreen* screen : QGuiApplication::screens()) onScreen = onScreen || screen->availableGeometry().intersects(geometry());
+    if (!onScreen) move(QGuiApplication::primaryScreen()->availableGeometry().topLeft());
+    const QString preset = memory_.text("edges/preset");
+    if (const auto found = findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_->setPreset(*found);
+    if (!memory_.flag("edges/ratio-locked", true)) panel_->setRatioLocked(false);
+}
+
+void MainWindow::resetLayout() {
+    if (maximised_ != nullptr) maximise(maximised_);
+    dock_->show();
+    dock_->setFloating(false);
+    addDockWidget(Qt::RightDockWidgetArea, dock_);
+    images_->setSizes({1000, 1000});
+    views_->setSizes(images_->orientation() == Qt::Horizontal ? QList<int>{2000, 1000} : QList<int>{1000, 1400});
+    rememberTimer_.start();
+}
+
+QImage MainWindow::screenshot() {
+    const QImage cloud = cloud_->grabFrame(CloudView::Points::All);
+    QImage image = grab().toImage();
+    // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
+    QPainter painter(&image);
+    painter.drawImage(QRect(cloud_->mapTo(this, QPoint(0, 0)), cloud_->size()), cloud);
+    return image;
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    arrangePanes();
+    rememberTimer_.start();
+}
+
+void MainWindow::moveEvent(QMoveEvent* event) {
+    QMainWindow::moveEvent(event);
+    rememberTimer_.start();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    remember();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (!url.isLocalFile()) continue;
+        event->acceptProposedAction();
+        openFile(url.toLocalFile());
+        return;
+    }
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    // Esc: the job first, then the crosshair.
+    if (event->key() != Qt::Key_Escape) {
+        QMainWindow::keyPressEvent(event);
+        return;
+    }
+    if (session_.working())
+        session_.cancel();
+    else if (maximised_ != nullptr)
+        maximise(maximised_);
+    else
+        stick(std::nullopt);
+}
+
+} // namespace edgescan::ui

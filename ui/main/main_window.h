@@ -1,0 +1,136 @@
+// The window: gray image, edge map and cloud side by side, the panel, and what links them.
+#pragma once
+
+#include "ui/main/memory.h"
+#include "ui/session/session.h"
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <optional>
+
+class QMenu;
+class QSplitter;
+class QUndoStack;
+
+namespace edgescan::ui {
+
+class CloudView;
+class EdgesPanel;
+class ImageView;
+class NoticeBar;
+class Pane;
+class StatusLine;
+class ViewPort;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// `memory` must outlive the window.
+    explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void openFile(const QString& path, const OpenOptions& options = {});
+    void openDemo();
+    void usePreset(const Preset& preset);
+    void useSettings(const Settings& settings);
+
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] ImageView& grayView() { return *gray_; }
+    [[nodiscard]] ImageView& edgeView() { return *edges_; }
+    [[nodiscard]] CloudView& cloudView() { return *cloud_; }
+    [[nodiscard]] EdgesPanel& panel() { return *panel_; }
+    [[nodiscard]] StatusLine& statusLine() { return *status_; }
+    [[nodiscard]] NoticeBar& notice() { return *notice_; }
+
+    /// The whole window as it is, with all points of the cloud drawn.
+    [[nodiscard]] QImage screenshot();
+
+signals:
+    /// All views show session().picture() now.
+    void pictureShown();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void moveEvent(QMoveEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    // main_window.cpp
+    void buildViews();
+    void buildPanel();
+    void connectSession();
+    void linkViews();
+    void showPicture();
+    void showHover(std::optional<std::size_t> cell, const QObject* from);
+    void stick(std::optional<std::size_t> cell);
+    void changeDisplayLevels(int window, int level);
+    void arrangePanes();
+    void maximise(Pane* pane);
+    void changeSettings(const Settings& settings, bool dragging);
+    void remember();
+    void restoreLayout();
+    void resetLayout();
+    [[nodiscard]] std::optional<QPoint> asPoint(std::optional<std::size_t> cell) const;
+
+    // main_window_menus.cpp
+    void buildMenus();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildViewMenu();
+    void buildScanMenu();
+    void buildEdgesMenu();
+    void buildHelpMenu();
+    QAction* addCommand(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& run);
+    QAction* addSwitch(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, bool on, const QString& memoryKey,
+                       const std::function<void(bool)>& run);
+    void fillRecentMenu(QMenu& menu);
+    void showShortcuts();
+    void showAbout();
+    void showScanProperties();
+
+    // main_window_files.cpp
+    void askOpen();
+    void askExport(Session::Export what);
+    void askOpenPreset();
+    void askSavePreset();
+    void saveScreenshot();
+    void copyProbe();
+    void copyCommand();
+
+    Memory& memory_;
+    Session session_;
+    QUndoStack* undo_;
+    std::shared_ptr<ViewPort> viewPort_;
+    ImageView* gray_ = nullptr;
+    ImageView* edges_ = nullptr;
+    CloudView* cloud_ = nullptr;
+    Pane* grayPane_ = nullptr;
+    Pane* edgePane_ = nullptr;
+    Pane* cloudPane_ = nullptr;
+    Pane* maximised_ = nullptr;
+    QSplitter* images_ = nullptr;
+    QSplitter* views_ = nullptr;
+    QDockWidget* dock_ = nullptr;
+    EdgesPanel* panel_ = nullptr;
+    NoticeBar* notice_ = nullptr;
+    StatusLine* status_ = nullptr;
+
+    std::shared_ptr<const Picture> shown_;
+    std::optional<std::size_t> hovered_;
+    std::optional<std::size_t> sticky_;
+    DisplayLevels levels_;
+    bool overlay_ = false;
+    int drag_ = 1; // number of the drag, for undo
+    QElapsedTimer sinceChange_;
+    QTimer rememberTimer_;
+    QTimer workTimer_; // work that ends sooner is not shown
+    QString workTitle_;
+    QString openedPath_;
+};
+
+} // namespace edgescan::ui

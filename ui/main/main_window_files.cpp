@@ -1,0 +1,141 @@
+// The window's dialogs for files, and what goes to the clipboard.
+#include "ui/main/main_window.h"
+
+#include "core/edges/command_text.h"
+#include "core/files/save_scan.h"
+#include "core/files/whole_file.h"
+#include "ui/main/notice_bar.h"
+#include "ui/main/status_line.h"
+#include "ui/panel/edges_panel.h"
+
+#include <QClipboard>
+#include <QDate>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+
+namespace edgescan::ui {
+namespace {
+
+QString filterOf(const FileKind& kind) {
+    QStringList patterns;
+    for (const std::string& extension : kind.extensions) patterns << "*" + QString::fromStdString(extension);
+    return QString::fromStdString(kind.title) + " (" + patterns.join(' ') + ")";
+}
+
+// "All supported" first, then one entry per kind.
+QString openFilters() {
+    QStringList all;
+    QStringList filters;
+    for (const FileKind& kind : readableKinds()) {
+        for (const std::string& extension : kind.extensions) all << "*" + QString::fromStdString(extension);
+        filters << filterOf(kind);
+    }
+    all.removeDuplicates();
+    return QObject::tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + QObject::tr("All files (*)");
+}
+
+bool isImage(Session::Export what) { return what != Session::Export::EdgeCloud && what != Session::Export::FullCloud; }
+
+const char* nameTail(Session::Export what) {
+    switch (what) {
+    case Session::Export::EdgeCloud:
+        return "edges";
+    case Session::Export::FullCloud:
+        return "cloud";
+    case Session::Export::EdgeImage:
+        return "edge-map";
+    case Session::Export::GrayImage:
+        return "gray";
+    case Session::Export::RangeImage:
+        return "range";
+    }
+    return "";
+}
+
+} // namespace
+
+void MainWindow::askOpen() {
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open scan"), memory_.folder("scans"), openFilters());
+    if (!paths.isEmpty()) openFile(paths.front());
+}
+
+void MainWindow::askExport(Session::Export what) {
+    if (!shown_) {
+        notice_->showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
+        return;
+    }
+    const Frame& frame = *shown_->frame;
+    const QString kind = isImage(what) ? "images" : "exports";
+    const QString extension = isImage(what) ? ".png" : memory_.text("export/extension", ".pcd");
+    const QString name = QString("%1_%2_L%3_K%4_%5%6")
+                             .arg(QString::fromStdString(frame.scan->name).replace(' ', '-'), nameTail(what))
+                             .arg(frame.settings.lower)
+                             .arg(frame.settings.kernel)
+                             .arg(QDate::currentDate().toString(Qt::ISODate), extension);
+    QStringList filters;
+    QString usual;
+    if (isImage(what))
+        filters << tr("PNG picture (*.png)");
+    else
+        for (const FileKind& each : writableCloudKinds()) {
+            filters << filterOf(each);
+            if (QString::fromStdString(each.extensions.front()) == extension) usual = filters.back();
+        }
+    const QString count = what == Session::Export::EdgeCloud ? tr("Export %1 edge points").arg(frame.edges->size()) : tr("Export");
+    QString path = QFileDialog::getSaveFileName(this, count, QDir(memory_.folder(kind)).filePath(name), filters.join(";;"), &usual);
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += extension;
+    memory_.keepFolder(kind, path);
+    if (!isImage(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
+    memory_.write();
+    session_.save(what, path);
+}
+
+void MainWindow::askOpenPreset() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
+    if (path.isEmpty()) return;
+    memory_.keepFolder("presets", path);
+    const Result<Preset> preset = findPreset(path.toStdString());
+    if (preset)
+        usePreset(*preset);
+    else
+        notice_->showNotice(NoticeBar::Kind::Error, QString::fromStdString(preset.error().sentence()));
+}
+
+void MainWindow::askSavePreset() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += ".json";
+    memory_.keepFolder("presets", path);
+    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings()};
+    const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset));
+    if (written)
+        usePreset(preset);
+    else
+        notice_->showNotice(NoticeBar::Kind::Error, QString::fromStdString(written.error().sentence()));
+}
+
+void MainWindow::saveScreenshot() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save screenshot"), QDir(memory_.folder("images")).filePath("edgescan.png"),
+                                                tr("PNG picture (*.png)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+    memory_.keepFolder("images", path);
+    if (!screenshot().save(path)) {
+        notice_->showNotice(NoticeBar::Kind::Error, tr("%1: the picture cannot be written; choose another folder.").arg(path));
+        return;
+    }
+    notice_->showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
+}
+
+void MainWindow::copyProbe() { QGuiApplication::clipboard()->setText(status_->probeShown()); }
+
+void MainWindow::copyCommand() {
+    if (!shown_ || shown_->frame->scan->path.empty()) return;
+    QGuiApplication::clipboard()->setText(QString::fromStdString(detectCommand(shown_->frame->scan->path, shown_->frame->settings)));
+    notice_->showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
+}
+
+} // namespace edgescan::ui

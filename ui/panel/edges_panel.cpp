@@ -1,0 +1,225 @@
+// The panel "Edges".
+#include "ui/panel/edges_panel.h"
+
+#include "core/edges/parameters.h"
+#include "ui/panel/parameter_row.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstring>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kThesisRatio = 3.0;
+// Sobel 3x3 on 8-bit gray: nothing has a larger |gx| + |gy| (4 x 255 along each axis).
+constexpr double kLargestGradient = 2040.0;
+
+} // namespace
+
+EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPresets().front()) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    auto* grid = new QGridLayout;
+    grid->setColumnStretch(1, 1);
+    addPresets(*grid);
+    for (const Parameter& p : parameters()) {
+        if (!p.advanced) addRow(p, *grid);
+        if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
+    }
+    column->addLayout(grid);
+
+    auto* fold = new QToolButton;
+    fold->setText(tr("Advanced"));
+    fold->setCheckable(true);
+    fold->setArrowType(Qt::RightArrow);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold->setAutoRaise(true);
+    advanced_ = new QWidget;
+    auto* advancedGrid = new QGridLayout(advanced_);
+    advancedGrid->setContentsMargins(0, 0, 0, 0);
+    advancedGrid->setColumnStretch(1, 1);
+    for (const Parameter& p : parameters()) {
+        if (p.advanced) addRow(p, *advancedGrid);
+    }
+    advanced_->hide();
+    connect(fold, &QToolButton::toggled, this, [this, fold](bool open) {
+        advanced_->setVisible(open);
+        fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    });
+    column->addWidget(fold);
+    column->addWidget(advanced_);
+    behind_ = new QLabel;
+    column->addWidget(behind_);
+    column->addStretch(1);
+
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    setMinimumWidth(380);
+    setRatioLocked(true);
+    show(Settings{});
+}
+
+void EdgesPanel::addPresets(QGridLayout& grid) {
+    presets_ = new QComboBox;
+    presets_->setObjectName("presets");
+    for (const Preset& preset : builtInPresets()) {
+        presets_->addItem(QString::fromStdString(preset.name));
+        presets_->setItemData(presets_->count() - 1, QString::fromStdString(preset.help), Qt::ToolTipRole);
+    }
+    connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const auto builtIn = builtInPresets();
+        if (static_cast<std::size_t>(index) < builtIn.size())
+            emit presetChosen(builtIn[static_cast<std::size_t>(index)]);
+        else
+            emit presetChosen(preset_);
+    });
+    modified_ = new QLabel;
+    auto* open = new QToolButton;
+    open->setText(tr("Open…"));
+    open->setToolTip(tr("Open a preset file"));
+    auto* save = new QToolButton;
+    save->setText(tr("Save…"));
+    save->setToolTip(tr("Save these settings as a preset file"));
+    connect(open, &QToolButton::clicked, this, &EdgesPanel::openPresetWanted);
+    connect(save, &QToolButton::clicked, this, &EdgesPanel::savePresetWanted);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(modified_);
+    buttons->addStretch(1);
+    buttons->addWidget(open);
+    buttons->addWidget(save);
+    auto* label = new QLabel(tr("Preset"));
+    label->setBuddy(presets_);
+    const int row = grid.rowCount();
+    grid.addWidget(label, row, 0);
+    grid.addWidget(presets_, row, 1, 1, 3);
+    grid.addLayout(buttons, row + 1, 1, 1, 3);
+}
+
+void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
+    auto* row = new ParameterRow(parameter, grid, this);
+    rows_.push_back(row);
+    connect(row, &ParameterRow::changed, this, [this, row](double value, bool dragging) { edit(row->parameter(), value, dragging); });
+    connect(row, &ParameterRow::dragEnded, this, &EdgesPanel::editEnded);
+    connect(row, &ParameterRow::resetWanted, this, [this, row] {
+        edit(row->parameter(), row->parameter().get(preset_.settings), false);
+        emit editEnded();
+    });
+}
+
+void EdgesPanel::addUpper(QGridLayout& grid) {
+    upper_ = new QLabel;
+    upper_->setObjectName("upper");
+    lock_ = new QToolButton;
+    lock_->setObjectName("ratio-lock");
+    lock_->setCheckable(true);
+    lock_->setToolTip(tr("Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock."));
+    connect(lock_, &QToolButton::clicked, this, &EdgesPanel::setRatioLocked);
+    const int row = grid.rowCount();
+    grid.addWidget(upper_, row, 0, 1, 2);
+    grid.addWidget(lock_, row, 2, 1, 2);
+}
+
+bool EdgesPanel::ratioLocked() const { return lock_->isChecked(); }
+
+void EdgesPanel::setRatioLocked(bool locked) {
+    lock_->setChecked(locked);
+    lock_->setText(locked ? tr("Locked 1 : 3") : tr("Unlocked"));
+    row("ratio")->setEnabled(!locked);
+    emit ratioLockChanged(locked);
+    if (locked && shown_.ratio != kThesisRatio) {
+        edit(*findParameter("ratio"), kThesisRatio, false);
+        emit editEnded();
+    }
+}
+
+ParameterRow* EdgesPanel::row(const char* key) const {
+    for (ParameterRow* row : rows_) {
+        if (std::strcmp(row->parameter().key, key) == 0) return row;
+    }
+    return nullptr;
+}
+
+void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
+    Settings settings = shown_;
+    parameter.set(settings, value);
+    // A near that reaches far pushes it on, and the other way round: no invalid pair can be set.
+    if (!checkSettings(settings)) {
+        const double step = 1.0;
+        if (std::strcmp(parameter.key, "near") == 0)
+            settings.farMm = settings.nearMm + step;
+        else
+            settings.nearMm = std::max(0.0, settings.farMm - step);
+        if (!checkSettings(settings)) settings.farMm = settings.nearMm + step;
+    }
+    emit edited(settings, dragging);
+}
+
+void EdgesPanel::show(const Settings& settings) {
+    shown_ = settings;
+    if (settings.ratio != kThesisRatio && ratioLocked()) {
+        const QSignalBlocker quiet(this);
+        lock_->setChecked(false);
+        lock_->setText(tr("Unlocked"));
+        row("ratio")->setEnabled(true);
+    }
+    showInUse();
+    showUpper();
+    showPresetName();
+}
+
+void EdgesPanel::showScale(const GrayScale& scale) {
+    scale_ = scale;
+    showInUse();
+}
+
+void EdgesPanel::showInUse() {
+    for (ParameterRow* row : rows_) {
+        const std::string key = row->parameter().key;
+        double inUse = kAutomatic;
+        if (key == "near" && scale_.farMm > 0) inUse = scale_.nearMm;
+        if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
+        if (key == "sigma") inUse = 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
+        row->show(row->parameter().get(shown_), inUse);
+        if (key == "near" || key == "far") row->setEnabled(shown_.scaling != Scaling::Thesis);
+        if (key == "sigma") row->setEnabled(shown_.kernel > 1);
+    }
+}
+
+void EdgesPanel::showUpper() {
+    QString text = tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
+    if (shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
+    upper_->setText(text);
+}
+
+void EdgesPanel::showPresetName() { modified_->setText(modified() ? tr("• modified") : QString()); }
+
+void EdgesPanel::setPreset(const Preset& preset) {
+    preset_ = preset;
+    const QString name = QString::fromStdString(preset.name);
+    int index = presets_->findText(name);
+    if (index < 0) {
+        presets_->addItem(name);
+        index = presets_->count() - 1;
+    }
+    presets_->setCurrentIndex(index);
+    showPresetName();
+}
+
+void EdgesPanel::setBehind(bool behind) { behind_->setText(behind ? tr("computing …") : QString()); }
+
+} // namespace edgescan::ui

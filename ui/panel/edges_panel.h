@@ -1,0 +1,75 @@
+// The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
+#pragma once
+
+#include "core/edges/gray.h"
+#include "core/edges/presets.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace edgescan {
+struct Parameter;
+}
+
+namespace edgescan::ui {
+
+class ParameterRow;
+
+/// GUI thread only. Shows settings and says what the user wants; it changes nothing by itself.
+class EdgesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit EdgesPanel(QWidget* parent = nullptr);
+
+    void show(const Settings& settings);
+    /// What near and far came out as, so that "auto" shows its number.
+    void showScale(const GrayScale& scale);
+    /// The picture does not belong to the numbers yet.
+    void setBehind(bool behind);
+
+    /// The preset that resets go back to, and that "modified" is measured against.
+    void setPreset(const Preset& preset);
+    [[nodiscard]] const Preset& preset() const { return preset_; }
+    [[nodiscard]] bool modified() const { return !(shown_ == preset_.settings); }
+    [[nodiscard]] bool ratioLocked() const;
+    [[nodiscard]] ParameterRow* row(const char* key) const;
+
+public slots:
+    void setRatioLocked(bool locked);
+
+signals:
+    void edited(const edgescan::Settings& settings, bool dragging);
+    void editEnded();
+    void presetChosen(const edgescan::Preset& preset);
+    void savePresetWanted();
+    void openPresetWanted();
+    void ratioLockChanged(bool locked);
+
+private:
+    void addPresets(QGridLayout& grid);
+    void addRow(const Parameter& parameter, QGridLayout& grid);
+    void addUpper(QGridLayout& grid);
+    void edit(const Parameter& parameter, double value, bool dragging);
+    void showPresetName();
+    void showUpper();
+    void showInUse();
+
+    Settings shown_;
+    GrayScale scale_;
+    Preset preset_;
+    std::vector<ParameterRow*> rows_;
+    QComboBox* presets_ = nullptr;
+    QLabel* modified_ = nullptr;
+    QLabel* upper_ = nullptr;
+    QLabel* behind_ = nullptr;
+    QToolButton* lock_ = nullptr;
+    QWidget* advanced_ = nullptr;
+};
+
+} // namespace edgescan::ui

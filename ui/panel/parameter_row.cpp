@@ -1,0 +1,204 @@
+// One row of the panel.
+#include "ui/panel/parameter_row.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+// A slider over more steps than it has pixels would have no fine end: such ranges are bent.
+double bend(const Parameter& p) {
+    const double steps = (p.maximum - p.minimum) / p.step;
+    return steps > 5000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;
+}
+
+// A wheel over a slider inside a scroll area does nothing until the slider has the focus (VIEWER.md 2.8).
+class CalmSlider : public QSlider {
+public:
+    using QSlider::QSlider;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override {
+        if (hasFocus())
+            QSlider::wheelEvent(event);
+        else
+            event->ignore();
+    }
+};
+
+template <class Box>
+class CalmBox : public Box {
+public:
+    using Box::Box;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override {
+        if (Box::hasFocus())
+            Box::wheelEvent(event);
+        else
+            event->ignore();
+    }
+};
+
+QString limitsText(const Parameter& p) {
+    QString text = QString::fromUtf8(p.help);
+    if (p.choices.empty()) text += QString("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(QString::fromUtf8(p.unit));
+    return text + QObject::tr("\nDouble-click: back to the preset");
+}
+
+} // namespace
+
+int sliderPosition(const Parameter& p, double value) {
+    if (!p.choices.empty()) {
+        const auto found = std::ranges::find_if(p.choices, [&](const Choice& c) { return c.value == value; });
+        return static_cast<int>(found - p.choices.begin());
+    }
+    const double share = std::clamp((value - p.minimum) / (p.maximum - p.minimum), 0.0, 1.0);
+    return static_cast<int>(std::lround(std::pow(share, 1.0 / bend(p)) * kSliderSteps));
+}
+
+double sliderValue(const Parameter& p, int position) {
+    if (!p.choices.empty()) return p.choices[static_cast<std::size_t>(position)].value;
+    const double share = std::pow(static_cast<double>(position) / kSliderSteps, bend(p));
+    const double value = p.minimum + share * (p.maximum - p.minimum);
+    return snapped(p, p.minimum + std::round((value - p.minimum) / p.step) * p.step);
+}
+
+ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent) : QObject(parent), parameter_(parameter) {
+    const int row = grid.rowCount();
+    label_ = new QLabel(QString::fromUtf8(parameter.label), parent);
+    label_->setToolTip(limitsText(parameter));
+    label_->installEventFilter(this);
+    grid.addWidget(label_, row, 0);
+    if (parameter.choices.empty())
+        addNumber(grid, row, parent);
+    else
+        addChoice(grid, row, parent);
+    if (slider_ != nullptr) {
+        slider_->setObjectName(QString("slider-") + parameter.key);
+        slider_->setToolTip(limitsText(parameter));
+        slider_->setAccessibleName(label_->text());
+        slider_->setMinimumWidth(90);
+        slider_->installEventFilter(this);
+        grid.addWidget(slider_, row, 1);
+        connect(slider_, &QSlider::valueChanged, this, [this](int position) { tell(sliderValue(parameter_, position)); });
+        connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
+    }
+}
+
+bool ParameterRow::numericChoices() const { return parameter_.choices.size() > 2 && parameter_.choices.front().name[0] <= '9'; }
+
+void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
+    const Parameter& p = parameter_;
+    slider_ = new CalmSlider(Qt::Horizontal, parent);
+    slider_->setRange(0, kSliderSteps);
+    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.maximum - p.minimum)))));
+    number_ = new CalmBox<QDoubleSpinBox>(parent);
+    number_->setObjectName(QString("number-") + p.key);
+    number_->setLocale(QLocale::c());
+    number_->setDecimals(p.decimals);
+    number_->setRange(p.minimum, p.maximum);
+    number_->setSingleStep(p.step);
+    number_->setKeyboardTracking(false);
+    number_->setAccessibleName(label_->text());
+    if (*p.unit != '\0') number_->setSuffix(QString(" ") + QString::fromUtf8(p.unit));
+    label_->setBuddy(number_);
+    connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
+    connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
+    grid.addWidget(number_, row, 2);
+    if (!p.canBeAutomatic) return;
+    auto* automatic = new QCheckBox(tr("auto"), parent);
+    automatic->setObjectName(QString("auto-") + p.key);
+    automatic_ = automatic;
+    grid.addWidget(automatic, row, 3);
+    connect(automatic, &QCheckBox::toggled, this, [this](bool on) { tell(on ? kAutomatic : snapped(parameter_, number_->value())); });
+}
+
+void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
+    choice_ = new CalmBox<QComboBox>(parent);
+    choice_->setObjectName(QString("choice-") + parameter_.key);
+    choice_->setToolTip(limitsText(parameter_));
+    choice_->setAccessibleName(label_->text());
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    label_->setBuddy(choice_);
+    for (const Choice& choice : parameter_.choices) choice_->addItem(QString::fromUtf8(choice.label));
+    connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
+        if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
+    });
+    if (!numericChoices()) {
+        grid.addWidget(choice_, row, 1, 1, 3);
+        return;
+    }
+    slider_ = new CalmSlider(Qt::Horizontal, parent);
+    slider_->setRange(0, static_cast<int>(parameter_.choices.size()) - 1);
+    slider_->setPageStep(1);
+    slider_->setTickPosition(QSlider::TicksBelow);
+    grid.addWidget(choice_, row, 2);
+}
+
+void ParameterRow::show(double value, double inUse) {
+    showing_ = true;
+    const bool automatic = std::isnan(value);
+    const double shown = automatic ? inUse : value;
+    if (automatic_ != nullptr) automatic_->setChecked(automatic);
+    if (number_ != nullptr && !std::isnan(shown)) number_->setValue(shown);
+    if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
+    // A slider under the hand stays where the hand is: its own rounding must not push it back.
+    if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(sliderPosition(parameter_, shown));
+    showing_ = false;
+}
+
+void ParameterRow::setEnabled(bool enabled) {
+    for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
+                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_)}) {
+        if (widget != nullptr) widget->setEnabled(enabled);
+    }
+}
+
+void ParameterRow::setVisible(bool visible) {
+    for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
+                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_)}) {
+        if (widget != nullptr) widget->setVisible(visible);
+    }
+}
+
+void ParameterRow::tell(double value) {
+    if (showing_) return;
+    emit changed(value, slider_ != nullptr && slider_->isSliderDown());
+}
+
+// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth (VIEWER.md 2.3).
+bool ParameterRow::stepByKey(const QKeyEvent& event) {
+    if (number_ == nullptr) return false;
+    const bool up = event.key() == Qt::Key_Up || event.key() == Qt::Key_Right;
+    const bool down = event.key() == Qt::Key_Down || event.key() == Qt::Key_Left;
+    if (!up && !down) return false;
+    double step = parameter_.step * (up ? 1.0 : -1.0);
+    if ((event.modifiers() & Qt::ShiftModifier) != 0) step *= 10.0;
+    if ((event.modifiers() & Qt::ControlModifier) != 0) step /= 10.0;
+    number_->setValue(snapped(parameter_, number_->value() + step));
+    return true;
+}
+
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == slider_ && event->type() == QEvent::KeyPress) return stepByKey(*static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::MouseButtonDblClick) {
+        emit resetWanted();
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace edgescan::ui

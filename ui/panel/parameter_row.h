@@ -1,0 +1,65 @@
+// One row of the panel: label, slider, number, unit; built from a row of the parameter table.
+#pragma once
+
+#include "core/edges/parameters.h"
+
+#include <QObject>
+
+class QAbstractButton;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QKeyEvent;
+class QLabel;
+class QSlider;
+class QWidget;
+
+namespace edgescan::ui {
+
+/// Where a slider of `kSliderSteps` stands for a value, and back; wide ranges are finer at their small end.
+inline constexpr int kSliderSteps = 1000;
+[[nodiscard]] int sliderPosition(const Parameter& parameter, double value);
+[[nodiscard]] double sliderValue(const Parameter& parameter, int position);
+
+/// GUI thread only. `parameter` must outlive it (the table does).
+class ParameterRow : public QObject {
+    Q_OBJECT
+public:
+    /// Adds its widgets as the next row of `grid`.
+    ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent);
+
+    /// Shows the value without telling anybody. `inUse`: what an automatic value came out as, NaN when unknown.
+    void show(double value, double inUse);
+    void setEnabled(bool enabled);
+    void setVisible(bool visible);
+    [[nodiscard]] const Parameter& parameter() const { return parameter_; }
+    [[nodiscard]] QSlider* slider() const { return slider_; }
+    [[nodiscard]] QDoubleSpinBox* number() const { return number_; }
+    [[nodiscard]] QComboBox* choice() const { return choice_; }
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    /// The user turned it. `dragging`: more will follow before dragEnded().
+    void changed(double value, bool dragging);
+    void dragEnded();
+    /// A double-click: back to the value of the preset.
+    void resetWanted();
+
+private:
+    void addNumber(QGridLayout& grid, int row, QWidget* parent);
+    void addChoice(QGridLayout& grid, int row, QWidget* parent);
+    void tell(double value);
+    bool stepByKey(const QKeyEvent& event);
+    [[nodiscard]] bool numericChoices() const;
+
+    const Parameter& parameter_;
+    QLabel* label_ = nullptr;
+    QSlider* slider_ = nullptr;            // null for a choice without order
+    QDoubleSpinBox* number_ = nullptr;     // null for choices
+    QComboBox* choice_ = nullptr;          // null for numbers
+    QAbstractButton* automatic_ = nullptr; // null where there is no automatic value
+    bool showing_ = false;
+};
+
+} // namespace edgescan::ui

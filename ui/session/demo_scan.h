@@ -1,0 +1,14 @@
+// The demo draw-bell: simulated at the first start, then read from the cache folder.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/scan.h"
+
+#include <functional>
+
+namespace edgescan::ui {
+
+/// 1141 x 1000 sweep of the scene `hangup`. Any thread. False from `progress` cancels: Error "cancelled".
+[[nodiscard]] Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress);
+
+} // namespace edgescan::ui

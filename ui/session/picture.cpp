@@ -1,0 +1,84 @@
+// Images of a frame.
+#include "ui/session/picture.h"
+
+#include <QColor>
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan::ui {
+namespace {
+
+// VIEWER.md 2.5: dark violet cannot be mistaken for 0 m or 40 m; the hatch tells it apart without colour.
+constexpr QRgb kMissing = qRgb(40, 20, 60);
+constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
+constexpr QRgb kStatus = qRgb(70, 20, 50);
+constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
+
+QRgb missingColour(CellState state, int line, int beam) {
+    const bool stripe = (line + beam) % 4 == 0;
+    if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
+    return stripe ? kMissingHatch : kMissing;
+}
+
+template <class ValidColour>
+QImage paintCells(const Scan& scan, ValidColour validColour) {
+    QImage image(scan.beams(), scan.lines(), QImage::Format_RGB32);
+    std::size_t k = 0;
+    for (int line = 0; line < scan.lines(); ++line) {
+        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
+        for (int beam = 0; beam < scan.beams(); ++beam, ++k) {
+            const CellState state = scan.state[k];
+            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam);
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+QImage grayPicture(const Frame& frame, DisplayLevels levels) {
+    std::array<QRgb, 256> table{};
+    const double span = std::max(1, levels.white - levels.black);
+    for (int level = 0; level < 256; ++level) {
+        const int shown = static_cast<int>(std::clamp((level - levels.black) * 255.0 / span, 0.0, 255.0));
+        table[static_cast<std::size_t>(level)] = qRgb(shown, shown, shown);
+    }
+    return paintCells(*frame.scan, [&](std::size_t k) { return table[frame.gray->levels[k]]; });
+}
+
+QImage edgePicture(const Frame& frame) {
+    QImage image = paintCells(*frame.scan, [](std::size_t) { return qRgb(0, 0, 0); });
+    // Edges last: without masking they also lie on cells without a range.
+    const int beams = frame.scan->beams();
+    for (const std::uint32_t k : *frame.edges) {
+        const int cell = static_cast<int>(k);
+        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = qRgb(255, 255, 255);
+    }
+    return image;
+}
+
+QImage edgeOverlay(const Frame& frame, QColor colour) {
+    const int beams = frame.scan->beams();
+    QImage image(beams, frame.scan->lines(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    for (const std::uint32_t k : *frame.edges) {
+        const int cell = static_cast<int>(k);
+        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = colour.rgba();
+    }
+    return image;
+}
+
+std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const CloudGeometry>& cloud,
+                                           const std::shared_ptr<const Picture>& last) {
+    auto picture = std::make_shared<Picture>();
+    picture->frame = frame;
+    picture->cloud = cloud;
+    const bool grayHolds = last && last->frame->gray == frame->gray && last->frame->scan == frame->scan;
+    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*frame, {}));
+    picture->edges = std::make_shared<const QImage>(edgePicture(*frame));
+    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*frame, QColor(0, 255, 0)));
+    return picture;
+}
+
+} // namespace edgescan::ui

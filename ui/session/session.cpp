@@ -1,0 +1,189 @@
+// The one bridge between the window and the core's threads.
+#include "ui/session/session.h"
+
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "core/scan/range_picture.h"
+#include "ui/session/demo_scan.h"
+
+#include <QFileInfo>
+#include <QMetaObject>
+
+#include <new>
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+Error outOfMemory(const QString& where) {
+    return {"there is not enough memory for this scan", where.toStdString(), "close other programs or open a smaller scan"};
+}
+
+struct Opening {
+    std::shared_ptr<const Scan> scan;
+    std::shared_ptr<const CloudGeometry> cloud;
+};
+
+Result<Opening> readScan(const std::function<Result<Scan>(const BackgroundJob::Progress&)>& work, const BackgroundJob::Progress& progress,
+                         const QString& path) {
+    try {
+        Result<Scan> scan = work(progress);
+        if (!scan) return scan.error();
+        progress("points", 0.0);
+        auto shared = std::make_shared<const Scan>(std::move(*scan));
+        return Opening{shared, makeCloudGeometry(*shared)};
+    } catch (const std::bad_alloc&) {
+        return outOfMemory(path);
+    }
+}
+
+struct Saving {
+    Result<Done> result;
+    std::size_t count = 0;
+};
+
+Saving write(Session::Export what, const Frame& frame, const std::string& path) {
+    const Scan& scan = *frame.scan;
+    switch (what) {
+    case Session::Export::EdgeCloud:
+        return {saveEdges(scan, *frame.mask, path), frame.edges->size()};
+    case Session::Export::FullCloud:
+        return {saveCloud(scan, path, frame.mask.get()), countCells(scan)[0]};
+    case Session::Export::EdgeImage:
+        return {savePng8(*frame.mask, path), scan.cells()};
+    case Session::Export::GrayImage:
+        return {savePng8(frame.gray->levels, path), scan.cells()};
+    case Session::Export::RangeImage:
+        return {savePng16(rangePicture(scan), path), scan.cells()};
+    }
+    return {Done{}, 0};
+}
+
+} // namespace
+
+Session::Session(QObject* parent) : QObject(parent), worker_([this] { present(); }) { worker_.post(settings_); }
+
+Session::~Session() = default;
+
+void Session::open(const QString& path, const OpenOptions& options) {
+    const std::string file = path.toStdString();
+    startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const BackgroundJob::Progress& progress) {
+        OpenOptions withProgress = options;
+        withProgress.progress = progress;
+        return openScan(file, withProgress);
+    });
+}
+
+void Session::openDemo() {
+    startOpening(tr("Making the demo draw-bell"), QString(), [](const BackgroundJob::Progress& progress) { return demoScan(progress); });
+}
+
+void Session::cancel() {
+    if (job_ != nullptr) job_->cancel();
+}
+
+void Session::setSettings(const Settings& settings) {
+    if (settings == settings_) return;
+    settings_ = settings;
+    worker_.post(settings_);
+    emit settingsChanged();
+}
+
+bool Session::behind() const {
+    if (posted_ == nullptr) return false;
+    return picture_ == nullptr || picture_->frame->scan != posted_ || !(picture_->frame->settings == settings_);
+}
+
+void Session::save(Export what, const QString& path) {
+    if (picture_ == nullptr) return;
+    const auto frame = picture_->frame;
+    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, frame, path](const BackgroundJob::Progress& progress) {
+        progress("writing", 0.0);
+        Saving saving{Done{}, 0};
+        try {
+            saving = write(what, *frame, path.toStdString());
+        } catch (const std::bad_alloc&) {
+            saving.result = outOfMemory(path);
+        }
+        return [this, saving, path] {
+            if (saving.result)
+                emit saved(path, static_cast<qint64>(saving.count));
+            else
+                emit failed(QString::fromStdString(saving.result.error().sentence()));
+        };
+    });
+}
+
+void Session::startOpening(const QString& title, const QString& path, OpenWork work) {
+    startJob(title, [this, path, work = std::move(work)](const BackgroundJob::Progress& progress) -> std::function<void()> {
+        const Result<Opening> opening = readScan(work, progress, path);
+        return [this, opening, path] {
+            if (!opening) {
+                emit failed(QString::fromStdString(opening.error().sentence()));
+                return;
+            }
+            posted_ = opening->scan;
+            {
+                const std::lock_guard lock(slotMutex_);
+                postedCloud_ = opening->cloud;
+                postedCloudScan_ = opening->scan;
+            }
+            worker_.post(opening->scan);
+            emit opened(path);
+        };
+    });
+}
+
+void Session::startJob(const QString& title, BackgroundJob::Work work) {
+    if (job_ != nullptr) {
+        // Newest wins: the old job is told to stop and delivers nothing; it is deleted when its thread has ended.
+        disconnect(job_, nullptr, this, nullptr);
+        job_->cancel();
+        connect(job_, &BackgroundJob::ended, job_, &QObject::deleteLater);
+        emit workEnded();
+    }
+    job_ = new BackgroundJob(std::move(work), this);
+    BackgroundJob* job = job_;
+    connect(job, &BackgroundJob::progressed, this, &Session::workProgressed);
+    connect(job, &BackgroundJob::ended, this, [this, job] {
+        job_ = nullptr;
+        job->deleteLater();
+        emit workEnded();
+    });
+    emit workStarted(title);
+}
+
+void Session::present() {
+    const std::shared_ptr<const Frame> frame = worker_.take();
+    if (!frame) return;
+    std::shared_ptr<const CloudGeometry> cloud;
+    {
+        const std::lock_guard lock(slotMutex_);
+        if (postedCloudScan_ != frame->scan) return; // a newer scan was posted; its own frame follows
+        cloud = postedCloud_;
+    }
+    lastMade_ = makePicture(frame, cloud, lastMade_);
+    bool unread = false;
+    {
+        const std::lock_guard lock(slotMutex_);
+        unread = slot_ != nullptr;
+        slot_ = lastMade_;
+    }
+    // One event at a time: an unread picture was overwritten, and its event is still on the way.
+    if (!unread)
+        QMetaObject::invokeMethod(
+            this, [this] { takePicture(); }, Qt::QueuedConnection);
+}
+
+void Session::takePicture() {
+    std::shared_ptr<const Picture> newest;
+    {
+        const std::lock_guard lock(slotMutex_);
+        newest = std::exchange(slot_, nullptr);
+    }
+    if (!newest) return;
+    picture_ = std::move(newest);
+    emit pictureReady();
+}
+
+} // namespace edgescan::ui

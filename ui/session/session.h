@@ -1,0 +1,79 @@
+// The one bridge between the window and the core's threads: opens scans, runs the method, saves results.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/edges/settings.h"
+#include "core/edges/worker.h"
+#include "core/files/open_scan.h"
+#include "ui/session/background_job.h"
+#include "ui/session/picture.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+namespace edgescan::ui {
+
+/// GUI thread only. What is on the screen stays until the next scan has its first picture.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
+    void open(const QString& path, const OpenOptions& options = {});
+    /// The demo draw-bell: simulated once, then kept in the cache folder.
+    void openDemo();
+    /// Gives up the opening or saving that is under way.
+    void cancel();
+    [[nodiscard]] bool working() const { return job_ != nullptr; }
+
+    void setSettings(const Settings& settings);
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    /// The picture shown was not computed with settings(), or not of the scan posted last.
+    [[nodiscard]] bool behind() const;
+
+    /// The newest picture, null before the first.
+    [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+
+    /// What can be saved of the picture shown.
+    enum class Export { EdgeCloud, FullCloud, EdgeImage, GrayImage, RangeImage };
+    void save(Export what, const QString& path);
+
+signals:
+    void workStarted(const QString& title);
+    void workProgressed(const QString& stage, double fraction);
+    void workEnded();
+    /// A scan was read; its first picture follows.
+    void opened(const QString& path);
+    /// `count`: points or cells in the file.
+    void saved(const QString& path, qint64 count);
+    void failed(const QString& sentence);
+    void settingsChanged();
+    void pictureReady();
+
+private:
+    using OpenWork = std::function<Result<Scan>(const BackgroundJob::Progress&)>;
+    void startOpening(const QString& title, const QString& path, OpenWork work);
+    void startJob(const QString& title, BackgroundJob::Work work);
+    void present(); // worker's thread
+    void takePicture();
+
+    Settings settings_;
+    std::shared_ptr<const Picture> picture_;
+    std::shared_ptr<const Scan> posted_;
+    BackgroundJob* job_ = nullptr; // child
+
+    std::mutex slotMutex_;
+    std::shared_ptr<const Picture> slot_; // newest picture that the GUI thread did not take yet
+    std::shared_ptr<const CloudGeometry> postedCloud_;
+    std::shared_ptr<const Scan> postedCloudScan_;
+    std::shared_ptr<const Picture> lastMade_; // worker's thread only
+    Worker worker_;                           // last: its thread uses all of the above, and is joined before they go
+};
+
+} // namespace edgescan::ui
