@@ -8,6 +8,8 @@
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -18,18 +20,38 @@
 #include <vtkSphereSource.h>
 #include <vtkTypeInt32Array.h>
 
+#include <qopengl.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace edgescan::ui {
 namespace {
 
 // Edge points are drawn this share of their distance nearer, at the same place on the screen: in front of the rock they
 // lie on, still behind rock that is really nearer.
-constexpr double kEdgeNearer = 0.006;
-constexpr double kHaloNearer = 0.004;
+constexpr double kEdgeNearer = 0.010;
+constexpr double kHaloNearer = 0.007;
 constexpr double kEdgeLarger = 2.0; // VIEWER.md 2.5
+constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
+
+// A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
+class HaloMapper : public vtkOpenGLPolyDataMapper {
+public:
+    static HaloMapper* New() {
+        auto* mapper = new HaloMapper;
+        mapper->InitializeObjectBase();
+        return mapper;
+    }
+    void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override {
+        vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+        state->vtkglDepthMask(GL_FALSE);
+        vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+        state->vtkglDepthMask(GL_TRUE);
+    }
+};
 
 void setColour(vtkActor* actor, const QColor& colour) { actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF()); }
 
@@ -48,7 +70,8 @@ void pullNearer(vtkActor* actor, const CameraPose& pose, double share) {
 
 } // namespace
 
-CloudScene::Layer::Layer() : mapper(vtkSmartPointer<vtkPolyDataMapper>::New()) {
+CloudScene::Layer::Layer(vtkSmartPointer<vtkPolyDataMapper> with) : mapper(std::move(with)) {
+    if (!mapper) mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(data);
     mapper->ScalarVisibilityOff();
     mapper->StaticOn(); // the data never comes from a pipeline
@@ -62,7 +85,7 @@ CloudScene::Layer::Layer() : mapper(vtkSmartPointer<vtkPolyDataMapper>::New()) {
     actor->VisibilityOff();
 }
 
-void CloudScene::Layer::setCells(vtkPoints* points, const std::vector<std::uint32_t>& cells) {
+void CloudScene::Layer::setCells(vtkPoints* points, std::span<const std::uint32_t> cells) {
     vtkNew<vtkCellArray> verts;
     if (!cells.empty()) {
         // One poly-vertex cell over the caller's own numbers: nothing is copied on this side.
@@ -78,7 +101,7 @@ void CloudScene::Layer::setCells(vtkPoints* points, const std::vector<std::uint3
     data->SetVerts(verts);
 }
 
-CloudScene::CloudScene(vtkRenderWindow* window) {
+CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapper>::New()) {
     window->SetMultiSamples(0);
     window->AddRenderer(renderer_);
     // The culler would walk through all points for their bounds; the clip range is ours.
@@ -120,7 +143,11 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         parts_[i].actor->VisibilityOff();
-        parts_[i].setCells(points_, cloud ? cloud->drawOrder[i] : std::vector<std::uint32_t>());
+        if (cloud) {
+            parts_[i].setCells(points_, cloud->drawOrder[i]);
+        } else {
+            parts_[i].setCells(nullptr, {});
+        }
     }
     cloud_ = std::move(cloud); // only now may the floats of the cloud before go
 }
@@ -133,9 +160,12 @@ void CloudScene::setEdges(std::shared_ptr<const std::vector<std::uint32_t>> cell
         cells = std::move(kept);
     }
     const bool some = cells && cloud_ && !cells->empty();
-    const std::vector<std::uint32_t> none;
     for (Layer* layer : {&halo_, &edge_}) {
-        layer->setCells(points_, some ? *cells : none);
+        if (some) {
+            layer->setCells(points_, *cells);
+        } else {
+            layer->setCells(nullptr, {}); // never the floats of a cloud that goes
+        }
         layer->actor->SetVisibility(some && edgesShown_);
     }
     edges_ = some ? std::move(cells) : nullptr;
@@ -145,10 +175,8 @@ std::size_t CloudScene::edgesDrawn() const { return edges_ && edgesShown_ ? edge
 
 void CloudScene::setLook(const CloudLook& look) {
     renderer_->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
-    for (Layer& part : parts_) {
-        setColour(part.actor, look.cloud);
-        part.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize));
-    }
+    for (Layer& part : parts_) setColour(part.actor, look.cloud);
+    pointSize_ = look.pointSize;
     setColour(edge_.actor, look.edge);
     edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger + 2.0 * look.halo));
@@ -171,9 +199,13 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
 
 bool CloudScene::setLastPart(int last) {
     bool first = false;
+    // Fewer points are drawn larger, so that a surface stays a surface while the camera moves.
+    const double larger = std::clamp(std::sqrt(0.5 / kPartEnds[static_cast<std::size_t>(last)]), 1.0, kLargestGrowth);
+    const auto size = static_cast<float>(std::round(pointSize_ * larger));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const bool shown = static_cast<int>(i) <= last && cloud_ && !cloud_->drawOrder[i].empty();
         parts_[i].actor->SetVisibility(shown);
+        parts_[i].actor->GetProperty()->SetPointSize(size);
         first = first || (shown && !uploaded_[i]);
         uploaded_[i] = uploaded_[i] || shown;
     }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 class vtkActor;
@@ -52,8 +53,9 @@ public:
 
 private:
     struct Layer {
-        Layer();
-        void setCells(vtkPoints* points, const std::vector<std::uint32_t>& cells);
+        explicit Layer(vtkSmartPointer<vtkPolyDataMapper> with = nullptr);
+        /// The cells are not copied and must outlive their use.
+        void setCells(vtkPoints* points, std::span<const std::uint32_t> cells);
         vtkNew<vtkPolyData> data;
         vtkSmartPointer<vtkPolyDataMapper> mapper;
         vtkNew<vtkActor> actor;
@@ -69,6 +71,7 @@ private:
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;
     bool edgesShown_ = true;
+    double pointSize_ = 2.0;
 };
 
 } // namespace edgescan::ui

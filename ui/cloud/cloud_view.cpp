@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGuessMsPerPoint = 1.3e-4; // llvmpipe; only until the first frame is measured
+constexpr double kGuessMsPerPoint = 2.5e-4; // llvmpipe on a busy machine; only until frames are measured
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
 const QColor kCloudDimmed(121, 121, 121);   // contrast figures in VIEWER.md 2.5
 const QColor kCloudBright(230, 230, 230);
@@ -58,6 +58,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
         budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0);
     }
+    restTimer_.start(kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse until it pauses
     if (camera == Camera::Keep && before && cloud_ && before->validCount > 0) {
         const Vector3d shift = before->originM - cloud_->originM;
         pose_.position += shift;
@@ -147,7 +148,8 @@ void CloudView::paintGL() {
     const bool changed = fraction != drawnFraction_;
     drawnFraction_ = fraction;
     if (!uploads && cloud_) budget_.measured(fraction, lastFrameMs_);
-    const bool canDoMore = cloud_ && !moving && !drawAll_ && budget_.lastPart(false) > last;
+    // A frame that uploads says nothing about the next one; each part uploads once, so this ends.
+    const bool canDoMore = cloud_ && !moving && !drawAll_ && (uploads || budget_.lastPart(false) > last);
     // Slots must not run inside a paint event.
     QMetaObject::invokeMethod(
         this,

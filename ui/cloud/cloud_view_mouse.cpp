@@ -110,7 +110,7 @@ void CloudView::drag(QPointF at) {
     } else if (drag_ == DragAction::Roll) {
         const QPointF middle = QRectF(rect()).center();
         const double degrees = QLineF(middle, lastAt_).angleTo(QLineF(middle, at)); // counter-clockwise, 0 .. 360
-        pose_ = rolled(pose_, -std::remainder(degrees, 360.0) * std::numbers::pi / 180.0);
+        pose_ = rolled(pose_, std::remainder(degrees, 360.0) * std::numbers::pi / 180.0);
     }
     moved();
 }

@@ -10,7 +10,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kRemembered = 12;
-constexpr double kGuessedBase = 0.15; // share of a frame that does not depend on the points, while all frames are alike
+constexpr double kLeastSlope = 0.6; // of what it would be if a frame cost nothing but its points
 
 } // namespace
 
@@ -41,13 +41,10 @@ void DrawingBudget::fit() {
     const double meanX = sx / n;
     const double meanY = sy / n;
     const double varX = sxx / n - meanX * meanX;
-    const double alike = 0.01 * meanX * meanX;
-    slope_ = varX > alike ? (sxy / n - meanX * meanY) / varX : 0.0;
+    const double measuredSlope = varX > 0.01 * meanX * meanX ? (sxy / n - meanX * meanY) / varX : 0.0;
+    // Frames that differ little or by chance must not promise that more points are nearly free.
+    slope_ = std::clamp(measuredSlope, kLeastSlope * meanY / meanX, meanY / meanX);
     base_ = meanY - slope_ * meanX;
-    if (varX <= alike || slope_ <= 0.0 || base_ < 0.0) {
-        base_ = kGuessedBase * meanY;
-        slope_ = (meanY - base_) / std::max(1e-6, meanX);
-    }
 }
 
 double DrawingBudget::expectedMs(double fraction) const { return base_ + slope_ * fraction; }
