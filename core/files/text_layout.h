@@ -16,11 +16,19 @@ struct TextLayout {
     std::size_t firstLine = 1;               ///< its line number, from 1
     char separator = ' ';                    ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
     bool decimalComma = false;               ///< 1,5;2,25
+    bool trailingSeparator = false;          ///< every row ends with a separator that begins no cell
     std::size_t columns = 0;                 ///< of the first row
     std::vector<std::string> names;          ///< column names of the header, lower case; empty when there is none
     std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
     std::string description;                 ///< JSON of our own "# edgescan " comment lines
 };
+
+/// Length of the line that starts at `from`, without its end; and where the next one starts. CR, LF and CRLF end a line.
+struct TextLine {
+    std::string_view text;
+    std::size_t next = 0;
+};
+[[nodiscard]] TextLine textLineAt(std::string_view text, std::size_t from);
 
 /// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
 [[nodiscard]] std::optional<std::size_t> firstByteThatIsNoText(std::string_view text);
@@ -48,16 +56,19 @@ public:
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
 
 private:
-    bool readCell(const char*& at, const char* end, std::vector<double>& numbers);
+    bool readRow(std::vector<double>& numbers);
+    bool readCell(std::vector<double>& numbers);
     void countDigits(const char* from, const char* to);
 
     const Source* source_;
     const char* begin_;
     const char* at_;
     const char* end_;
-    char separator_;
-    bool decimalComma_;
+    const TextLayout* layout_;
+    const char* rowEnd_ = nullptr;
     std::size_t line_;
+    std::size_t nextLine_;
+    std::size_t rows_ = 0;
     PrintedDigits digits_;
     std::optional<Error> problem_;
 };

@@ -1,0 +1,251 @@
+// From points to a scan: our own files exactly, organised clouds as they are, lists by recognition.
+#include "core/files/point_table.h"
+
+#include "core/base/memory.h"
+#include "core/files/description.h"
+#include "core/scan/recognise_unit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+constexpr double kMetresPerMm = 0.001;
+constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
+
+bool isReturn(const Eigen::Vector3d& p) { return p.allFinite() && !p.isZero(0.0); }
+
+std::string numberText(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
+/// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
+Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / 20000);
+    for (const double scale : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+        std::size_t telling = 0;
+        std::size_t whole = 0;
+        for (std::size_t k = 0; k < points.size(); k += stride) {
+            if (!isReturn(points[k])) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double value = points[k][axis] * scale;
+                const double error = std::abs(value) * 2 * precision.relative + 1e-9;
+                if (error > 0.02) continue;
+                ++telling;
+                whole += std::abs(value - std::round(value)) <= error ? 1 : 0;
+            }
+        }
+        if (telling > 30 && whole * 1000 >= telling * 999) {
+            precision.absolute = std::max(precision.absolute, 0.5 / scale);
+            return precision;
+        }
+    }
+    return precision;
+}
+
+Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
+    std::vector<CellState> states;
+    states.reserve(table.state.size());
+    for (const std::uint8_t state : table.state) {
+        if (state >= kCellStates)
+            return source.refused("a cell has the state " + std::to_string(state) + ", which does not exist", "save the scan again");
+        states.push_back(static_cast<CellState>(state));
+    }
+    return states;
+}
+
+/// A scan that this program saved: every cell in order with range and state.
+Result<Scan> ownScan(PointTable& table, const Source& source) {
+    const auto grid = parseDescription(table.description, source.path.string());
+    if (!grid) return grid.error();
+    const std::size_t cells = table.points.size();
+    const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
+    if (grid->lines * grid->beams != cells)
+        return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
+    if (table.rangeMm.size() != cells || table.state.size() != cells) {
+        return source.refused("describes " + shape + " but has no columns range_mm and state",
+                              "save the scan again, or remove the comment lines");
+    }
+    auto states = statesOf(table, source);
+    if (!states) return states.error();
+    const int lines = static_cast<int>(grid->lines);
+    const int beams = static_cast<int>(grid->beams);
+    Scan scan;
+    scan.format = table.format;
+    scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
+    scan.state = Grid<CellState>(lines, beams, std::move(*states));
+    for (std::size_t k = 0; k < cells; ++k) {
+        if (scan.state[k] == CellState::Valid && !std::isfinite(scan.rangeMm[k]))
+            return source.refused("a valid cell has no finite range", "save the scan again");
+    }
+    scan.unitMm = grid->unitMm;
+    scan.noReturnCodes = grid->noReturnCodes;
+    scan.statusCodes = grid->statusCodes;
+    scan.note = grid->note;
+    if (grid->sensorM) {
+        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
+    } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
+        scan.geometry =
+            PolarGeometry{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
+    } else {
+        return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
+    }
+    return scan;
+}
+
+std::vector<double> rangesOf(const PointTable& table) {
+    std::vector<double> ranges;
+    ranges.reserve(table.points.size());
+    for (const Eigen::Vector3d& p : table.points) ranges.push_back(isReturn(p) ? (p - table.sensor).norm() : 0.0);
+    return ranges;
+}
+
+RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, const Source& source) {
+    std::vector<double> returns;
+    std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(returns), [](double r) { return r > 0; });
+    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
+    return recogniseUnit(returns, table.precision, known);
+}
+
+/// Ranges and states of a scan whose cells are points of the list.
+void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& unit, const Grid<std::uint32_t>& pointOf) {
+    scan.rangeMm = Grid<float>(pointOf.lines, pointOf.beams);
+    scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
+    for (std::size_t k = 0; k < pointOf.size(); ++k) {
+        if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
+        const double mm = ranges[pointOf[k]] * unit.mmPerUnit;
+        scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
+        scan.state[k] = CellState::Valid;
+    }
+    if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
+}
+
+PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& pointOf, const RangeUnit& unit) {
+    const double metres = unit.mmPerUnit * kMetresPerMm;
+    const Eigen::Vector3d missing = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    PointGeometry geometry{Grid<Eigen::Vector3d>(pointOf.lines, pointOf.beams, missing), table.sensor * metres};
+    for (std::size_t k = 0; k < pointOf.size(); ++k) {
+        if (pointOf[k] == RecognisedGrid::kNoPoint || !isReturn(table.points[pointOf[k]])) continue;
+        geometry.pointsM[k] = metres == 1.0 ? table.points[pointOf[k]] : Eigen::Vector3d(table.points[pointOf[k]] * metres);
+    }
+    return geometry;
+}
+
+void takeStatusCodes(Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return;
+    scan.statusCodes = lms2xxStatusCodes(scan.rangeMm, scan.state, *polar);
+    std::size_t cells = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const bool code = scan.state[k] == CellState::Valid &&
+                          std::find(scan.statusCodes.begin(), scan.statusCodes.end(), static_cast<std::uint32_t>(scan.rangeMm[k])) !=
+                              scan.statusCodes.end();
+        if (!code) continue;
+        scan.state[k] = CellState::DeviceStatus;
+        ++cells;
+    }
+    if (cells > 0) {
+        scan.warnings.push_back(std::to_string(cells) + " cells hold status codes of an LMS2xx from " +
+                                std::to_string(scan.statusCodes.front()) + " on instead of a range and were taken as such.");
+    }
+}
+
+Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& source) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    const RangeUnit unit = unitOf(table, ranges, source);
+    fillCells(scan, ranges, unit, grid.pointOf);
+    if (table.leftHanded) {
+        grid.geometry.lineDirection = -1.0;
+        scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+    }
+    if (table.sensor.isZero(0.0)) {
+        scan.geometry = std::move(grid.geometry);
+        if (unit.wholeMm) takeStatusCodes(scan);
+    } else {
+        scan.geometry = pointGeometry(table, grid.pointOf, unit);
+    }
+    std::move(grid.remarks.begin(), grid.remarks.end(), std::back_inserter(scan.warnings));
+    const std::size_t empty = countCells(scan)[static_cast<std::size_t>(CellState::NoReturn)];
+    if (!grid.complete && empty > 0) {
+        scan.warnings.push_back(std::to_string(empty) + " of " + std::to_string(scan.cells()) +
+                                " cells of the grid that was found have no point and count as no return.");
+    }
+    return scan;
+}
+
+Scan organisedScan(const PointTable& table, const Source& source) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
+    for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
+    fillCells(scan, ranges, unit, inOrder);
+    scan.geometry = pointGeometry(table, inOrder, unit);
+    return scan;
+}
+
+/// Where numbers are so large that 4-byte floats hold them only in coarse steps.
+std::string coarseStep(const PointTable& table) {
+    double largest = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    if (largest < 1e5 || table.precision.relative < 1e-8) return {}; // written with more digits than a float has
+    const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
+                      static_cast<double>(static_cast<float>(largest));
+    return "; numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
+           numberText(step);
+}
+
+Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, std::size_t rowLength) {
+    std::vector<Eigen::Vector3d> shifted;
+    std::span<const Eigen::Vector3d> points = table.points;
+    if (!table.sensor.isZero(0.0)) {
+        for (const Eigen::Vector3d& p : table.points)
+            shifted.push_back(isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        points = shifted;
+    }
+    PointList list{points, table.precision, rowLength, source.options->axis, {}};
+    list.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    return recogniseGrid(list);
+}
+
+} // namespace
+
+bool addToDescription(std::string_view comment, std::string& description) {
+    while (comment.starts_with(' ')) comment.remove_prefix(1);
+    while (comment.ends_with(' ') || comment.ends_with('\r')) comment.remove_suffix(1);
+    constexpr std::string_view kOurs = "edgescan ";
+    if (!comment.starts_with(kOurs)) return false;
+    comment.remove_prefix(kOurs.size());
+    if (description.empty() && !comment.starts_with('{')) return false;
+    description += comment;
+    return true;
+}
+
+Result<Scan> scanFromPoints(PointTable table, const Source& source) {
+    if (!table.description.empty()) return ownScan(table, source);
+    if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
+    if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
+    std::size_t infinite = 0;
+    for (const Eigen::Vector3d& p : table.points) infinite += p.array().isInf().any() ? 1 : 0;
+    table.precision = withDecimals(table.precision, table.points);
+    const bool organised = table.height > 1;
+    auto grid = recognise(table, source, organised ? table.width : 0);
+    if (!grid && grid.error().what == "cancelled") return source.cancelled();
+    if (!grid && !organised) return source.refused(grid.error().what + coarseStep(table), grid.error().todo);
+    Scan scan = grid ? recognisedScan(table, std::move(*grid), source) : organisedScan(table, source);
+    if (infinite > 0) scan.warnings.push_back(std::to_string(infinite) + " points with infinite coordinates were taken as no return.");
+    return scan;
+}
+
+} // namespace edgescan

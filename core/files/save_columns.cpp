@@ -1,0 +1,140 @@
+// Columns as PCD, PLY and text.
+#include "core/files/cloud_columns.h"
+
+#include "core/base/memory.h"
+#include "core/files/whole_file.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace edgescan {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
+
+template <class T>
+void appendNumber(std::string& text, T value) {
+    if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(value)) {
+            text += "nan";
+            return;
+        }
+    }
+    std::array<char, 40> digits{};
+    const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem == std::errc{}) text.append(digits.data(), end);
+}
+
+std::size_t rowsOf(const CloudColumns& cloud) { return cloud.width * cloud.height; }
+
+void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
+    for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
+        bool first = true;
+        for (const CloudColumn& column : cloud.columns) {
+            if (!first) text += separator;
+            first = false;
+            std::visit([&](const auto& values) { appendNumber(text, values[row]); }, column.values);
+        }
+        text += '\n';
+    }
+}
+
+/// Records one after the other, each column's values as they are in memory.
+void appendRecords(std::string& bytes, const CloudColumns& cloud) {
+    std::size_t record = 0;
+    for (const CloudColumn& column : cloud.columns) std::visit([&](const auto& values) { record += sizeof(values[0]); }, column.values);
+    const std::size_t start = bytes.size();
+    bytes.resize(start + record * rowsOf(cloud));
+    std::size_t offset = start;
+    for (const CloudColumn& column : cloud.columns) {
+        std::visit(
+            [&](const auto& values) {
+                char* at = bytes.data() + offset;
+                for (const auto value : values) {
+                    std::memcpy(at, &value, sizeof value);
+                    at += record;
+                }
+                offset += sizeof(values[0]);
+            },
+            column.values);
+    }
+}
+
+struct TypeNames {
+    const char* pcdSize;
+    const char* pcdType;
+    const char* ply;
+};
+TypeNames typeNamesOf(const CloudColumn& column) {
+    static constexpr std::array<TypeNames, 4> kNames{{{"4", "F", "float"}, {"8", "F", "double"}, {"4", "U", "uint"}, {"1", "U", "uchar"}}};
+    return kNames[column.values.index()];
+}
+
+template <class Word>
+std::string headerLine(const char* key, const CloudColumns& cloud, Word word) {
+    std::string line = key;
+    for (const CloudColumn& column : cloud.columns) line += std::string(" ") + word(column);
+    return line + "\n";
+}
+
+Result<Done> checkRoom(const CloudColumns& cloud, const std::filesystem::path& path, std::uint64_t bytesPerNumber) {
+    return checkMemory(std::uint64_t{rowsOf(cloud)} * cloud.columns.size() * bytesPerNumber, path.string());
+}
+
+} // namespace
+
+Result<Done> savePcd(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii) {
+    if (auto enough = checkRoom(cloud, path, ascii ? 12 : 8); !enough) return enough.error();
+    std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
+    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
+    text += "VERSION 0.7\n";
+    text += headerLine("FIELDS", cloud, [](const CloudColumn& c) { return c.name; });
+    text += headerLine("SIZE", cloud, [](const CloudColumn& c) { return typeNamesOf(c).pcdSize; });
+    text += headerLine("TYPE", cloud, [](const CloudColumn& c) { return typeNamesOf(c).pcdType; });
+    text += headerLine("COUNT", cloud, [](const CloudColumn&) { return "1"; });
+    text += "WIDTH " + std::to_string(cloud.width) + "\nHEIGHT " + std::to_string(cloud.height) + "\nVIEWPOINT ";
+    for (int axis = 0; axis < 3; ++axis) {
+        appendNumber(text, cloud.sensorM[axis]);
+        text += ' ';
+    }
+    text += "1 0 0 0\nPOINTS " + std::to_string(rowsOf(cloud)) + "\nDATA " + (ascii ? "ascii" : "binary") + "\n";
+    if (ascii)
+        appendRows(text, cloud, ' ');
+    else
+        appendRecords(text, cloud);
+    return writeWholeFile(path, text);
+}
+
+Result<Done> savePly(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii) {
+    if (auto enough = checkRoom(cloud, path, ascii ? 12 : 8); !enough) return enough.error();
+    std::string text = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
+    text += "comment EdgeScan, coordinates in metres\n";
+    for (const std::string& line : commentLines(cloud.description)) text += "comment " + line + "\n";
+    text += "element vertex " + std::to_string(rowsOf(cloud)) + "\n";
+    for (const CloudColumn& column : cloud.columns) text += std::string("property ") + typeNamesOf(column).ply + " " + column.name + "\n";
+    text += "end_header\n";
+    if (ascii)
+        appendRows(text, cloud, ' ');
+    else
+        appendRecords(text, cloud);
+    return writeWholeFile(path, text);
+}
+
+Result<Done> savePointText(const CloudColumns& cloud, const std::filesystem::path& path, char separator) {
+    if (auto enough = checkRoom(cloud, path, 12); !enough) return enough.error();
+    std::string text;
+    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
+    if (separator == ' ') text += "# "; // many readers of .xyz take no header line
+    for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
+        if (i > 0) text += separator;
+        text += cloud.columns[i].name + (i < 3 ? "_m" : "");
+    }
+    text += '\n';
+    appendRows(text, cloud, separator);
+    return writeWholeFile(path, text);
+}
+
+} // namespace edgescan

@@ -1,0 +1,288 @@
+// A list in any order, with points left out: plane angles and tilts gather in groups with voids between them.
+#include "core/scan/recognise_parts.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace edgescan::recognition {
+namespace {
+
+constexpr double kShareOnGrid = 0.99;
+constexpr double kLeastFill = 0.05;        // of the cells; below, any cloud would fit
+constexpr std::size_t kPointsPerGroup = 3; // on average, at least
+constexpr std::size_t kThresholdsTried = 4;
+constexpr double kSmallestVoid = 1e-9; // radians; closer angles are the same in any file
+constexpr std::uint32_t kNone = RecognisedGrid::kNoPoint;
+
+/// Group centres on a circle, ascending and continuous.
+struct Ring {
+    double period = 2 * kPi;
+    std::vector<double> centres;
+
+    struct Nearest {
+        std::size_t group = 0;
+        double distance = 0.0;
+        double voidWidth = 0.0; ///< to the neighbour on that side
+    };
+    [[nodiscard]] Nearest nearest(double angle) const {
+        if (centres.size() == 1) return {0, std::abs(std::remainder(angle - centres[0], period)), period};
+        const double at = centres[0] + std::fmod(std::fmod(angle - centres[0], period) + period, period);
+        const auto right = static_cast<std::size_t>(std::upper_bound(centres.begin(), centres.end(), at) - centres.begin()); // at least 1
+        const double left = at - centres[right - 1];
+        const double next = (right < centres.size() ? centres[right] : centres[0] + period);
+        const bool toLeft = left <= next - at;
+        return {toLeft ? right - 1 : right % centres.size(), toLeft ? left : next - at, next - centres[right - 1]};
+    }
+    /// Begins after the widest void when one stands out, else at the smallest angle from 0.
+    void cutAtWidestVoid() {
+        if (centres.size() < 2) return;
+        std::vector<double> voids;
+        for (std::size_t i = 0; i < centres.size(); ++i) {
+            voids.push_back(i + 1 < centres.size() ? centres[i + 1] - centres[i] : centres[0] + period - centres[i]);
+        }
+        const auto widest = std::max_element(voids.begin(), voids.end());
+        std::vector<double> sorted = voids;
+        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+        if (*widest <= 2 * sorted[sorted.size() / 2]) return;
+        const auto shift = static_cast<std::size_t>(widest - voids.begin() + 1) % centres.size();
+        std::rotate(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(shift), centres.end());
+        for (std::size_t i = 1; i < centres.size(); ++i) {
+            if (centres[i] < centres[i - 1]) centres[i] += period;
+        }
+    }
+};
+
+/// The rings that the voids between sorted angles suggest, the clearest first.
+std::vector<Ring> ringsIn(std::vector<double> angles, double period) {
+    std::vector<Ring> rings;
+    if (angles.size() < 4) return rings;
+    for (double& angle : angles) angle = std::fmod(std::fmod(angle, period) + period, period);
+    std::sort(angles.begin(), angles.end());
+    std::vector<double> voids(angles.size());
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) voids[i] = angles[i + 1] - angles[i];
+    voids.back() = angles.front() + period - angles.back();
+    std::vector<double> widest = voids;
+    const std::size_t most = angles.size() / kPointsPerGroup;
+    std::partial_sort(widest.begin(), widest.begin() + static_cast<std::ptrdiff_t>(most + 1), widest.end(), std::greater<>());
+    std::vector<std::pair<double, std::size_t>> steps; // how much narrower the next void is, number of groups
+    for (std::size_t i = 0; i < most; ++i)
+        steps.emplace_back(std::max(widest[i], kSmallestVoid) / std::max(widest[i + 1], kSmallestVoid), i + 1);
+    const std::size_t tried = std::min(kThresholdsTried, steps.size());
+    std::partial_sort(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(tried), steps.end(), std::greater<>());
+    for (std::size_t t = 0; t < tried && steps[t].first > 1.5; ++t) {
+        const double threshold = widest[steps[t].second - 1];
+        Ring ring;
+        ring.period = period;
+        const auto from =
+            static_cast<std::size_t>(std::find_if(voids.begin(), voids.end(), [&](double v) { return v >= threshold; }) - voids.begin()) +
+            1;
+        double sum = 0;
+        double count = 0;
+        for (std::size_t n = 0; n < angles.size(); ++n) {
+            const std::size_t i = (from + n) % angles.size();
+            sum += angles[i] + (from + n >= angles.size() ? period : 0.0);
+            ++count;
+            if (voids[i] < threshold) continue;
+            ring.centres.push_back(sum / count);
+            sum = count = 0;
+        }
+        ring.cutAtWidestVoid();
+        rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+/// One point that has a return.
+struct Return {
+    std::uint32_t point = 0;
+    double plane = 0.0, planeError = 0.0, tiltError = 0.0;
+    std::uint32_t line = kNone, beam = kNone;
+    bool unsure = false; ///< too near the axis, or written too coarsely, to tell its line
+    bool off = false;    ///< between the lines
+};
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+class GroupFitter {
+public:
+    GroupFitter(std::span<const AxisPoint> points, const Precision& precision, double period) : points_(points), period_(period) {
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const AxisPoint& p = points[k];
+            if (p.missing()) continue;
+            const double range = p.range();
+            const double eps = precision.absolute + precision.relative * range;
+            const double radius = std::sqrt(p.squaredRadius());
+            Return r;
+            r.point = static_cast<std::uint32_t>(k);
+            r.plane = p.plane();
+            r.planeError = radius > 0 ? eps / radius : kPi;
+            r.tiltError = eps / range;
+            returns_.push_back(r);
+        }
+    }
+
+    std::optional<Fit> fit(NoFit& seen) {
+        if (returns_.size() < 12) return std::nullopt;
+        const auto lineRings = ringsIn(preciseAngles(&Return::planeError, [](const Return& r) { return r.plane; }), period_);
+        for (const Ring& lines : lineRings) {
+            const double sure = placeInLines(lines);
+            remember(seen, lines.centres.size(), 0, sure);
+            if (sure < kShareOnGrid) continue;
+            const auto tilt = [&](const Return& r) { return tiltOf(r, lines); };
+            for (const Ring& beams : ringsIn(preciseAngles(&Return::tiltError, tilt), 2 * kPi)) {
+                const double placed = placeInBeams(lines, beams);
+                remember(seen, lines.centres.size(), beams.centres.size(), placed);
+                if (placed < kShareOnGrid || beams.centres.size() < 2) continue;
+                if (returns_.size() < kPointsPerGroup * (lines.centres.size() + beams.centres.size())) continue;
+                settleUnsure(lines, beams);
+                if (auto found = filled(lines, beams)) return found;
+            }
+        }
+        return std::nullopt;
+    }
+    /// How often the line changes from one point of the list to the next; shows which reading the file was written in.
+    [[nodiscard]] std::size_t lineChanges() const {
+        std::size_t changes = 0;
+        for (std::size_t n = 1; n < returns_.size(); ++n) changes += returns_[n].line != returns_[n - 1].line ? 1 : 0;
+        return changes;
+    }
+    [[nodiscard]] std::size_t returns() const { return returns_.size(); }
+
+private:
+    static void remember(NoFit& seen, std::size_t lines, std::size_t beams, double share) {
+        if (lines < 2 || beams == 1) return; // a single group holds any cloud
+        if (share * (beams > 0 ? 2 : 1) <= seen.onGrid * (seen.beams > 0 ? 2 : 1)) return;
+        seen = {lines, beams, share};
+    }
+    /// Angles of the half of the points that tell them best.
+    template <class Angle>
+    std::vector<double> preciseAngles(double Return::*error, Angle angle) const {
+        std::vector<double> errors;
+        for (const Return& r : returns_) errors.push_back(r.*error);
+        const double limit = medianOf(std::move(errors)) * 1.0000001;
+        std::vector<double> angles;
+        for (const Return& r : returns_) {
+            if (r.*error <= limit) angles.push_back(angle(r));
+        }
+        return angles;
+    }
+    [[nodiscard]] double tiltOf(const Return& r, const Ring& lines) const {
+        const AxisPoint& p = points_[r.point];
+        if (r.unsure) return std::atan2(std::sqrt(p.squaredRadius()), p.u);
+        const double plane = lines.centres[r.line];
+        return std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u);
+    }
+    /// Share of the points whose line is told and right.
+    double placeInLines(const Ring& lines) {
+        std::size_t good = 0;
+        std::size_t told = 0;
+        for (Return& r : returns_) {
+            const Ring::Nearest near = lines.nearest(r.plane);
+            r.line = static_cast<std::uint32_t>(near.group);
+            r.unsure = 3 * r.planeError > 0.25 * std::min(near.voidWidth, 0.5);
+            r.off = !r.unsure && near.distance > 0.25 * near.voidWidth;
+            told += r.unsure ? 0 : 1;
+            good += r.unsure || r.off ? 0 : 1;
+        }
+        return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
+    }
+    double placeInBeams(const Ring& lines, const Ring& beams) {
+        std::size_t good = 0;
+        std::size_t told = 0;
+        for (Return& r : returns_) {
+            const Ring::Nearest near = beams.nearest(tiltOf(r, lines));
+            const bool coarse = 3 * r.tiltError > 0.25 * std::min(near.voidWidth, 0.5);
+            const bool close = near.distance <= 0.25 * near.voidWidth;
+            r.beam = close && !coarse ? static_cast<std::uint32_t>(near.group) : kNone;
+            told += coarse ? 0 : 1;
+            good += !coarse && close ? 1 : 0;
+        }
+        return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
+    }
+    /// A point on the axis belongs to the line of its neighbours in the list, if the list is ordered.
+    void settleUnsure(const Ring& lines, const Ring& beams) {
+        const bool ascending = beamsAscend();
+        std::vector<std::size_t> nextTold(returns_.size() + 1, returns_.size());
+        for (std::size_t n = returns_.size(); n-- > 0;) nextTold[n] = returns_[n].unsure ? nextTold[n + 1] : n;
+        for (std::size_t n = 0; n < returns_.size(); ++n) {
+            Return& r = returns_[n];
+            if (!r.unsure || r.beam == kNone) continue;
+            const auto fits = [&](std::size_t other, bool otherIsLater) {
+                if (other >= returns_.size() || returns_[other].line == kNone || returns_[other].beam == kNone) return false;
+                return otherIsLater == ascending ? r.beam < returns_[other].beam : r.beam > returns_[other].beam;
+            };
+            const std::size_t before = n == 0 ? returns_.size() : n - 1; // already settled
+            const bool left = fits(before, false);
+            const bool right = fits(nextTold[n], true);
+            r.line = kNone;
+            if (left && right && returns_[before].line != returns_[nextTold[n]].line) continue;
+            if (!left && !right) continue;
+            r.line = returns_[left ? before : nextTold[n]].line;
+            const double plane = lines.centres[r.line]; // now the side of the axis is known
+            const AxisPoint& p = points_[r.point];
+            r.beam = static_cast<std::uint32_t>(beams.nearest(std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u)).group);
+        }
+    }
+    [[nodiscard]] bool beamsAscend() const {
+        std::ptrdiff_t votes = 0;
+        for (std::size_t n = 1; n < returns_.size(); ++n) {
+            const Return& a = returns_[n - 1];
+            const Return& b = returns_[n];
+            if (a.unsure || b.unsure || a.line != b.line || a.beam == kNone || b.beam == kNone) continue;
+            votes += b.beam > a.beam ? 1 : -1;
+        }
+        return votes >= 0;
+    }
+    std::optional<Fit> filled(const Ring& lines, const Ring& beams) {
+        const double cells = static_cast<double>(lines.centres.size()) * static_cast<double>(beams.centres.size());
+        if (static_cast<double>(returns_.size()) < kLeastFill * cells) return std::nullopt;
+        Fit fit;
+        fit.plane = lines.centres;
+        fit.tilt = beams.centres;
+        fit.pointOf = Grid<std::uint32_t>(static_cast<int>(lines.centres.size()), static_cast<int>(beams.centres.size()), kNone);
+        for (const Return& r : returns_) {
+            if (r.off || r.line == kNone || r.beam == kNone) {
+                ++fit.unplaced;
+                continue;
+            }
+            std::uint32_t& cell = fit.pointOf.at(static_cast<int>(r.line), static_cast<int>(r.beam));
+            if (cell != kNone) ++fit.doubled;
+            if (cell == kNone || points_[r.point].range() < points_[cell].range()) cell = r.point;
+        }
+        return fit;
+    }
+
+    std::span<const AxisPoint> points_;
+    double period_;
+    std::vector<Return> returns_;
+};
+
+double fillOf(const Fit& fit) {
+    const auto empty = static_cast<double>(std::count(fit.pointOf.cells.begin(), fit.pointOf.cells.end(), kNone));
+    return 1.0 - empty / static_cast<double>(fit.pointOf.size());
+}
+
+} // namespace
+
+std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision& precision, NoFit& seen) {
+    GroupFitter wholePlanes(points, precision, kPi);
+    GroupFitter halfPlanes(points, precision, 2 * kPi);
+    auto whole = wholePlanes.fit(seen);
+    auto half = halfPlanes.fit(seen);
+    if (!whole) return half;
+    if (half) {
+        // A fan on both sides of the axis and a turn of 360 degrees can be the same points. The fuller grid wins; when both are
+        // full, the one that the order of the list follows; a shuffled list is taken as a fan, which is our scanner.
+        const double ratio = fillOf(*half) / fillOf(*whole);
+        const bool ordered = halfPlanes.lineChanges() * 2 < halfPlanes.returns();
+        const bool halfInOrder = ordered && wholePlanes.lineChanges() * 4 > halfPlanes.lineChanges() * 3;
+        if (ratio > 1.3 || (ratio > 1 / 1.3 && halfInOrder)) return half;
+    }
+    return whole;
+}
+
+} // namespace edgescan::recognition
