@@ -1,0 +1,151 @@
+// edgescan-cli from outside: exit codes, JSON, files, and what it says when something is wrong.
+#include "core/files/open_scan.h"
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "core/report/report.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+using test::runCli;
+
+struct Cli : public ::testing::Test {
+    test::TemporaryFolder folder;
+    std::string scanPath = (folder / "boxes.json").string();
+
+    void SetUp() override { ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), scanPath)); }
+};
+
+bool sharedIsThere() { return std::filesystem::exists(EDGESCAN_SHARED_DIR); }
+
+TEST(CliReference, TheFoundingFigureThroughBothFiles) {
+    if (!sharedIsThere()) GTEST_SKIP() << "../shared is absent: the corridor scan cannot be opened";
+    const std::string corridor = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/";
+    for (const char* file : {"scan000.json", "scan000.u16", "scan000.3d"}) {
+        const auto run = runCli("detect " + corridor + file + " --preset thesis --lower 10 --json -");
+        ASSERT_EQ(run.code, 0) << run.err;
+        const json report = json::parse(run.out);
+        EXPECT_EQ(report["edges"], 3414) << file;
+        EXPECT_EQ(report["edge_mask_sha256"], "69e2b5c7c8390318c76d9fb9fcf395e4580fcc837c599f93354c8a369fd94cbf") << file;
+    }
+}
+
+TEST_F(Cli, DetectReportsEverythingOfTheContract) {
+    const auto run = runCli("detect " + scanPath + " --json - --preset window --lower 20");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const json report = json::parse(run.out);
+    for (const char* key : {"input", "sha256", "lines", "beams", "cells", "range_mm", "settings", "edges", "edge_mask_sha256", "timings_ms", "warnings", "version"}) {
+        EXPECT_TRUE(report.contains(key)) << key;
+    }
+    std::size_t sum = 0;
+    for (const char* state : {"valid", "no_return", "status", "out_of_window", "masked", "lost"}) sum += report["cells"].at(state).get<std::size_t>();
+    EXPECT_EQ(sum, 40U * 60U);
+    EXPECT_EQ(report["settings"]["lower"], 20);
+    EXPECT_EQ(report["settings"]["scaling"], "window");
+    EXPECT_EQ(report["settings"]["mask-missing"], "off");
+    EXPECT_EQ(report["sha256"].get<std::string>().size(), 64U);
+}
+
+TEST_F(Cli, EveryOutputIsWrittenAndBelongsToTheSameMask) {
+    const auto path = [&](const char* name) { return (folder / name).string(); };
+    const auto run = runCli("detect " + scanPath + " --json " + path("r.json") + " --mask " + path("m.png") + " --gray " + path("g.png") + " --range " +
+                            path("s.png") + " --edges " + path("e.csv") + " --cloud " + path("c.pcd"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out, "");
+    const json report = json::parse(test::fileText(folder / "r.json"));
+    const auto mask = readPng8(folder / "m.png");
+    ASSERT_TRUE(mask) << mask.error().sentence();
+    EXPECT_EQ(maskSha256(*mask), report["edge_mask_sha256"].get<std::string>());
+    const std::string edges = test::fileText(folder / "e.csv");
+    const auto rows = std::count(edges.begin(), edges.end(), '\n');
+    EXPECT_GE(rows, report["edges"].get<int>());
+    EXPECT_LE(rows, report["edges"].get<int>() + 12); // header and comments
+    const auto gray = readPng8(folder / "g.png");
+    ASSERT_TRUE(gray);
+    EXPECT_EQ(gray->lines, 40);
+    EXPECT_EQ(gray->beams, 60);
+    EXPECT_GT(std::filesystem::file_size(folder / "s.png"), 100U);
+    EXPECT_GT(std::filesystem::file_size(folder / "c.pcd"), 1000U);
+}
+
+TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
+    const std::string second = (folder / "second.json").string();
+    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 4), second));
+    const auto run = runCli("detect " + scanPath + " " + (folder / "missing.pcd").string() + " " + second + " -o " + (folder / "out").string());
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("missing.pcd"), std::string::npos);
+    for (const char* name : {"boxes_edges.json", "boxes_edges.png", "boxes_gray.png", "boxes_range.png", "boxes_edges.pcd", "boxes_cloud.pcd", "second_edges.json"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
+    }
+}
+
+TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
+    for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"}) EXPECT_EQ(runCli(usage).code, 2) << usage;
+    for (const std::string& flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense", "--scaling window --near 5m --far 4m",
+                                     "--edges e.docx", "--nonsense 3", "--axis up"}) {
+        const auto run = runCli("detect " + scanPath + " " + flags);
+        EXPECT_EQ(run.code, 2) << flags;
+        EXPECT_EQ(run.out, "") << flags;
+        EXPECT_FALSE(run.err.empty()) << flags;
+    }
+    EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " --mask m.png").code, 2);
+    EXPECT_EQ(runCli("detect /nonexistent.json").code, 1);
+    EXPECT_EQ(runCli("--help").code, 0);
+    EXPECT_EQ(runCli("--version").code, 0);
+}
+
+TEST_F(Cli, AResultThatCannotBeWrittenIsOneAndNamesThePath) {
+    const auto run = runCli("detect " + scanPath + " --mask /nonexistent-folder/m.png");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("/nonexistent-folder/m.png"), std::string::npos) << run.err;
+}
+
+TEST_F(Cli, HelpListsEveryParameterWithLimitsAndDefault) {
+    const std::string help = runCli("detect --help").out;
+    for (const char* text : {"--lower", "--kernel", "--mask-missing", "0 to 340", "default 6", "l1|l2", "--preset", "--beam-start"}) {
+        EXPECT_NE(help.find(text), std::string::npos) << text;
+    }
+}
+
+TEST_F(Cli, ConvertKeepsTheGridInEveryFormat) {
+    const json before = json::parse(runCli("detect " + scanPath + " --json -").out);
+    for (const char* name : {"a.json", "a.pcd", "a.ply", "a.csv", "a.xyz"}) {
+        const std::string out = (folder / name).string();
+        const auto run = runCli("convert " + scanPath + " " + out);
+        ASSERT_EQ(run.code, 0) << name << run.err;
+        const auto again = runCli("detect " + out + " --json -");
+        if (std::string(name) == "a.ply") continue; // PLY is written for others; reading it comes with the formats
+        ASSERT_EQ(again.code, 0) << name << again.err;
+        const json report = json::parse(again.out);
+        EXPECT_EQ(report["edge_mask_sha256"], before["edge_mask_sha256"]) << name;
+        EXPECT_EQ(report["cells"], before["cells"]) << name;
+    }
+}
+
+TEST_F(Cli, SimulateGivesTheSameBytesForTheSameSeed) {
+    const std::string flags = " --lines 60 --beams 80 --seed 9";
+    ASSERT_EQ(runCli("simulate -o " + (folder / "one.json").string() + flags + " --threads 1").code, 0);
+    ASSERT_EQ(runCli("simulate -o " + (folder / "two.json").string() + flags + " --threads 2").code, 0);
+    ASSERT_EQ(runCli("simulate -o " + (folder / "three.json").string() + " --lines 60 --beams 80 --seed 10").code, 0);
+    EXPECT_EQ(test::fileText(folder / "one.u16"), test::fileText(folder / "two.u16"));
+    EXPECT_NE(test::fileText(folder / "one.u16"), test::fileText(folder / "three.u16"));
+    EXPECT_EQ(runCli("simulate -o " + (folder / "x.json").string() + " --scene nonsense").code, 2);
+}
+
+TEST_F(Cli, NonAsciiPathsWork) {
+    const auto strange = folder / "Sprengung Süd 天井.json";
+    ASSERT_TRUE(saveScan(test::boxesScan(10, 12, 1), strange));
+    const auto run = runCli("info '" + strange.string() + "'");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["lines"], 10);
+}
+
+} // namespace
+} // namespace edgescan
