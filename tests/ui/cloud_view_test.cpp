@@ -1,95 +1,17 @@
-// The cloud view as the user has it: a real widget, real mouse events, real frames.
-#include "cloud_demo_scan.h"
+// The cloud view as the user sees it: a real widget, real frames.
+#include "cloud_fixture.h"
 
-#include "ui/cloud/cloud_view.h"
-#include "ui/cloud/gl_check.h"
-
-#include <QApplication>
 #include <QElapsedTimer>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QSignalSpy>
-#include <QSurfaceFormat>
-#include <QWheelEvent>
-#include <QtTest>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 using namespace edgescan;
 using namespace edgescan::ui;
+using namespace edgescan::ui::test;
 
-namespace {
-
-int countColour(const QImage& image, const std::function<bool(QRgb)>& is) {
-    int n = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) n += is(image.pixel(x, y));
-    }
-    return n;
-}
-bool isGreen(QRgb p) { return qGreen(p) > 200 && qRed(p) < 60 && qBlue(p) < 60; }
-bool isGray121(QRgb p) { return qRed(p) == 121 && qGreen(p) == 121 && qBlue(p) == 121; }
-bool isBright(QRgb p) { return qRed(p) == 230 && qGreen(p) == 230 && qBlue(p) == 230; }
-bool isHalo(QRgb p) { return qRed(p) < 20 && qGreen(p) < 20 && qBlue(p) < 20; }
-bool isYellow(QRgb p) { return qRed(p) > 235 && qGreen(p) > 220 && std::abs(qBlue(p) - 66) < 10; }
-
-int colours(const QImage& image) {
-    std::set<QRgb> seen;
-    for (int y = 0; y < image.height(); y += 3) {
-        for (int x = 0; x < image.width(); x += 3) seen.insert(image.pixel(x, y));
-    }
-    return static_cast<int>(seen.size());
-}
-
-// For looking at: EDGESCAN_PICTURES=/tmp/somewhere
-void keep(const QImage& image, const QString& name) {
-    const QString folder = qEnvironmentVariable("EDGESCAN_PICTURES");
-    if (!folder.isEmpty()) image.save(folder + "/" + name + ".png");
-}
-
-void drag(QWidget& view, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint from, QPoint to) {
-    QTest::mousePress(&view, button, modifiers, from);
-    for (int i = 1; i <= 8; ++i) {
-        const QPoint at = from + (to - from) * i / 8;
-        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, modifiers);
-        QApplication::sendEvent(&view, &move);
-    }
-    QTest::mouseRelease(&view, button, modifiers, to);
-}
-
-void hover(QWidget& view, QPoint at) {
-    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-    QApplication::sendEvent(&view, &move);
-}
-
-void wheel(QWidget& view, QPoint at, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view, &event);
-}
-
-} // namespace
-
-class CloudViewTest : public QObject {
+class CloudViewTest : public CloudFixture {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        const GlCheck gl = checkGl();
-        QVERIFY2(gl.available, qPrintable(gl.reason));
-        qInfo("OpenGL: %s", qPrintable(gl.renderer));
-    }
-
-    void init() {
-        view_ = std::make_unique<CloudView>();
-        view_->resize(900, 640);
-        view_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
-        scan_ = demo::room(200, 300);
-        edges_ = demo::edges(*scan_);
-    }
-    void cleanup() { view_.reset(); }
-
     void emptyViewSaysSo() {
         const QImage image = view_->grabFrame();
         keep(image, "cloud_empty");
@@ -199,131 +121,6 @@ private slots:
         for (std::uint32_t k = 0; k < 6000; ++k) all->push_back(k); // invalid ones and beyond the end
         view_->setEdges(all);
         QVERIFY(countColour(view_->grabFrame(), isGreen) > 1000);
-    }
-
-    void hoverAndClickFindTheCell() {
-        view_->setScan(scan_);
-        (void)view_->grabFrame();
-        QSignalSpy hovered(view_.get(), &CloudView::hovered), left(view_.get(), &CloudView::hoverLeft);
-        QSignalSpy clicked(view_.get(), &CloudView::clicked);
-        const std::uint32_t cell = 100 * 300 + 150;
-        const QPoint at = view_->pixelOf(cell)->toPoint();
-        hover(*view_, at);
-        QCOMPARE(hovered.count(), 1);
-        const auto found = static_cast<std::uint32_t>(hovered[0][0].toLongLong());
-        QVERIFY(QLineF(*view_->pixelOf(found), at).length() <= QLineF(*view_->pixelOf(cell), at).length() + 1e-6);
-        QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::NoModifier, at);
-        QCOMPARE(clicked.count(), 1);
-        QCOMPARE(clicked[0][0].toLongLong(), static_cast<qint64>(found));
-        hover(*view_, {2, 2});
-        QEvent leave(QEvent::Leave);
-        QApplication::sendEvent(view_.get(), &leave);
-        QCOMPARE(left.count(), 1);
-    }
-
-    void dragsMoveTheCameraAsPromised() {
-        view_->setScan(scan_);
-        QSignalSpy clicked(view_.get(), &CloudView::clicked);
-        const CameraPose start = view_->camera();
-        const auto centre = view_->rotationCentre();
-        drag(*view_, Qt::LeftButton, Qt::NoModifier, {400, 300}, {500, 330});
-        const CameraPose turnedPose = view_->camera();
-        QVERIFY(!turnedPose.position.isApprox(start.position));
-        QVERIFY(std::abs((turnedPose.position - centre).norm() - (start.position - centre).norm()) < 1e-6);
-
-        view_->setCamera(start);
-        drag(*view_, Qt::LeftButton, Qt::ShiftModifier, {400, 300}, {460, 300});
-        const CameraPose panned1 = view_->camera();
-        QVERIFY(panned1.forward().isApprox(start.forward()) && !panned1.position.isApprox(start.position));
-        view_->setCamera(start);
-        drag(*view_, Qt::MiddleButton, Qt::NoModifier, {400, 300}, {460, 300});
-        QVERIFY(view_->camera().position.isApprox(panned1.position));
-
-        view_->setCamera(start);
-        drag(*view_, Qt::RightButton, Qt::NoModifier, {400, 300}, {400, 220});
-        QVERIFY(view_->camera().distance() < start.distance());
-
-        view_->setCamera(start);
-        drag(*view_, Qt::LeftButton, Qt::ControlModifier, {700, 320}, {450, 560}); // clockwise on the screen
-        QVERIFY(view_->camera().forward().isApprox(start.forward()));
-        QVERIFY(view_->camera().up.dot(start.up) < 0.3);
-        QVERIFY(view_->camera().up.dot(start.right()) < -0.5); // the picture turns clockwise, so the camera turns left
-        QCOMPARE(clicked.count(), 0);
-    }
-
-    void pannedPointStaysUnderTheHand() {
-        view_->setScan(scan_);
-        const std::uint32_t cell = 100 * 300 + 150;
-        const QPoint from = view_->pixelOf(cell)->toPoint();
-        const QPointF offset = *view_->pixelOf(cell) - from;
-        drag(*view_, Qt::MiddleButton, Qt::NoModifier, from, from + QPoint(80, -40));
-        QVERIFY(QLineF(*view_->pixelOf(cell), from + QPoint(80, -40) + offset).length() < 1.0);
-    }
-
-    void wheelZoomsTowardsTheCursor() {
-        view_->setScan(scan_);
-        const std::uint32_t cell = 60 * 300 + 90;
-        const QPointF at = *view_->pixelOf(cell);
-        const double before = view_->camera().distance();
-        for (int i = 0; i < 5; ++i) wheel(*view_, at.toPoint(), 1);
-        QVERIFY(view_->camera().distance() < 0.5 * before);
-        QVERIFY(QLineF(*view_->pixelOf(cell), at).length() < 6.0);
-        wheel(*view_, at.toPoint(), -5);
-        QVERIFY(std::abs(view_->camera().distance() - before) < 1e-6 * before);
-    }
-
-    void wheelWithModifiers() {
-        view_->setScan(scan_);
-        const CameraPose start = view_->camera();
-        QSignalSpy size(view_.get(), &CloudView::pointSizeChanged);
-        wheel(*view_, {400, 300}, 1, Qt::AltModifier);
-        QCOMPARE(view_->pointSize(), 3.0);
-        QCOMPARE(size.count(), 1);
-        const int whole = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
-        for (int i = 0; i < 30; ++i) wheel(*view_, {400, 300}, 1, Qt::ControlModifier);
-        const int nearCut = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
-        QVERIFY(nearCut < whole);
-        view_->resetView();
-        for (int i = 0; i < 30; ++i) wheel(*view_, {400, 300}, -1, Qt::ControlModifier | Qt::ShiftModifier);
-        const int farCut = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
-        QVERIFY(farCut < whole);
-        QVERIFY(view_->camera().position.isApprox(start.position));
-    }
-
-    void doubleClickAndMiddleClickSetTheCentre() {
-        view_->setScan(scan_);
-        const std::uint32_t cell = 60 * 300 + 90;
-        const QPoint at = view_->pixelOf(cell)->toPoint();
-        const CameraPose before = view_->camera();
-        QTest::mouseDClick(view_.get(), Qt::LeftButton, Qt::NoModifier, at);
-        const Eigen::Vector3d point = view_->geometryOfCloud()->point(cell).cast<double>();
-        QVERIFY((view_->rotationCentre() - point).norm() < 0.2);
-        QVERIFY(view_->camera().position.isApprox(before.position));
-        view_->resetView();
-        QTest::mouseClick(view_.get(), Qt::MiddleButton, Qt::NoModifier, at);
-        QVERIFY((view_->rotationCentre() - point).norm() < 0.2);
-    }
-
-    void rightClickAsksForTheMenu() {
-        view_->setScan(scan_);
-        QSignalSpy menu(view_.get(), &CloudView::contextMenuRequested);
-        drag(*view_, Qt::RightButton, Qt::NoModifier, {400, 300}, {400, 250});
-        QCOMPARE(menu.count(), 0);
-        QTest::mouseClick(view_.get(), Qt::RightButton, Qt::NoModifier, {450, 320});
-        QCOMPARE(menu.count(), 1);
-        QVERIFY(menu[0][1].toLongLong() >= 0);
-    }
-
-    void focalSphereWhileTurning() {
-        view_->setScan(scan_);
-        QTest::mousePress(view_.get(), Qt::LeftButton, Qt::NoModifier, {400, 300});
-        for (int i = 1; i < 8; ++i) hoverWith({400 + 10 * i, 300}, Qt::LeftButton);
-        const QImage image = view_->grabFrame(CloudView::Points::All);
-        keep(image, "cloud_turning");
-        const auto yellowish = [](QRgb p) { return qRed(p) > qBlue(p) + 25 && qGreen(p) > qBlue(p) + 25; };
-        QVERIFY(countColour(image, yellowish) > 100);
-        QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {470, 300});
-        QCOMPARE(countColour(view_->grabFrame(), yellowish), 0);
     }
 
     void markerAndRay() {
@@ -438,82 +235,8 @@ private slots:
         QTest::qWait(100);
         QCOMPARE(view_->framesDrawn(), settled);
     }
-
-    void timesAtFullSize() { // printed, not asserted: the machine is shared
-        const auto scan = demo::room(1000, 1141);
-        const auto edges = demo::edges(*scan);
-        const auto cloud = makeCloudGeometry(*scan);
-        view_->resize(1100, 900);
-        QTest::qWait(200);
-        std::vector<double> frames;
-        QVector<double> fractions;
-        connect(view_.get(), &CloudView::frameDrawn, this, [&](double ms) {
-            frames.push_back(ms);
-            fractions.push_back(view_->drawnFraction());
-        });
-        QElapsedTimer clock;
-        clock.start();
-        view_->setCloud(scan, cloud);
-        qInfo("setCloud %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        clock.restart();
-        view_->setEdges(edges);
-        qInfo("setEdges (%d) %.1f ms", static_cast<int>(edges->size()), static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        const auto report = [&](const char* what) {
-            QString text;
-            for (std::size_t i = 0; i < frames.size(); ++i) {
-                text += QString(" %1(%2)").arg(frames[i], 0, 'f', 0).arg(fractions[static_cast<int>(i)], 0, 'g', 3);
-            }
-            qInfo("%s: ms(fraction)%s", what, qPrintable(text));
-            frames.clear();
-            fractions.clear();
-        };
-        QTest::qWait(1500);
-        report("after opening");
-        QTest::mousePress(view_.get(), Qt::LeftButton, Qt::NoModifier, {400, 300});
-        for (int i = 1; i < 25; ++i) {
-            hoverWith({400 + 6 * i, 300 + 2 * i}, Qt::LeftButton);
-            QTest::qWait(5);
-        }
-        QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {544, 348});
-        report("turning");
-        QTest::qWait(1200);
-        report("at rest");
-        keep(view_->grabFrame(), "cloud_full_rest");
-        for (int i = 0; i < 12; ++i) {
-            view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(edges->begin(), edges->end() - 10 * i));
-            QTest::qWait(5);
-        }
-        report("retuning");
-        view_->resetView();
-        QTest::qWait(1000);
-        report("from the scanner");
-        clock.restart();
-        keep(view_->grabFrame(CloudView::Points::All), "cloud_full_all");
-        qInfo("grab with all points %.0f ms, frame %.0f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6, view_->lastFrameMs());
-        clock.restart();
-        for (int i = 0; i < 10; ++i) {
-            view_->setMarkedCell(500 * 1141 + 300 + 20 * i);
-            view_->repaint();
-        }
-        qInfo("marker moved: %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-7);
-        disconnect(view_.get(), nullptr, this, nullptr);
-    }
-
-private:
-    void hoverWith(QPoint at, Qt::MouseButtons buttons) {
-        QMouseEvent move(QEvent::MouseMove, at, view_->mapToGlobal(at), Qt::NoButton, buttons, Qt::NoModifier);
-        QApplication::sendEvent(view_.get(), &move);
-    }
-
-    std::unique_ptr<CloudView> view_;
-    std::shared_ptr<Scan> scan_;
-    std::shared_ptr<const std::vector<std::uint32_t>> edges_;
 };
 
-int main(int argc, char** argv) {
-    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    const QApplication app(argc, argv);
-    CloudViewTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runCloudTest<CloudViewTest>(argc, argv); }
 #include "cloud_view_test.moc"
+#include "moc_cloud_fixture.cpp"

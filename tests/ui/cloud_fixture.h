@@ -1,0 +1,105 @@
+// For the tests of the cloud view: a shown view with the demo scan, real mouse events, counting colours.
+#pragma once
+
+#include "cloud_demo_scan.h"
+
+#include "ui/cloud/cloud_view.h"
+#include "ui/cloud/gl_check.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace edgescan::ui::test {
+
+inline int countColour(const QImage& image, const std::function<bool(QRgb)>& is) {
+    int n = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) n += is(image.pixel(x, y));
+    }
+    return n;
+}
+inline bool isGreen(QRgb p) { return qGreen(p) > 200 && qRed(p) < 60 && qBlue(p) < 60; }
+inline bool isGray121(QRgb p) { return qRed(p) == 121 && qGreen(p) == 121 && qBlue(p) == 121; }
+inline bool isBright(QRgb p) { return qRed(p) == 230 && qGreen(p) == 230 && qBlue(p) == 230; }
+inline bool isHalo(QRgb p) { return qRed(p) < 20 && qGreen(p) < 20 && qBlue(p) < 20; }
+inline bool isYellow(QRgb p) { return qRed(p) > 235 && qGreen(p) > 220 && std::abs(qBlue(p) - 66) < 10; }
+
+inline int colours(const QImage& image) {
+    std::set<QRgb> seen;
+    for (int y = 0; y < image.height(); y += 3) {
+        for (int x = 0; x < image.width(); x += 3) seen.insert(image.pixel(x, y));
+    }
+    return static_cast<int>(seen.size());
+}
+
+// For looking at: EDGESCAN_PICTURES=/tmp/somewhere
+inline void keep(const QImage& image, const QString& name) {
+    const QString folder = qEnvironmentVariable("EDGESCAN_PICTURES");
+    if (!folder.isEmpty()) image.save(folder + "/" + name + ".png");
+}
+
+inline void drag(QWidget& view, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint from, QPoint to) {
+    QTest::mousePress(&view, button, modifiers, from);
+    for (int i = 1; i <= 8; ++i) {
+        const QPoint at = from + (to - from) * i / 8;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, modifiers);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, button, modifiers, to);
+}
+
+inline void hover(QWidget& view, QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&view, &move);
+}
+
+inline void wheel(QWidget& view, QPoint at, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+}
+
+/// A shown view before each test; asserts that there is an OpenGL context.
+class CloudFixture : public QObject {
+    Q_OBJECT
+protected:
+    void hoverWith(QPoint at, Qt::MouseButtons buttons) {
+        QMouseEvent move(QEvent::MouseMove, at, view_->mapToGlobal(at), Qt::NoButton, buttons, Qt::NoModifier);
+        QApplication::sendEvent(view_.get(), &move);
+    }
+
+    std::unique_ptr<CloudView> view_;
+    std::shared_ptr<Scan> scan_;
+    std::shared_ptr<const std::vector<std::uint32_t>> edges_;
+
+private slots:
+    void initTestCase() {
+        const GlCheck gl = checkGl();
+        QVERIFY2(gl.available, qPrintable(gl.reason));
+        qInfo("OpenGL: %s", qPrintable(gl.renderer));
+    }
+    void init() {
+        view_ = std::make_unique<CloudView>();
+        view_->resize(900, 640);
+        view_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+        scan_ = demo::room(200, 300);
+        edges_ = demo::edges(*scan_);
+    }
+    void cleanup() { view_.reset(); }
+};
+
+template <class Test>
+int runCloudTest(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
+    const QApplication app(argc, argv);
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+} // namespace edgescan::ui::test
