@@ -4,6 +4,7 @@
 #include "ui/cloud/cloud_overlay.h"
 #include "ui/cloud/cloud_scene.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPixmap>
@@ -79,9 +80,8 @@ void CloudView::setEdges(std::shared_ptr<const CellIndices> edgeCells) {
     if (edgeCells == edges_) return;
     edges_ = std::move(edgeCells);
     scene_->setEdges(edges_);
-    // A slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
-    if (sinceEdges_.isValid() && sinceEdges_.elapsed() < 2 * kRestMs) restTimer_.start(kRestMs);
-    sinceEdges_.start();
+    // Perhaps a slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
+    restTimer_.start(kRestMs);
     requestFrame();
 }
 

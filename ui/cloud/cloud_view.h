@@ -8,7 +8,6 @@
 #include "ui/cloud/point_pick.h"
 
 #include <QColor>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QString>
 #include <QTimer>
@@ -179,7 +178,6 @@ private:
 
     DrawingBudget budget_;
     QTimer restTimer_; // running = the camera (or a slider) is under way
-    QElapsedTimer sinceEdges_;
     bool framePending_ = true, drawAll_ = false;
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
     int framesDrawn_ = 0;

@@ -9,9 +9,10 @@ namespace edgescan::ui {
 class DrawingBudget {
 public:
     static constexpr double kMovingMs = 40.0; ///< aim while a hand moves the camera
-    static constexpr double kRestMs = 90.0;   ///< aim for the still picture; nothing on the GUI thread may take 100 ms
+    static constexpr double kRestMs =
+        80.0; ///< aim for the still picture; leaves room for jitter: nothing on the GUI thread may take 100 ms
 
-    /// `perPoint`: first guess of the time for all points, ms; a guess on the safe side keeps the first frame short.
+    /// `allPointsMs`: first guess of the time for all points, ms; a guess on the safe side keeps the first frame short.
     explicit DrawingBudget(double allPointsMs = 150.0);
 
     void measured(double fraction, double ms);
