@@ -75,9 +75,14 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
                                   std::to_string(table.points.size()),
                               "copy the file again, it may be cut off");
     }
-    table.precision.absolute = 0.5 * std::pow(10.0, -rows.digits().decimals);
-    table.precision.relative = std::max(table.precision.relative, 0.5 * std::pow(10.0, 1 - std::clamp(rows.digits().significant, 1, 17)));
+    table.precision = precisionOf(rows.digits());
     return Done{};
+}
+
+Precision precisionOf(const PrintedDigits& digits) {
+    const double absolute = 0.5 * std::pow(10.0, -std::min(digits.decimals, 300));
+    if (digits.fixedDecimals()) return {absolute, 1e-15};
+    return {absolute, 0.5 * std::pow(10.0, 1 - std::clamp(digits.significant, 1, 16))};
 }
 
 bool HeaderLines::next() {

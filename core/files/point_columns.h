@@ -3,6 +3,7 @@
 
 #include "core/files/binary_field.h"
 #include "core/files/point_table.h"
+#include "core/files/text_layout.h"
 
 #include <optional>
 #include <string_view>
@@ -38,6 +39,9 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
 /// Reads exactly `points` rows of `columns` numbers from `text`, which starts at line `firstLine` of the file.
 Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t points, std::size_t columns, std::size_t firstByte,
                       std::size_t firstLine, const Source& source);
+
+/// Rounding errors of numbers printed like that.
+[[nodiscard]] Precision precisionOf(const PrintedDigits& digits);
 
 /// The lines of a header, one at a time.
 class HeaderLines {

@@ -2,7 +2,7 @@
 #include "core/files/point_text.h"
 
 #include "core/base/memory.h"
-#include "core/files/point_table.h"
+#include "core/files/point_columns.h"
 
 #include <algorithm>
 #include <array>
@@ -62,10 +62,6 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
         if (own != kNoColumn) columns.needed = std::max(columns.needed, own + 1);
     }
     return columns;
-}
-
-Precision precisionOf(const PrintedDigits& digits) {
-    return {0.5 * std::pow(10.0, -digits.decimals), 0.5 * std::pow(10.0, 1 - std::clamp(digits.significant, 1, 17))};
 }
 
 } // namespace

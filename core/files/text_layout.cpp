@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// What stands behind the comment sign; empty optional when the line is no comment.
 std::optional<std::string_view> commentIn(std::string_view line) {
-    const std::string_view text = trimmed(line);
+    const std::string_view text = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
     if (text.starts_with("//")) return text.substr(2);
     if (text.starts_with('#') || text.starts_with('%') || text.starts_with('!')) return text.substr(1);
     return std::nullopt;

@@ -40,6 +40,11 @@ Result<TextLayout> textLayoutOf(const Source& source);
 struct PrintedDigits {
     int decimals = 0;    ///< most digits after the point
     int significant = 0; ///< most digits from the first that is not 0
+    int whole = 0;       ///< most digits before the point
+    bool powers = false; ///< some numbers have a power of ten
+
+    /// 3 decimals whatever the size, or 6 digits whatever the size?
+    [[nodiscard]] bool fixedDecimals() const { return !powers && decimals + whole <= significant; }
 };
 
 /// Rows of numbers one after the other. An empty cell and "nan" are NaN.

@@ -112,22 +112,28 @@ bool RowReader::readCell(std::vector<double>& numbers) {
 void RowReader::countDigits(const char* from, const char* to) {
     int significant = 0;
     int decimals = 0;
+    int whole = 0;
     bool afterPoint = false;
     for (; from < to && *from != 'e' && *from != 'E'; ++from) {
         if (*from == '.' || *from == ',') {
             afterPoint = true;
         } else if (*from >= '0' && *from <= '9') {
             if (significant > 0 || *from != '0') ++significant;
-            if (afterPoint) ++decimals;
+            if (afterPoint)
+                ++decimals;
+            else if (significant > 0)
+                ++whole;
         }
     }
     if (from < to) { // 1.234e-05 has more decimals than it shows
+        digits_.powers = true;
         int exponent = 0;
         const char* digits = from + 1 + (from + 1 < to && from[1] == '+' ? 1 : 0);
         std::from_chars(digits, to, exponent);
         decimals = std::max(0, decimals - std::clamp(exponent, -400, 400));
     }
     digits_.decimals = std::max(digits_.decimals, decimals);
+    digits_.whole = std::max(digits_.whole, whole);
     digits_.significant = std::max(digits_.significant, significant);
 }
 

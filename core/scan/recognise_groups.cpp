@@ -33,22 +33,41 @@ struct Ring {
         const bool toLeft = left <= next - at;
         return {toLeft ? right - 1 : right % centres.size(), toLeft ? left : next - at, next - centres[right - 1]};
     }
-    /// Begins after the widest void when one stands out, else at the smallest angle from 0.
-    void cutAtWidestVoid() {
-        if (centres.size() < 2) return;
-        std::vector<double> voids;
+    [[nodiscard]] std::vector<double> voids() const {
+        std::vector<double> widths;
         for (std::size_t i = 0; i < centres.size(); ++i) {
-            voids.push_back(i + 1 < centres.size() ? centres[i + 1] - centres[i] : centres[0] + period - centres[i]);
+            widths.push_back(i + 1 < centres.size() ? centres[i + 1] - centres[i] : centres[0] + period - centres[i]);
         }
-        const auto widest = std::max_element(voids.begin(), voids.end());
-        std::vector<double> sorted = voids;
-        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-        if (*widest <= 2 * sorted[sorted.size() / 2]) return;
-        const auto shift = static_cast<std::size_t>(widest - voids.begin() + 1) % centres.size();
-        std::rotate(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(shift), centres.end());
+        return widths;
+    }
+    void beginAt(std::size_t first) {
+        std::rotate(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(first), centres.end());
         for (std::size_t i = 1; i < centres.size(); ++i) {
-            if (centres[i] < centres[i - 1]) centres[i] += period;
+            while (centres[i] < centres[i - 1]) centres[i] += period;
         }
+    }
+    /// Begins after the widest void; false when none stands out, and then at the group nearest to 0.
+    bool cutAtWidestVoid() {
+        if (centres.size() < 2) return true;
+        const std::vector<double> widths = voids();
+        const auto widest = std::max_element(widths.begin(), widths.end());
+        std::vector<double> sorted = widths;
+        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+        const double usual = sorted[sorted.size() / 2];
+        if (*widest > 2 * usual) {
+            beginAt(static_cast<std::size_t>(widest - widths.begin() + 1) % centres.size());
+            return true;
+        }
+        std::size_t first = 0;
+        const auto fromZero = [&](double centre) { return std::fmod(centre + usual / 2 + 2 * period, period); };
+        for (std::size_t i = 1; i < centres.size(); ++i) {
+            if (fromZero(centres[i]) < fromZero(centres[first])) first = i;
+        }
+        const double start = fromZero(centres[first]) - usual / 2;
+        beginAt(first);
+        const double shift = start - centres[0];
+        for (double& centre : centres) centre += shift;
+        return false;
     }
 };
 
@@ -128,8 +147,9 @@ public:
     std::optional<Fit> fit(NoFit& seen) {
         if (returns_.size() < 12) return std::nullopt;
         const auto lineRings = ringsIn(preciseAngles(&Return::planeError, [](const Return& r) { return r.plane; }), period_);
-        for (const Ring& lines : lineRings) {
-            const double sure = placeInLines(lines);
+        for (Ring lines : lineRings) {
+            double sure = placeInLines(lines);
+            if (beginAsListed(lines)) sure = placeInLines(lines);
             remember(seen, lines.centres.size(), 0, sure);
             if (sure < kShareOnGrid) continue;
             const auto tilt = [&](const Return& r) { return tiltOf(r, lines); };
@@ -154,7 +174,7 @@ public:
 
 private:
     static void remember(NoFit& seen, std::size_t lines, std::size_t beams, double share) {
-        if (lines < 2 || beams == 1) return; // a single group holds any cloud
+        if (lines < 4 || (beams > 0 && beams < 4)) return; // a few groups hold most of any cloud
         if (share * (beams > 0 ? 2 : 1) <= seen.onGrid * (seen.beams > 0 ? 2 : 1)) return;
         seen = {lines, beams, share};
     }
@@ -189,6 +209,31 @@ private:
             good += r.unsure || r.off ? 0 : 1;
         }
         return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
+    }
+    /// Lines all around the axis have no void to begin after, but the list may have: where neighbouring lines lie far apart in it.
+    /// Matters because the side of a plane changes there. False when nothing was changed.
+    bool beginAsListed(Ring& lines) const {
+        Ring copy = lines;
+        if (copy.cutAtWidestVoid() || lines.centres.size() < 3) return false;
+        std::vector<double> place(lines.centres.size(), 0.0);
+        std::vector<double> count(lines.centres.size(), 0.0);
+        for (std::size_t n = 0; n < returns_.size(); ++n) {
+            place[returns_[n].line] += static_cast<double>(n);
+            ++count[returns_[n].line];
+        }
+        std::size_t cut = 0;
+        double farthest = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const std::size_t next = (i + 1) % place.size();
+            const double apart = std::abs(place[next] / std::max(count[next], 1.0) - place[i] / std::max(count[i], 1.0));
+            if (apart > farthest) {
+                farthest = apart;
+                cut = next;
+            }
+        }
+        if (farthest < 0.5 * static_cast<double>(returns_.size()) || cut == 0) return false;
+        lines.beginAt(cut);
+        return true;
     }
     double placeInBeams(const Ring& lines, const Ring& beams) {
         std::size_t good = 0;
