@@ -88,7 +88,7 @@ TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
 
 TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"}) EXPECT_EQ(runCli(usage).code, 2) << usage;
-    for (const std::string& flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense", "--scaling window --near 5m --far 4m",
+    for (const std::string flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense", "--scaling window --near 5m --far 4m",
                                      "--edges e.docx", "--nonsense 3", "--axis up"}) {
         const auto run = runCli("detect " + scanPath + " " + flags);
         EXPECT_EQ(run.code, 2) << flags;

@@ -127,7 +127,10 @@ private slots:
         QSignalSpy pictures(&window, &MainWindow::pictureShown);
         QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, handle);
         for (int x = 2; x <= 60; x += 2) {
-            QTest::mouseMove(slider, handle + QPoint(x, 0));
+            // QTest::mouseMove() moves the cursor without the button held down.
+            const QPoint at = handle + QPoint(x, 0);
+            QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(slider, &move);
             QTest::qWait(10);
         }
         QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(60, 0));
@@ -312,6 +315,9 @@ private slots:
         window.show();
         QMimeData mime;
         mime.setUrls({QUrl::fromLocalFile(QString::fromStdString(real_))});
+        QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window, &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&window, &drop);
         QVERIFY(waitForPicture(window));
@@ -319,8 +325,6 @@ private slots:
     }
 
     void openingCanBeCancelledAndTheNewestWins() {
-        SimulationSettings large;
-        large.dropouts = 0.1;
         Memory none{QString()};
         MainWindow window(none);
         window.show();

@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 constexpr double kPoleRad = 89.0 * std::numbers::pi / 180.0;
 constexpr double kNearestM = 0.02; // closer than any laser scanner resolves
 constexpr double kMargin = 1.04;   // free rim around what is fitted
+constexpr double kUsualViewAngleDeg = 45.0;
+constexpr double kWidestViewAngleDeg = 84.0; // wider ones stretch the rocks at the rim
+constexpr double kFarthestBack = 0.3;        // of the median depth
 
 double tanHalf(const CameraPose& pose) { return std::tan(0.5 * pose.viewAngleDeg * std::numbers::pi / 180.0); }
 
@@ -106,11 +109,12 @@ CameraPose centredOn(const CameraPose& pose, const Vector3d& point) {
 
 CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& up, const CameraPose& lens, double widthByHeight) {
     CameraPose out = lens;
+    out.viewAngleDeg = kUsualViewAngleDeg;
     out.focus = box.center().cast<double>();
     out.position = out.focus - forward;
     out.up = (up - forward * forward.dot(up)).normalized();
     const Vector3d right = out.right();
-    const double tanV = tanHalf(lens);
+    const double tanV = tanHalf(out);
     const double tanH = tanV * widthByHeight;
     double distance = kNearestM;
     for (int i = 0; i < 8; ++i) {
@@ -132,18 +136,29 @@ CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, doubl
     const std::vector<Vector3d> points = samplePoints(cloud);
     if (points.empty()) return out;
 
-    const double tanV = tanHalf(lens);
-    const double tanH = tanV * widthByHeight;
-    std::vector<double> back, ahead;
+    // Tangents of the angles at which the points are seen from the sensor itself; behind it there is no such angle.
+    std::vector<double> tangents, ahead;
     for (const Vector3d& p : points) {
         const Vector3d d = p - sensor;
         const double depth = d.dot(frame.forward);
-        const double reach = std::max(std::abs(d.dot(frame.right)) / tanH, std::abs(d.dot(frame.up)) / tanV);
-        back.push_back(reach - depth);
+        const double reach = std::max(std::abs(d.dot(frame.right)) / widthByHeight, std::abs(d.dot(frame.up)));
+        tangents.push_back(depth > 1e-6 ? reach / depth : 1e6);
         ahead.push_back(depth);
     }
-    const double pulledBack = std::max(0.0, percentile(std::move(back), 0.99)) * kMargin;
     const double middle = std::max(10 * kNearestM, percentile(std::move(ahead), 0.5));
+    const double wanted = 2.0 * std::atan(percentile(std::move(tangents), 0.9)) * 180.0 / std::numbers::pi;
+    out.viewAngleDeg = std::clamp(wanted, kUsualViewAngleDeg, kWidestViewAngleDeg);
+
+    const double tanV = tanHalf(out);
+    const double tanH = tanV * widthByHeight;
+    std::vector<double> back;
+    for (const Vector3d& p : points) {
+        const Vector3d d = p - sensor;
+        const double reach = std::max(std::abs(d.dot(frame.right)) / tanH, std::abs(d.dot(frame.up)) / tanV);
+        back.push_back(reach - d.dot(frame.forward));
+    }
+    // A sweep all round cannot be seen at once; going far back would only show the walls from outside.
+    const double pulledBack = std::clamp(percentile(std::move(back), 0.99) * kMargin, 0.0, kFarthestBack * middle);
     out.position = sensor - frame.forward * pulledBack;
     out.focus = sensor + frame.forward * middle;
     return out;

@@ -41,8 +41,8 @@ struct CameraPose {
 /// Looks along `forward` from so far away that the box fits a view of this width / height.
 [[nodiscard]] CameraPose lookingAt(const Box3f& box, const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const CameraPose& lens,
                                    double widthByHeight);
-/// As the scanner sees it: from the sensor, drawn back along the mean direction just far enough that the 1-99 % box
-/// fits at the view angle. Row 0 on top where the geometry allows it.
+/// As the scanner sees it: from the sensor along the mean direction, with a view angle and a step back just large enough for
+/// 99 % of the points, as far as a flat picture can hold them. Row 0 on top where the geometry allows it.
 [[nodiscard]] CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight);
 
 struct ClipRange {

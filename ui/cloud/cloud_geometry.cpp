@@ -2,6 +2,7 @@
 #include "ui/cloud/cloud_geometry.h"
 
 #include "core/scan/cartesian.h"
+#include "ui/cloud/cloud_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,6 +190,7 @@ std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     const Vector3d sensor = tables.sensor();
     out->sensor = (sensor - out->originM).cast<float>();
     fillPoints(tables, *out);
+    out->normals = surfaceNormals(*out);
     fillOrder(*out);
     fillTiles(*out);
     const std::vector<std::uint32_t> sample = sampleCells(*out);

@@ -38,6 +38,7 @@ struct CloudGeometry {
     int lines = 0;
     int beams = 0;
     std::vector<float> xyz;                                        ///< 3 per cell k, local; the sensor where not valid
+    std::vector<float> normals;                                    ///< 3 per cell k, for shading (cloud_normals.h)
     std::vector<std::uint8_t> valid;                               ///< 1 per valid cell
     std::array<std::vector<std::uint32_t>, kCloudParts> drawOrder; ///< valid cells, spread evenly; ascending in each part
     std::size_t validCount = 0;

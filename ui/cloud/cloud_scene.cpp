@@ -6,11 +6,13 @@
 #include <vtkCellArray.h>
 #include <vtkCullerCollection.h>
 #include <vtkFloatArray.h>
+#include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -33,6 +35,7 @@ namespace {
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
 constexpr double kEdgeLarger = 2.0; // VIEWER.md 2.5
+constexpr double kAmbient = 0.2; // of the cloud's colour where the surface is seen edge-on
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
@@ -107,7 +110,15 @@ CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapp
     // The culler would walk through all points for their bounds; the clip range is ours.
     renderer_->GetCullers()->RemoveAllItems();
     renderer_->SetAutomaticLightCreation(0);
-    for (Layer& part : parts_) renderer_->AddActor(part.actor);
+    // A light at the eye: what faces the camera has the full colour of the cloud, nothing is brighter.
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    renderer_->AddLight(light);
+    for (Layer& part : parts_) {
+        part.actor->GetProperty()->SetAmbient(kAmbient);
+        part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        renderer_->AddActor(part.actor);
+    }
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     setColour(halo_.actor, kHalo);
@@ -140,13 +151,18 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
         xyz->SetArray(const_cast<float*>(cloud->xyz.data()), static_cast<vtkIdType>(cloud->xyz.size()), 1);
         points_ = vtkSmartPointer<vtkPoints>::New();
         points_->SetData(xyz);
+        normals_ = vtkSmartPointer<vtkFloatArray>::New();
+        normals_->SetNumberOfComponents(3);
+        normals_->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         parts_[i].actor->VisibilityOff();
         if (cloud) {
             parts_[i].setCells(points_, cloud->drawOrder[i]);
+            parts_[i].data->GetPointData()->SetNormals(normals_);
         } else {
             parts_[i].setCells(nullptr, {});
+            parts_[i].data->GetPointData()->SetNormals(nullptr);
         }
     }
     cloud_ = std::move(cloud); // only now may the floats of the cloud before go
@@ -175,7 +191,10 @@ std::size_t CloudScene::edgesDrawn() const { return edges_ && edgesShown_ ? edge
 
 void CloudScene::setLook(const CloudLook& look) {
     renderer_->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
-    for (Layer& part : parts_) setColour(part.actor, look.cloud);
+    for (Layer& part : parts_) {
+        setColour(part.actor, look.cloud);
+        part.actor->GetProperty()->SetLighting(look.shaded);
+    }
     pointSize_ = look.pointSize;
     setColour(edge_.actor, look.edge);
     edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));

@@ -17,6 +17,7 @@
 
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
+class vtkFloatArray;
 class vtkPoints;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -31,6 +32,7 @@ struct CloudLook {
     double pointSize = 2.0; ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
+    bool shaded = true; ///< false: every point of the cloud has its full colour
 };
 
 /// GUI thread only; makes no OpenGL call itself.
@@ -65,6 +67,7 @@ private:
     std::shared_ptr<const CloudGeometry> cloud_;              // owns the floats that VTK draws
     std::shared_ptr<const std::vector<std::uint32_t>> edges_; // and the indices
     vtkSmartPointer<vtkPoints> points_;
+    vtkSmartPointer<vtkFloatArray> normals_;
     std::array<Layer, kCloudParts> parts_;
     std::array<bool, kCloudParts> uploaded_{};
     Layer halo_, edge_;

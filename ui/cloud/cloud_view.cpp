@@ -106,6 +106,7 @@ void CloudView::applyCamera() {
 void CloudView::applyColours() {
     CloudLook look;
     look.background = background_;
+    look.shaded = shaded_;
     look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
     look.edge = edgeColour_;
     look.pointSize = std::round(pointSize_ * devicePixelRatioF());
@@ -308,6 +309,12 @@ void CloudView::setEdgesVisible(bool on) {
 
 void CloudView::setCloudDimmed(bool on) {
     cloudDimmed_ = on;
+    applyColours();
+}
+
+void CloudView::setShaded(bool on) {
+    if (on == shaded_) return;
+    shaded_ = on;
     applyColours();
 }
 

@@ -53,6 +53,7 @@ public:
 
     [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
     [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
+    [[nodiscard]] bool shaded() const { return shaded_; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] QColor edgeColour() const { return edgeColour_; }
@@ -102,6 +103,7 @@ public slots:
     void setTurntable(bool on); ///< off = free rotation
     void setEdgesVisible(bool on);
     void setCloudDimmed(bool on);     ///< off = the cloud stays bright while edges are on
+    void setShaded(bool on);          ///< off = the cloud is one flat gray
     void setPointSize(double pixels); ///< 1 .. 12
     void setBackground(const QColor& colour);
     void setEdgeColour(const QColor& colour); ///< (0,255,0), or kColourBlindEdge
@@ -161,7 +163,7 @@ private:
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
     double nearShare_ = 0.0, farShare_ = 0.0;
-    bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, wheelReversed_ = false;
+    bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, wheelReversed_ = false;
     double pointSize_ = 2.0;
     QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
     MousePreset mousePreset_ = MousePreset::Default;

@@ -311,6 +311,7 @@ void MainWindow::resetLayout() {
 
 QImage MainWindow::screenshot() {
     const QImage cloud = cloud_->grabFrame(CloudView::Points::All);
+    cloudPane_->setRemark(QString()); // true of this picture; the next frame says again what it draws
     QImage image = grab().toImage();
     // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
     QPainter painter(&image);

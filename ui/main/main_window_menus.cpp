@@ -137,6 +137,7 @@ void MainWindow::buildViewMenu() {
     addSwitch(view, tr("T&urntable"), key(Qt::Key_T), true, "view/turntable", [this](bool on) { cloud_->setTurntable(on); });
     addSwitch(view, tr("&Edge Points"), key(Qt::Key_E), true, "view/edge-points", [this](bool on) { cloud_->setEdgesVisible(on); });
     addSwitch(view, tr("&Dim Cloud under Edges"), key(Qt::Key_D), true, "view/dim-cloud", [this](bool on) { cloud_->setCloudDimmed(on); });
+    addSwitch(view, tr("Depth S&hading"), key(Qt::Key_Q), true, "view/shading", [this](bool on) { cloud_->setShaded(on); });
     addSwitch(view, tr("Edges &over Range Image"), key(Qt::Key_O), false, "view/overlay", [this](bool on) {
         overlay_ = on;
         gray_->setOverlay(on && shown_ ? shown_->overlay : nullptr, 1.0);
