@@ -16,8 +16,6 @@ namespace {
 constexpr double kMetresPerMm = 0.001;
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
 
-bool isReturn(const Eigen::Vector3d& p) { return p.allFinite() && !p.isZero(0.0); }
-
 std::string numberText(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -237,14 +235,15 @@ Result<Scan> scanFromPoints(PointTable table, const Source& source) {
     if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
     if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
     std::size_t infinite = 0;
-    for (const Eigen::Vector3d& p : table.points) infinite += p.array().isInf().any() ? 1 : 0;
+    for (const Eigen::Vector3d& p : table.points) infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < 1e12 ? 0 : 1;
     table.precision = withDecimals(table.precision, table.points);
     const bool organised = table.height > 1;
     auto grid = recognise(table, source, organised ? table.width : 0);
     if (!grid && grid.error().what == "cancelled") return source.cancelled();
     if (!grid && !organised) return source.refused(grid.error().what + coarseStep(table), grid.error().todo);
     Scan scan = grid ? recognisedScan(table, std::move(*grid), source) : organisedScan(table, source);
-    if (infinite > 0) scan.warnings.push_back(std::to_string(infinite) + " points with infinite coordinates were taken as no return.");
+    if (infinite > 0)
+        scan.warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
     return scan;
 }
 

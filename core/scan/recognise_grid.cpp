@@ -37,7 +37,7 @@ std::vector<AxisPoint> seenAlong(const Hypothesis& hypothesis, std::span<const E
     std::vector<AxisPoint> seen;
     seen.reserve(points.size());
     for (const Eigen::Vector3d& given : points) {
-        if (!given.allFinite()) {
+        if (!isReturn(given)) {
             seen.emplace_back();
             continue;
         }
@@ -222,9 +222,14 @@ RecognisedGrid finished(Found found, const PointList& list) {
 
 } // namespace
 
+bool isReturn(const Eigen::Vector3d& point) {
+    if (!point.allFinite()) return false;
+    const double largest = point.cwiseAbs().maxCoeff();
+    return largest > 1e-9 && largest < 1e12; // squares of both stay far from the ends of double
+}
+
 Result<RecognisedGrid> recogniseGrid(const PointList& list) {
-    const auto returns = static_cast<std::size_t>(
-        std::count_if(list.points.begin(), list.points.end(), [](const Eigen::Vector3d& p) { return p.allFinite() && !p.isZero(0.0); }));
+    const auto returns = static_cast<std::size_t>(std::count_if(list.points.begin(), list.points.end(), isReturn));
     if (returns < kFewestPoints) {
         return Error{"holds " + std::to_string(returns) + " points with a return, too few to find a scanner's grid", "",
                      "check that the file is complete"};

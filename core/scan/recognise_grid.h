@@ -44,6 +44,9 @@ struct RecognisedGrid {
     std::vector<std::string> remarks;                   ///< sentences about what was assumed or repaired
 };
 
+/// True for a measured point: finite, neither (0, 0, 0) nor so near to it or so far that nothing measures it.
+[[nodiscard]] bool isReturn(const Eigen::Vector3d& point);
+
 /// Error: the points lie on no such grid; says in numbers what was found instead. `where` is left empty for the caller.
 Result<RecognisedGrid> recogniseGrid(const PointList& list);
 
