@@ -144,6 +144,8 @@ private slots:
         compareWithCommandLine(window);
 
         // One drag is one step of undo.
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(waitForPicture(window));
         QCOMPARE(*window.edgeView().image(), edgesBefore);
