@@ -27,15 +27,16 @@ std::vector<std::string> differences(const Settings& from, const Settings& to) {
 } // namespace
 
 std::string detectCommand(const std::string& path, const Settings& settings) {
-    const Preset* nearest = nullptr;
-    std::vector<std::string> fewest;
-    for (const Preset& preset : builtInPresets()) {
+    const auto presets = builtInPresets();
+    std::string nearest = presets.front().name;
+    std::vector<std::string> fewest = differences(presets.front().settings, settings);
+    for (const Preset& preset : presets.subspan(1)) {
         std::vector<std::string> flags = differences(preset.settings, settings);
-        if (nearest != nullptr && flags.size() >= fewest.size()) continue;
-        nearest = &preset;
+        if (flags.size() >= fewest.size()) continue;
+        nearest = preset.name;
         fewest = std::move(flags);
     }
-    std::string command = "edgescan-cli detect " + quoted(path) + " --preset " + nearest->name;
+    std::string command = "edgescan-cli detect " + quoted(path) + " --preset " + nearest;
     for (const std::string& flag : fewest) command += " " + flag;
     return command + " --json -";
 }

@@ -1,4 +1,7 @@
 // edgescan-cli from outside: exit codes, JSON, files, and what it says when something is wrong.
+#include "core/edges/command_text.h"
+#include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/files/open_scan.h"
 #include "core/files/png.h"
 #include "core/files/save_scan.h"
@@ -137,6 +140,22 @@ TEST_F(Cli, SimulateGivesTheSameBytesForTheSameSeed) {
     EXPECT_EQ(test::fileText(folder / "one.u16"), test::fileText(folder / "two.u16"));
     EXPECT_NE(test::fileText(folder / "one.u16"), test::fileText(folder / "three.u16"));
     EXPECT_EQ(runCli("simulate -o " + (folder / "x.json").string() + " --scene nonsense").code, 2);
+}
+
+TEST_F(Cli, TheCopiedCommandComputesTheSameMask) {
+    Settings settings = findPreset("window")->settings;
+    settings.lower = 17.5;
+    settings.kernel = 7;
+    settings.norm = Norm::L2;
+    settings.farMm = 6500;
+    const auto strange = (folder / "it's a $scan.json").string();
+    ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), strange));
+    const std::string command = detectCommand(strange, settings);
+    EXPECT_EQ(command.find("edgescan-cli detect "), 0U);
+    const auto run = runCli(command.substr(std::string("edgescan-cli ").size()));
+    ASSERT_EQ(run.code, 0) << command << run.err;
+    const auto frame = detectEdges(std::make_shared<const Scan>(*openScan(strange)), settings);
+    EXPECT_EQ(json::parse(run.out)["edge_mask_sha256"], maskSha256(*frame->mask)) << command;
 }
 
 TEST_F(Cli, NonAsciiPathsWork) {

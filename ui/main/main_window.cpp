@@ -39,7 +39,8 @@ constexpr int kShowWorkAfterMs = 100;
 } // namespace
 
 MainWindow::MainWindow(Memory& memory, QWidget* parent)
-    : QMainWindow(parent), memory_(memory), undo_(new QUndoStack(this)), viewPort_(std::make_shared<ViewPort>()) {
+    : QMainWindow(parent), memory_(memory), undo_(new QUndoStack(this)), viewPort_(std::make_shared<ViewPort>()),
+      gray_(new ImageView(viewPort_)), edges_(new ImageView(viewPort_)), cloud_(new CloudView) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -62,9 +63,6 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
-    gray_ = new ImageView(viewPort_);
-    edges_ = new ImageView(viewPort_);
-    cloud_ = new CloudView;
     gray_->setObjectName("gray");
     edges_->setObjectName("edges");
     cloud_->setObjectName("cloud");

@@ -106,9 +106,9 @@ private:
     Session session_;
     QUndoStack* undo_;
     std::shared_ptr<ViewPort> viewPort_;
-    ImageView* gray_ = nullptr;
-    ImageView* edges_ = nullptr;
-    CloudView* cloud_ = nullptr;
+    ImageView* gray_;
+    ImageView* edges_;
+    CloudView* cloud_;
     Pane* grayPane_ = nullptr;
     Pane* edgePane_ = nullptr;
     Pane* cloudPane_ = nullptr;

@@ -58,7 +58,7 @@ QImage edgePicture(const Frame& frame) {
     return image;
 }
 
-QImage edgeOverlay(const Frame& frame, QColor colour) {
+QImage edgeOverlay(const Frame& frame, const QColor& colour) {
     const int beams = frame.scan->beams();
     QImage image(beams, frame.scan->lines(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);

@@ -4,6 +4,7 @@
 #include "core/edges/frame.h"
 #include "ui/cloud/cloud_geometry.h"
 
+#include <QColor>
 #include <QImage>
 
 #include <memory>
@@ -28,7 +29,7 @@ struct Picture {
 
 [[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels);
 [[nodiscard]] QImage edgePicture(const Frame& frame);
-[[nodiscard]] QImage edgeOverlay(const Frame& frame, QColor colour);
+[[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour);
 
 /// Images of `frame`; what did not change since `last` (may be null) is taken from it.
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame,
