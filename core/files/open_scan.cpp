@@ -11,7 +11,6 @@
 #include "core/files/text_layout.h"
 #include "core/files/whole_file.h"
 
-#include <algorithm>
 #include <array>
 #include <new>
 #include <stdexcept>
@@ -20,13 +19,6 @@ namespace edgescan {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerCaseExtension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-    return extension;
-}
 
 /// First bytes of files that people pick by mistake, so that the sentence can name them.
 const char* foreignKind(std::string_view text) {
@@ -67,7 +59,7 @@ Result<Scan> readText(const Source& source) {
 Result<Scan> readByContent(const Source& source) {
     const std::string_view text = source.text();
     if (text.empty()) return source.refused("the file is empty", "copy it again or choose another");
-    if (lowerCaseExtension(source.path) == ".u16") return readRawGridCounts(source);
+    if (source.extension() == ".u16") return readRawGridCounts(source);
     if (const char* kind = foreignKind(text)) return source.refused(std::string("this is ") + kind + ", not a scan", "choose a scan file");
     if (looksLikePcd(text)) return readPcd(source);
     if (looksLikePly(text)) return readPly(source);

@@ -228,7 +228,6 @@ Result<Scan> readPcd(const Source& source) {
     table.height = header->height;
     table.sensor = header->sensor;
     table.description = header->description;
-    if (header->encoding != "ascii") table.precision.relative = layout->fields.relativeError();
     if (auto enough =
             checkMemory(std::min<std::uint64_t>(layout->points, source.bytes.size() * kMostPerPackedByte) * 32, source.path.string());
         !enough)

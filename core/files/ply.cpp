@@ -133,7 +133,6 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
     if (!bigEndian && header.encoding != "binary_little_endian") {
         return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
     }
-    table.precision.relative = fields.relativeError();
     if (!readRecords(table, fields, vertex.count, source.bytes.subspan(header.firstByte), bigEndian, source)) return source.cancelled();
     return Done{};
 }

@@ -14,15 +14,6 @@ std::uint8_t stateByte(double value) { return value >= 0 && value < 256 ? static
 
 } // namespace
 
-double PointFields::relativeError() const {
-    double error = 1e-15;
-    for (const RecordField* field : {&x, &y, &z}) {
-        // Twice the rounding of a float: the point was computed in float, too.
-        if (field->scalar == Scalar::Float32) error = 1.2e-7;
-    }
-    return error;
-}
-
 std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     const auto named = [&](const char* name) -> std::optional<RecordField> {
         const auto found = std::find_if(fields.begin(), fields.end(), [&](const RecordField& field) { return field.name == name; });
@@ -81,8 +72,8 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
 
 Precision precisionOf(const PrintedDigits& digits) {
     const double absolute = 0.5 * std::pow(10.0, -std::min(digits.decimals, 300));
-    if (digits.fixedDecimals()) return {absolute, 1e-15};
-    return {absolute, 0.5 * std::pow(10.0, 1 - std::clamp(digits.significant, 1, 16))};
+    if (digits.fixedDecimals()) return {absolute, kFloatError};
+    return {absolute, std::max(kFloatError, 0.5 * std::pow(10.0, 1 - std::max(digits.significant, 1)))};
 }
 
 bool HeaderLines::next() {

@@ -24,9 +24,6 @@ struct RecordField {
 struct PointFields {
     RecordField x, y, z;
     std::optional<RecordField> rangeMm, state;
-
-    /// Largest relative error of the types that x y z are stored in.
-    [[nodiscard]] double relativeError() const;
 };
 
 /// Empty when x, y or z is missing.

@@ -195,9 +195,11 @@ Scan organisedScan(const PointTable& table, const Source& source) {
 std::string coarseStep(const PointTable& table) {
     double largest = 0;
     for (const Eigen::Vector3d& p : table.points) {
-        if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+        if (!p.allFinite()) continue;
+        if (p.cast<float>().cast<double>() != p) return {}; // written with more digits than a float has
+        largest = std::max(largest, p.cwiseAbs().maxCoeff());
     }
-    if (largest < 1e5 || table.precision.relative < 1e-8) return {}; // written with more digits than a float has
+    if (largest < 1e5) return {};
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
     return "; numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +

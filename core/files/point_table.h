@@ -13,12 +13,15 @@
 
 namespace edgescan {
 
+/// Twice the relative rounding error of a 4-byte float. Whatever a file's numbers look like, most programs computed them in float.
+inline constexpr double kFloatError = 1.2e-7;
+
 struct PointTable {
     std::string format;                               ///< "PCD", "PLY", "point list"
     std::size_t width = 0;                            ///< points per row of an organised cloud; all points otherwise
     std::size_t height = 1;                           ///< 1 = not organised
     std::vector<Eigen::Vector3d> points;              ///< the numbers of the file; not finite where missing
-    Precision precision;                              ///< how exactly they are written
+    Precision precision{0.0, kFloatError};            ///< how exactly they are written
     Eigen::Vector3d sensor = Eigen::Vector3d::Zero(); ///< position of the sensor, in the same numbers
     std::optional<double> unitMm;                     ///< millimetres per number where the format or a header says so
     bool leftHanded = false;                          ///< 3DTK: x right, y up, z forward

@@ -100,7 +100,7 @@ Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
     table.precision = precisionOf(rows.digits());
     table.unitMm = columns->unitMm;
     table.description = layout.description;
-    if (source.path.extension() == ".3d") {
+    if (source.extension() == ".3d") {
         table.format = "3DTK scan";
         table.unitMm = 10.0; // 3DTK: centimetres, left-handed
         table.leftHanded = true;

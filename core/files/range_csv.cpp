@@ -80,7 +80,7 @@ bool looksLikeRangeCsv(const TextLayout& layout, const Source& source) {
     if (!layout.names.empty() || !layout.description.empty()) return false;
     if (layout.columns >= kFewestRangeColumns) return true;
     const OpenOptions& options = *source.options;
-    return source.path.extension() == ".csv" && options.beamStepDeg && options.lineStepDeg;
+    return source.extension() == ".csv" && options.beamStepDeg && options.lineStepDeg;
 }
 
 Result<Scan> readRangeCsv(const Source& source, const TextLayout& layout) {

@@ -17,7 +17,12 @@ struct Source {
     const OpenOptions* options = nullptr;
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-    [[nodiscard]] std::string name() const { return path.stem().string(); }
+    /// Lower case, with the dot.
+    [[nodiscard]] std::string extension() const {
+        std::string text = path.extension().string();
+        for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        return text;
+    }
 
     [[nodiscard]] Error refused(std::string what, std::string todo) const { return {std::move(what), path.string(), std::move(todo)}; }
     [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string todo) const {

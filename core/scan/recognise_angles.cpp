@@ -185,6 +185,22 @@ double medianStep(const std::vector<double>& angles) {
     return *middle;
 }
 
+std::vector<std::size_t> placesOnSteps(const std::vector<double>& angles) {
+    constexpr double kMostMissing = 0.3;
+    if (angles.size() < 8) return {};
+    const double rough = medianStep(angles) * (angles.back() > angles.front() ? 1 : -1);
+    const double step = (angles.back() - angles.front()) / std::round((angles.back() - angles.front()) / rough);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double place = (angles[i] - angles[0]) / step;
+        if (std::abs(place - std::round(place)) > 0.1 || (i > 0 && std::round(place) <= static_cast<double>(places.back()))) return {};
+        places.push_back(static_cast<std::size_t>(std::lround(place)));
+    }
+    const std::size_t all = places.back() + 1;
+    if (all == angles.size() || static_cast<double>(all) > static_cast<double>(angles.size()) * (1 + kMostMissing)) return {};
+    return places;
+}
+
 OnGrid judge(const Fit& fit, std::span<const AxisPoint> points, const Precision& precision) {
     const Offsets offsets(fit, points, precision);
     const Steps steps = stepsOf(fit);

@@ -169,6 +169,39 @@ bool believable(const Fit& fit) {
     return regular * 10 >= (fit.tilt.size() - 1) * 9;
 }
 
+/// Lines or beams of which no point was left are put back empty, where the others show the step.
+std::vector<double> spread(const std::vector<double>& angles, const std::vector<std::size_t>& places) {
+    std::vector<double> all(places.back() + 1);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const auto gap = static_cast<double>(places[i] - places[i - 1]);
+        for (std::size_t k = places[i - 1]; k <= places[i]; ++k) {
+            all[k] = angles[i - 1] + (angles[i] - angles[i - 1]) * static_cast<double>(k - places[i - 1]) / gap;
+        }
+    }
+    return all;
+}
+std::size_t putBackMissing(Fit& fit) {
+    std::vector<std::size_t> lines = placesOnSteps(fit.plane);
+    std::vector<std::size_t> beams = placesOnSteps(fit.tilt);
+    if (lines.empty() && beams.empty()) return 0;
+    const auto unchanged = [](std::vector<std::size_t>& places, std::size_t count) {
+        if (!places.empty()) return false;
+        for (std::size_t i = 0; i < count; ++i) places.push_back(i);
+        return true;
+    };
+    if (!unchanged(lines, fit.plane.size())) fit.plane = spread(fit.plane, lines);
+    if (!unchanged(beams, fit.tilt.size())) fit.tilt = spread(fit.tilt, beams);
+    Grid<std::uint32_t> pointOf(static_cast<int>(fit.plane.size()), static_cast<int>(fit.tilt.size()), kNone);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t j = 0; j < beams.size(); ++j) {
+            pointOf.at(static_cast<int>(lines[i]), static_cast<int>(beams[j])) = fit.pointOf.at(static_cast<int>(i), static_cast<int>(j));
+        }
+    }
+    const std::size_t added = fit.plane.size() - lines.size() + fit.tilt.size() - beams.size();
+    fit.pointOf = std::move(pointOf);
+    return added;
+}
+
 struct Found {
     Fit fit;
     Hypothesis hypothesis;
@@ -198,6 +231,7 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
 RecognisedGrid finished(Found found, const PointList& list) {
     RecognisedGrid grid;
     grid.copiedLines = found.fit.complete ? dropCopiedLines(found.fit, found.points) : 0;
+    const std::size_t putBack = found.fit.complete ? 0 : putBackMissing(found.fit);
     describeLikeAScanner(found.fit, found.hypothesis.axis);
     grid.geometry = geometryOf(found.fit, found.points, list.precision, found.hypothesis.axis);
     grid.turn = found.hypothesis.turn;
@@ -206,6 +240,8 @@ RecognisedGrid finished(Found found, const PointList& list) {
     grid.doubled = found.fit.doubled;
     if (grid.copiedLines > 0)
         grid.remarks.push_back(std::to_string(grid.copiedLines) + " lines repeated the line before and were left out.");
+    if (putBack > 0)
+        grid.remarks.push_back(std::to_string(putBack) + " lines or beams without any point were put back empty, to keep the steps even.");
     if (grid.unplaced > 0) {
         grid.remarks.push_back(
             std::to_string(grid.unplaced) +
@@ -246,6 +282,7 @@ Result<RecognisedGrid> recogniseGrid(const PointList& list) {
             auto fit = inOrder ? fitFileOrder(points, list.precision, list.rowLength) : fitGroups(points, list.precision, seen[h]);
             if (!fit || !believable(*fit) || (best && best->fit.residual <= fit->residual)) continue;
             best = Found{std::move(*fit), hypotheses[h], std::move(points)};
+            if (best->fit.plane.size() > 1) break; // only a single line can fit more than one axis
         }
         if (best) return finished(std::move(*best), list);
         if (list.rowLength > 0) break; // an organised cloud is in order or no grid of angles

@@ -117,6 +117,7 @@ struct Return {
     double plane = 0.0, planeError = 0.0, tiltError = 0.0;
     std::uint32_t line = kNone, beam = kNone;
     bool unsure = false; ///< too near the axis, or written too coarsely, to tell its line
+    bool told = false;   ///< its line is known all the same, from its neighbours in the list
     bool off = false;    ///< between the lines
 };
 
@@ -153,6 +154,7 @@ public:
             remember(seen, lines.centres.size(), 0, sure);
             if (sure < kShareOnGrid) continue;
             const auto tilt = [&](const Return& r) { return tiltOf(r, lines); };
+            takeLinesOfNeighbours();
             for (const Ring& beams : ringsIn(preciseAngles(&Return::tiltError, tilt), 2 * kPi)) {
                 const double placed = placeInBeams(lines, beams);
                 remember(seen, lines.centres.size(), beams.centres.size(), placed);
@@ -186,13 +188,14 @@ private:
         const double limit = medianOf(std::move(errors)) * 1.0000001;
         std::vector<double> angles;
         for (const Return& r : returns_) {
-            if (r.*error <= limit) angles.push_back(angle(r));
+            // The side of the axis, and so the sign of the tilt, needs the line.
+            if (r.*error <= limit && (!r.unsure || r.told || error == &Return::planeError)) angles.push_back(angle(r));
         }
         return angles;
     }
     [[nodiscard]] double tiltOf(const Return& r, const Ring& lines) const {
         const AxisPoint& p = points_[r.point];
-        if (r.unsure) return std::atan2(std::sqrt(p.squaredRadius()), p.u);
+        if (r.unsure && !r.told) return std::atan2(std::sqrt(p.squaredRadius()), p.u);
         const double plane = lines.centres[r.line];
         return std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u);
     }
@@ -203,6 +206,7 @@ private:
         for (Return& r : returns_) {
             const Ring::Nearest near = lines.nearest(r.plane);
             r.line = static_cast<std::uint32_t>(near.group);
+            r.told = false;
             r.unsure = 3 * r.planeError > 0.25 * std::min(near.voidWidth, 0.5);
             r.off = !r.unsure && near.distance > 0.25 * near.voidWidth;
             told += r.unsure ? 0 : 1;
@@ -248,21 +252,40 @@ private:
         }
         return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
     }
+    /// In a list that runs along its lines, a point near the axis between two points of one line is on that line.
+    void takeLinesOfNeighbours() {
+        std::vector<std::size_t> sure;
+        for (std::size_t n = 0; n < returns_.size(); ++n) {
+            if (!returns_[n].unsure && !returns_[n].off) sure.push_back(n);
+        }
+        std::size_t sameLine = 0;
+        for (std::size_t s = 1; s < sure.size(); ++s) sameLine += returns_[sure[s]].line == returns_[sure[s - 1]].line ? 1 : 0;
+        listedByLines_ = sameLine * 2 >= sure.size();
+        if (!listedByLines_) return;
+        for (std::size_t s = 1; s < sure.size(); ++s) {
+            if (returns_[sure[s]].line != returns_[sure[s - 1]].line) continue;
+            for (std::size_t n = sure[s - 1] + 1; n < sure[s]; ++n) {
+                if (!returns_[n].unsure) continue;
+                returns_[n].line = returns_[sure[s]].line;
+                returns_[n].told = true;
+            }
+        }
+    }
     /// A point on the axis belongs to the line of its neighbours in the list, if the list is ordered.
     void settleUnsure(const Ring& lines, const Ring& beams) {
         const bool ascending = beamsAscend();
         std::vector<std::size_t> nextTold(returns_.size() + 1, returns_.size());
-        for (std::size_t n = returns_.size(); n-- > 0;) nextTold[n] = returns_[n].unsure ? nextTold[n + 1] : n;
+        for (std::size_t n = returns_.size(); n-- > 0;) nextTold[n] = returns_[n].unsure && !returns_[n].told ? nextTold[n + 1] : n;
         for (std::size_t n = 0; n < returns_.size(); ++n) {
             Return& r = returns_[n];
-            if (!r.unsure || r.beam == kNone) continue;
+            if (!r.unsure || r.told || r.beam == kNone) continue;
             const auto fits = [&](std::size_t other, bool otherIsLater) {
                 if (other >= returns_.size() || returns_[other].line == kNone || returns_[other].beam == kNone) return false;
                 return otherIsLater == ascending ? r.beam < returns_[other].beam : r.beam > returns_[other].beam;
             };
             const std::size_t before = n == 0 ? returns_.size() : n - 1; // already settled
-            const bool left = fits(before, false);
-            const bool right = fits(nextTold[n], true);
+            const bool left = listedByLines_ && fits(before, false);
+            const bool right = listedByLines_ && fits(nextTold[n], true);
             r.line = kNone;
             if (left && right && returns_[before].line != returns_[nextTold[n]].line) continue;
             if (!left && !right) continue;
@@ -304,6 +327,7 @@ private:
     std::span<const AxisPoint> points_;
     double period_;
     std::vector<Return> returns_;
+    bool listedByLines_ = false;
 };
 
 double fillOf(const Fit& fit) {

@@ -167,10 +167,10 @@ private:
     double eps_;
 };
 
-Grid<std::uint32_t> inOrder(std::size_t firstLine, const std::vector<std::size_t>& lines, std::size_t beams) {
+Grid<std::uint32_t> inOrder(const std::vector<std::size_t>& lines, std::size_t beams) {
     Grid<std::uint32_t> pointOf(static_cast<int>(lines.size()), static_cast<int>(beams));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (std::size_t j = 0; j < beams; ++j) pointOf[i * beams + j] = static_cast<std::uint32_t>((lines[i] - firstLine) * beams + j);
+        for (std::size_t j = 0; j < beams; ++j) pointOf[i * beams + j] = static_cast<std::uint32_t>(lines[i] * beams + j);
     }
     return pointOf;
 }
@@ -182,7 +182,7 @@ std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& 
     const auto attempt = [&](const std::vector<std::size_t>& chosen) -> std::optional<Fit> {
         auto fit = fitter.fit(chosen);
         if (!fit) return std::nullopt;
-        fit->pointOf = inOrder(0, chosen, beams);
+        fit->pointOf = inOrder(chosen, beams);
         const OnGrid judged = judge(*fit, points, precision);
         if (judged.share < kShareOnGrid || !judged.telling) return std::nullopt;
         fit->residual = judged.residual;
@@ -197,19 +197,35 @@ std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& 
         for (std::size_t i = 0; i < kSampleLines; ++i) sample.push_back(from + i);
         auto fit = fitter.fit(sample);
         if (fit) {
-            fit->pointOf = inOrder(0, sample, beams);
+            fit->pointOf = inOrder(sample, beams);
             if (judge(*fit, points, precision).share < 0.9) return std::nullopt;
         }
     }
     return attempt(all);
 }
 
+/// Lines `from` to `from + count` of a list that runs beam by beam.
+std::vector<AxisPoint> linesOutOfBeams(std::span<const AxisPoint> points, std::size_t lines, std::size_t from, std::size_t count) {
+    const std::size_t beams = points.size() / lines;
+    std::vector<AxisPoint> turned(count * beams);
+    for (std::size_t j = 0; j < beams; ++j) {
+        for (std::size_t i = 0; i < count; ++i) turned[i * beams + j] = points[j * lines + from + i];
+    }
+    return turned;
+}
+
 std::optional<Fit> fitTransposed(std::span<const AxisPoint> points, const Precision& precision, std::size_t lines, double eps) {
     const std::size_t beams = points.size() / lines;
-    std::vector<AxisPoint> turned(points.size());
-    for (std::size_t j = 0; j < beams; ++j) {
-        for (std::size_t i = 0; i < lines; ++i) turned[i * beams + j] = points[j * lines + i];
+    if (lines > 4 * kSampleLines) {
+        const auto sample = linesOutOfBeams(points, lines, lines / 2 - kSampleLines / 2, kSampleLines);
+        std::vector<std::size_t> all(kSampleLines);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        auto fit = LineFitter(sample, beams, eps).fit(all);
+        if (!fit) return std::nullopt;
+        fit->pointOf = inOrder(all, beams);
+        if (judge(*fit, sample, precision).share < 0.9) return std::nullopt;
     }
+    const auto turned = linesOutOfBeams(points, lines, 0, lines);
     auto fit = fitLines(turned, precision, beams, eps);
     if (!fit) return std::nullopt;
     for (std::size_t i = 0; i < lines; ++i) {

@@ -72,6 +72,9 @@ struct OnGrid {
 /// the measured values, rounded below their error.
 [[nodiscard]] std::vector<double> tidyAngles(const std::vector<double>& degrees, const std::vector<double>& errors);
 
+/// Where angles that are multiples of one step leave some out: the place of each among all of them; empty when they do not.
+[[nodiscard]] std::vector<std::size_t> placesOnSteps(const std::vector<double>& angles);
+
 /// Median of absolute differences between neighbours; 0 when there are none.
 [[nodiscard]] double medianStep(const std::vector<double>& angles);
 
