@@ -2,6 +2,7 @@
 #include "core/scan/recognise_parts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace edgescan::recognition {
@@ -147,7 +148,8 @@ public:
 
     std::optional<Fit> fit(NoFit& seen) {
         if (returns_.size() < 12) return std::nullopt;
-        const auto lineRings = ringsIn(preciseAngles(&Return::planeError, [](const Return& r) { return r.plane; }), period_);
+        const auto lineRings = ringsOf(
+            &Return::planeError, [](const Return& r) { return r.plane; }, period_);
         for (Ring lines : lineRings) {
             double sure = placeInLines(lines);
             if (beginAsListed(lines)) sure = placeInLines(lines);
@@ -155,7 +157,7 @@ public:
             if (sure < kShareOnGrid) continue;
             const auto tilt = [&](const Return& r) { return tiltOf(r, lines); };
             takeLinesOfNeighbours();
-            for (const Ring& beams : ringsIn(preciseAngles(&Return::tiltError, tilt), 2 * kPi)) {
+            for (const Ring& beams : ringsOf(&Return::tiltError, tilt, 2 * kPi)) {
                 const double placed = placeInBeams(lines, beams);
                 remember(seen, lines.centres.size(), beams.centres.size(), placed);
                 if (placed < kShareOnGrid || beams.centres.size() < 2) continue;
@@ -180,18 +182,23 @@ private:
         if (share * (beams > 0 ? 2 : 1) <= seen.onGrid * (seen.beams > 0 ? 2 : 1)) return;
         seen = {lines, beams, share};
     }
-    /// Angles of the half of the points that tell them best.
+    /// Rings that the angles suggest: of nearly all points, since a beam may hold few; then of the half that tells them best.
     template <class Angle>
-    std::vector<double> preciseAngles(double Return::*error, Angle angle) const {
+    std::vector<Ring> ringsOf(double Return::*error, Angle angle, double period) const {
         std::vector<double> errors;
         for (const Return& r : returns_) errors.push_back(r.*error);
-        const double limit = medianOf(std::move(errors)) * 1.0000001;
-        std::vector<double> angles;
-        for (const Return& r : returns_) {
-            // The side of the axis, and so the sign of the tilt, needs the line.
-            if (r.*error <= limit && (!r.unsure || r.told || error == &Return::planeError)) angles.push_back(angle(r));
+        const double usual = medianOf(std::move(errors));
+        std::vector<Ring> rings;
+        for (const double limit : {4 * usual, 1.0000001 * usual}) {
+            std::vector<double> angles;
+            for (const Return& r : returns_) {
+                // The side of the axis, and so the sign of the tilt, needs the line.
+                if (r.*error <= limit && (!r.unsure || r.told || error == &Return::planeError)) angles.push_back(angle(r));
+            }
+            auto found = ringsIn(std::move(angles), period);
+            std::move(found.begin(), found.end(), std::back_inserter(rings));
         }
-        return angles;
+        return rings;
     }
     [[nodiscard]] double tiltOf(const Return& r, const Ring& lines) const {
         const AxisPoint& p = points_[r.point];
@@ -247,8 +254,9 @@ private:
             const bool coarse = 3 * r.tiltError > 0.25 * std::min(near.voidWidth, 0.5);
             const bool close = near.distance <= 0.25 * near.voidWidth;
             r.beam = close && !coarse ? static_cast<std::uint32_t>(near.group) : kNone;
-            told += coarse ? 0 : 1;
-            good += !coarse && close ? 1 : 0;
+            const bool telling = !coarse && (!r.unsure || r.told);
+            told += telling ? 1 : 0;
+            good += telling && close ? 1 : 0;
         }
         return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
     }
@@ -311,6 +319,7 @@ private:
         Fit fit;
         fit.plane = lines.centres;
         fit.tilt = beams.centres;
+        std::size_t conflicts = 0;
         fit.pointOf = Grid<std::uint32_t>(static_cast<int>(lines.centres.size()), static_cast<int>(beams.centres.size()), kNone);
         for (const Return& r : returns_) {
             if (r.off || r.line == kNone || r.beam == kNone) {
@@ -318,9 +327,15 @@ private:
                 continue;
             }
             std::uint32_t& cell = fit.pointOf.at(static_cast<int>(r.line), static_cast<int>(r.beam));
-            if (cell != kNone) ++fit.doubled;
+            if (cell != kNone) {
+                ++fit.doubled;
+                const AxisPoint& other = points_[cell];
+                const AxisPoint& p = points_[r.point];
+                conflicts += p.u != other.u || p.v != other.v || p.w != other.w ? 1 : 0;
+            }
             if (cell == kNone || points_[r.point].range() < points_[cell].range()) cell = r.point;
         }
+        if (conflicts * 20 > returns_.size()) return std::nullopt; // cells that are too large hold several different points
         return fit;
     }
 
