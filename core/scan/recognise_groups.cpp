@@ -55,7 +55,7 @@ struct Ring {
         std::vector<double> sorted = widths;
         std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
         const double usual = sorted[sorted.size() / 2];
-        if (*widest > 2 * usual) {
+        if (*widest > 1.3 * usual) {
             beginAt(static_cast<std::size_t>(widest - widths.begin() + 1) % centres.size());
             return true;
         }
@@ -192,13 +192,18 @@ private:
         for (const double limit : {4 * usual, 1.0000001 * usual}) {
             std::vector<double> angles;
             for (const Return& r : returns_) {
-                // The side of the axis, and so the sign of the tilt, needs the line.
-                if (r.*error <= limit && (!r.unsure || r.told || error == &Return::planeError)) angles.push_back(angle(r));
+                if (r.*error <= limit && (error == &Return::planeError || tiltIsKnown(r))) angles.push_back(angle(r));
             }
             auto found = ringsIn(std::move(angles), period);
             std::move(found.begin(), found.end(), std::back_inserter(rings));
         }
         return rings;
+    }
+    /// The side of the axis, and so the sign of the tilt, needs the line; unless the point is on the axis.
+    [[nodiscard]] bool tiltIsKnown(const Return& r) const {
+        if (!r.unsure || r.told) return true;
+        const AxisPoint& p = points_[r.point];
+        return listedByLines_ && std::sqrt(p.squaredRadius()) <= 3 * r.tiltError * p.range();
     }
     [[nodiscard]] double tiltOf(const Return& r, const Ring& lines) const {
         const AxisPoint& p = points_[r.point];
@@ -224,8 +229,7 @@ private:
     /// Lines all around the axis have no void to begin after, but the list may have: where neighbouring lines lie far apart in it.
     /// Matters because the side of a plane changes there. False when nothing was changed.
     bool beginAsListed(Ring& lines) const {
-        Ring copy = lines;
-        if (copy.cutAtWidestVoid() || lines.centres.size() < 3) return false;
+        if (lines.centres.size() < 3) return false;
         std::vector<double> place(lines.centres.size(), 0.0);
         std::vector<double> count(lines.centres.size(), 0.0);
         for (std::size_t n = 0; n < returns_.size(); ++n) {
