@@ -5,6 +5,8 @@
 #include "core/edges/holes.h"
 #include "core/edges/smooth.h"
 
+#include <opencv2/core/utility.hpp>
+
 #include <chrono>
 #include <cmath>
 
@@ -38,6 +40,8 @@ void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage 
 }
 
 } // namespace
+
+Pipeline::Pipeline() { cv::setNumThreads(0); }
 
 std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const bool sameScan = last_ && last_->scan == scan;

@@ -8,6 +8,9 @@ namespace edgescan {
 /// Not for several threads at once; the frames it returns are.
 class Pipeline {
 public:
+    /// Switches OpenCV's thread pool off for the process: one worker thread is enough, and a pool makes its times jumpy.
+    Pipeline();
+
     /// The same scan pointer and settings give the last frame again. `scan` must not be null.
     std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
