@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -188,6 +190,25 @@ TEST(BadInput, WhatIsNoScanIsNamed) {
     expectRefused(folder / "wide.txt", "neither text");
     std::filesystem::create_symlink("loop.pcd", folder / "loop.pcd");
     EXPECT_FALSE(openScan(folder / "loop.pcd"));
+}
+
+TEST(BadInput, MissingRightsAreSaid) {
+    const Folder folder;
+    const Scan scan = makeScan({});
+    ASSERT_TRUE(saveScan(scan, folder / "locked.pcd"));
+    std::filesystem::permissions(folder / "locked.pcd", std::filesystem::perms::none);
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
+    const bool root = ::geteuid() == 0; // root may do everything, so another user tries
+    if (root && ::seteuid(65534) != 0) GTEST_SKIP() << "cannot become another user";
+    const std::string reading = refusal(folder / "locked.pcd");
+    const auto written = saveScan(scan, folder / "new.pcd");
+    if (root) {
+        ASSERT_EQ(::seteuid(0), 0);
+    }
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+    EXPECT_NE(reading.find("reading this file is not allowed"), std::string::npos) << reading;
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().sentence().find("writing here is not allowed"), std::string::npos) << written.error().sentence();
 }
 
 TEST(BadInput, NamesOfAnyLanguageWork) {
