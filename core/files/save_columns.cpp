@@ -76,8 +76,12 @@ TypeNames typeNamesOf(const CloudColumn& column) {
 template <class Word>
 std::string headerLine(const char* key, const CloudColumns& cloud, Word word) {
     std::string line = key;
-    for (const CloudColumn& column : cloud.columns) line += std::string(" ") + word(column);
-    return line + "\n";
+    for (const CloudColumn& column : cloud.columns) {
+        line += ' ';
+        line += word(column);
+    }
+    line += '\n';
+    return line;
 }
 
 Result<Done> checkRoom(const CloudColumns& cloud, const std::filesystem::path& path, std::uint64_t bytesPerNumber) {
