@@ -31,7 +31,7 @@ struct Wanted {
 
 void addFlags(CLI::App& app, Wanted& wanted) {
     app.set_version_flag("--version", version());
-    app.add_option("FILE", wanted.files, "Scan to open");
+    app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
     app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
     app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
@@ -108,6 +108,10 @@ int main(int argc, char** argv) {
             return 2;
         }
         settings = *typed;
+    }
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        std::cerr << "edgescan: there is no display to show a window on; log in to a desktop, or use edgescan-cli.\n";
+        return 1;
     }
     int qtArgc = 1;
     QApplication application(qtArgc, qtArguments.data());

@@ -185,7 +185,9 @@ void MainWindow::showPicture() {
         viewPort_->setImageSize({frame.scan->beams(), frame.scan->lines()});
         cloud_->setCloud(frame.scan, shown_->cloud);
         for (ImageView* view : {gray_, edges_}) view->setNote(QString());
-        setWindowTitle(QString::fromStdString(frame.scan->name) + " - EdgeScan");
+        const int place = static_cast<int>(series_.indexOf(openedPath_)) + 1;
+        const QString ofSeries = series_.size() > 1 && place > 0 ? tr(" (%1 of %2)").arg(place).arg(series_.size()) : QString();
+        setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
         QStringList warnings;
         for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
         if (!warnings.isEmpty()) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
@@ -257,9 +259,19 @@ void MainWindow::useSettings(const Settings& settings) {
     panel_->show(session_.settings());
 }
 
-void MainWindow::openFile(const QString& path, const OpenOptions& options) { session_.open(path, options); }
+void MainWindow::openFile(const QString& path, const OpenOptions& options) { openSeries({path}, options); }
 
-void MainWindow::openDemo() { session_.openDemo(); }
+void MainWindow::openSeries(const QStringList& paths, const OpenOptions& options) {
+    if (paths.isEmpty()) return;
+    series_ = paths;
+    openOptions_ = options;
+    session_.open(paths.front(), options);
+}
+
+void MainWindow::openDemo() {
+    series_.clear();
+    session_.openDemo();
+}
 
 void MainWindow::arrangePanes() {
     const Qt::Orientation wanted = width() >= kWideScreen ? Qt::Horizontal : Qt::Vertical;
@@ -338,12 +350,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList paths;
     for (const QUrl& url : event->mimeData()->urls()) {
-        if (!url.isLocalFile()) continue;
-        event->acceptProposedAction();
-        openFile(url.toLocalFile());
-        return;
+        if (url.isLocalFile()) paths << url.toLocalFile();
     }
+    if (!paths.isEmpty()) event->acceptProposedAction();
+    openSeries(paths);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

@@ -32,6 +32,8 @@ public:
     ~MainWindow() override;
 
     void openFile(const QString& path, const OpenOptions& options = {});
+    /// Opens the first; the others follow with Page Down.
+    void openSeries(const QStringList& paths, const OpenOptions& options = {});
     void openDemo();
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
@@ -95,6 +97,7 @@ private:
 
     // main_window_files.cpp
     void askOpen();
+    void stepInSeries(int step);
     void askExport(Session::Export what);
     void askOpenPreset();
     void askSavePreset();
@@ -131,6 +134,8 @@ private:
     QTimer workTimer_; // work that ends sooner is not shown
     QString workTitle_;
     QString openedPath_;
+    OpenOptions openOptions_; // those of the file on the screen, for Reload and the series
+    QStringList series_;
 };
 
 } // namespace edgescan::ui

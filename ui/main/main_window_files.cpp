@@ -58,7 +58,12 @@ const char* nameTail(Session::Export what) {
 
 void MainWindow::askOpen() {
     const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open scan"), memory_.folder("scans"), openFilters());
-    if (!paths.isEmpty()) openFile(paths.front());
+    openSeries(paths);
+}
+
+void MainWindow::stepInSeries(int step) {
+    const auto next = series_.indexOf(openedPath_) + step;
+    if (series_.contains(openedPath_) && next >= 0 && next < series_.size()) session_.open(series_[next], openOptions_);
 }
 
 void MainWindow::askExport(Session::Export what) {

@@ -67,7 +67,7 @@ void MainWindow::buildFileMenu() {
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(*recent); });
     addCommand(file, tr("Open &Demo Draw-Bell"), {}, [this] { openDemo(); });
     addCommand(file, tr("Re&load"), {QKeySequence(Qt::Key_F5)}, [this] {
-        if (!openedPath_.isEmpty()) openFile(openedPath_);
+        if (!openedPath_.isEmpty()) session_.open(openedPath_, openOptions_);
     });
     file.addSeparator();
     QMenu& exports = *file.addMenu(tr("&Export"));
@@ -180,6 +180,8 @@ void MainWindow::buildViewMenu() {
 
 void MainWindow::buildScanMenu() {
     QMenu& scan = *menuBar()->addMenu(tr("&Scan"));
+    addCommand(scan, tr("&Next File of Series"), {QKeySequence(Qt::Key_PageDown)}, [this] { stepInSeries(1); });
+    addCommand(scan, tr("Pre&vious File of Series"), {QKeySequence(Qt::Key_PageUp)}, [this] { stepInSeries(-1); });
     addCommand(scan, tr("&Properties…"), {}, [this] { showScanProperties(); });
 }
 
