@@ -109,7 +109,8 @@ int main(int argc, char** argv) {
         }
         settings = *typed;
     }
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         std::cerr << "edgescan: there is no display to show a window on; log in to a desktop, or use edgescan-cli.\n";
         return 1;
     }

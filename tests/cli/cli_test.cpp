@@ -44,11 +44,13 @@ TEST_F(Cli, DetectReportsEverythingOfTheContract) {
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const json report = json::parse(run.out);
-    for (const char* key : {"input", "sha256", "lines", "beams", "cells", "range_mm", "settings", "edges", "edge_mask_sha256", "timings_ms", "warnings", "version"}) {
+    for (const char* key : {"input", "sha256", "lines", "beams", "cells", "range_mm", "settings", "edges", "edge_mask_sha256", "timings_ms",
+                            "warnings", "version"}) {
         EXPECT_TRUE(report.contains(key)) << key;
     }
     std::size_t sum = 0;
-    for (const char* state : {"valid", "no_return", "status", "out_of_window", "masked", "lost"}) sum += report["cells"].at(state).get<std::size_t>();
+    for (const char* state : {"valid", "no_return", "status", "out_of_window", "masked", "lost"})
+        sum += report["cells"].at(state).get<std::size_t>();
     EXPECT_EQ(sum, 40U * 60U);
     EXPECT_EQ(report["settings"]["lower"], 20);
     EXPECT_EQ(report["settings"]["scaling"], "window");
@@ -58,8 +60,8 @@ TEST_F(Cli, DetectReportsEverythingOfTheContract) {
 
 TEST_F(Cli, EveryOutputIsWrittenAndBelongsToTheSameMask) {
     const auto path = [&](const char* name) { return (folder / name).string(); };
-    const auto run = runCli("detect " + scanPath + " --json " + path("r.json") + " --mask " + path("m.png") + " --gray " + path("g.png") + " --range " +
-                            path("s.png") + " --edges " + path("e.csv") + " --cloud " + path("c.pcd"));
+    const auto run = runCli("detect " + scanPath + " --json " + path("r.json") + " --mask " + path("m.png") + " --gray " + path("g.png") +
+                            " --range " + path("s.png") + " --edges " + path("e.csv") + " --cloud " + path("c.pcd"));
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "");
     const json report = json::parse(test::fileText(folder / "r.json"));
@@ -81,18 +83,21 @@ TEST_F(Cli, EveryOutputIsWrittenAndBelongsToTheSameMask) {
 TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
     const std::string second = (folder / "second.json").string();
     ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 4), second));
-    const auto run = runCli("detect " + scanPath + " " + (folder / "missing.pcd").string() + " " + second + " -o " + (folder / "out").string());
+    const auto run =
+        runCli("detect " + scanPath + " " + (folder / "missing.pcd").string() + " " + second + " -o " + (folder / "out").string());
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("missing.pcd"), std::string::npos);
-    for (const char* name : {"boxes_edges.json", "boxes_edges.png", "boxes_gray.png", "boxes_range.png", "boxes_edges.pcd", "boxes_cloud.pcd", "second_edges.json"}) {
+    for (const char* name : {"boxes_edges.json", "boxes_edges.png", "boxes_gray.png", "boxes_range.png", "boxes_edges.pcd",
+                             "boxes_cloud.pcd", "second_edges.json"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
     }
 }
 
 TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
-    for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"}) EXPECT_EQ(runCli(usage).code, 2) << usage;
-    for (const std::string flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense", "--scaling window --near 5m --far 4m",
-                                     "--edges e.docx", "--nonsense 3", "--axis up"}) {
+    for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"})
+        EXPECT_EQ(runCli(usage).code, 2) << usage;
+    for (const std::string flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense",
+                                    "--scaling window --near 5m --far 4m", "--edges e.docx", "--nonsense 3", "--axis up"}) {
         const auto run = runCli("detect " + scanPath + " " + flags);
         EXPECT_EQ(run.code, 2) << flags;
         EXPECT_EQ(run.out, "") << flags;

@@ -46,7 +46,8 @@ TEST(Layers, TheCommandLineLinksNeitherQtNorVtkNorOpenGl) {
     ASSERT_EQ(std::system(("ldd " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli >" + list).c_str()), 0);
     const std::string libraries = test::fileText(list);
     EXPECT_NE(libraries.find("libopencv_core"), std::string::npos);
-    for (const char* forbidden : {"libQt", "libvtk", "libGL.", "libpcl"}) EXPECT_EQ(libraries.find(forbidden), std::string::npos) << forbidden;
+    for (const char* forbidden : {"libQt", "libvtk", "libGL.", "libpcl"})
+        EXPECT_EQ(libraries.find(forbidden), std::string::npos) << forbidden;
 }
 
 } // namespace

@@ -10,9 +10,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kReach = 3;               // cells to each side: noise of single ranges must not show as grain
-constexpr float kSameSurface = 0.04F;   // share of the range that neighbours may differ per cell of distance ...
-constexpr float kSameSurfaceM = 0.05F;  // ... and metres on top
+constexpr int kReach = 3;              // cells to each side: noise of single ranges must not show as grain
+constexpr float kSameSurface = 0.04F;  // share of the range that neighbours may differ per cell of distance ...
+constexpr float kSameSurfaceM = 0.05F; // ... and metres on top
 
 struct Neighbourhood {
     const CloudGeometry& cloud;

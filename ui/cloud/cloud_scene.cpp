@@ -35,7 +35,7 @@ namespace {
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
 constexpr double kEdgeLarger = 2.0; // VIEWER.md 2.5
-constexpr double kAmbient = 0.2; // of the cloud's colour where the surface is seen edge-on
+constexpr double kAmbient = 0.5;    // of the cloud's colour where the surface is seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);

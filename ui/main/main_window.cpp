@@ -35,6 +35,15 @@ namespace {
 constexpr int kWideScreen = 1920; // VIEWER.md 2.4: three views in one row from here on
 constexpr int kRememberAfterMs = 300;
 constexpr int kShowWorkAfterMs = 100;
+constexpr double kUsualPointSize = 2.0;
+constexpr double kLargestPointSize = 5.0;
+
+// So large that a sparse scan is a surface and not a haze.
+double pointSizeFor(const CloudView& view, const CloudGeometry& cloud) {
+    const double pixels =
+        static_cast<double>(view.width()) * view.height() / static_cast<double>(std::max<std::size_t>(1, cloud.validCount));
+    return std::clamp(std::round(std::sqrt(pixels)), kUsualPointSize, kLargestPointSize);
+}
 
 } // namespace
 
@@ -184,6 +193,7 @@ void MainWindow::showPicture() {
         hovered_.reset();
         viewPort_->setImageSize({frame.scan->beams(), frame.scan->lines()});
         cloud_->setCloud(frame.scan, shown_->cloud);
+        cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
         for (ImageView* view : {gray_, edges_}) view->setNote(QString());
         const int place = static_cast<int>(series_.indexOf(openedPath_)) + 1;
         const QString ofSeries = series_.size() > 1 && place > 0 ? tr(" (%1 of %2)").arg(place).arg(series_.size()) : QString();
