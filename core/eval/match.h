@@ -1,0 +1,21 @@
+// Which detected edge cell belongs to which true one: at most one each, as many pairs as possible.
+#pragma once
+
+#include "core/base/grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan {
+
+/// A detected cell and the true cell it was matched with.
+struct MatchedPair {
+    std::uint32_t detected = 0; ///< k = line * beams + beam
+    std::uint32_t truth = 0;
+};
+
+/// Maximum-cardinality one-to-one matching (Hopcroft and Karp 1973) of the cells set in both masks (255 = edge, same shape) that lie at
+/// most `tolerance` cells apart (Euclidean); near pairs are tried first. Ordered by `detected`.
+[[nodiscard]] std::vector<MatchedPair> matchEdges(const Grid<std::uint8_t>& detected, const Grid<std::uint8_t>& truth, double tolerance);
+
+} // namespace edgescan
