@@ -1,0 +1,23 @@
+// The moment something reached this computer, on both clocks.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace edgescan {
+
+struct HostTime {
+    std::int64_t monotonicNs = 0; ///< never set back; only differences mean something
+    std::int64_t utcNs = 0;       ///< since 1970-01-01 UTC; may jump when the clock is set
+
+    bool operator==(const HostTime&) const = default;
+};
+
+[[nodiscard]] inline HostTime hostNow() {
+    using std::chrono::duration_cast;
+    using std::chrono::nanoseconds;
+    return {duration_cast<nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+            duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count()};
+}
+
+} // namespace edgescan
