@@ -2,36 +2,46 @@
 #include "core/files/cloud_columns.h"
 
 #include "core/files/description.h"
+#include "core/frames/placed_points.h"
 #include "core/scan/cartesian.h"
 
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstdio>
 
 namespace edgescan {
 namespace {
 
+constexpr double kLargestInFloat = 1e4; // metres; beyond it a 4-byte float steps by a millimetre and more
+
 /// Polar points are computed and lie within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
-/// that were read keep every bit, which may take 8 bytes (mine coordinates do).
-bool floatsSuffice(const Scan& scan) {
-    const auto* points = std::get_if<PointGeometry>(&scan.geometry);
-    if (points == nullptr) return true;
-    for (const Eigen::Vector3d& p : points->pointsM.cells) {
+/// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
+bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
+    for (const Eigen::Vector3d& p : points) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (std::isfinite(p[axis]) && static_cast<double>(static_cast<float>(p[axis])) != p[axis]) return false;
+            if (!std::isfinite(p[axis])) continue;
+            if (std::abs(p[axis]) > kLargestInFloat) return false;
+            if (!computed && static_cast<double>(static_cast<float>(p[axis])) != p[axis]) return false;
         }
     }
     return true;
 }
 
 template <class T>
-void addCoordinates(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points) {
-    static constexpr const char* kNames[3] = {"x", "y", "z"};
+void addCoordinates(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, const char* prefix) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<T> values;
         values.reserve(points.size());
         for (const Eigen::Vector3d& p : points) values.push_back(static_cast<T>(p[axis]));
-        cloud.columns.push_back({kNames[axis], std::move(values)});
+        cloud.columns.push_back({prefix + std::string(1, static_cast<char>('x' + axis)), std::move(values)});
     }
+}
+
+void addPoints(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, bool computed, const char* prefix = "") {
+    if (cloud.frame != CoordinateFrame::Mine && floatsSuffice(points, computed))
+        addCoordinates<float>(cloud, points, prefix);
+    else
+        addCoordinates<double>(cloud, points, prefix);
 }
 
 template <class T, class Value>
@@ -42,23 +52,35 @@ void addColumn(CloudColumns& cloud, const char* name, const std::vector<std::siz
     cloud.columns.push_back({name, std::move(values)});
 }
 
-CloudColumns columnsFor(const Scan& scan, const std::vector<std::size_t>& cells, bool every) {
+/// Turns the points of the cells from the scanner's frame into the one asked for.
+void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::size_t>& cells, std::vector<Eigen::Vector3d>& points) {
+    const PlacedPoints placed(scan);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    for (std::size_t n = 0; n < cells.size(); ++n) points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), points[n]);
+    cloud.sensorM = placed.inFrame(cloud.frame, 0, cloud.sensorM);
+    if (cloud.frame == CoordinateFrame::MineLocal) cloud.originM = placed.originEnhM();
+}
+
+CloudColumns columnsFor(const Scan& scan, const std::vector<std::size_t>& cells, bool every, CoordinateFrame frame) {
     CloudColumns cloud;
     cloud.width = cells.size();
+    cloud.frame = frame;
     const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
     std::vector<Eigen::Vector3d> points;
     points.reserve(cells.size());
     const auto* given = std::get_if<PointGeometry>(&scan.geometry);
     for (const std::size_t k : cells) points.push_back(every && given != nullptr ? given->pointsM[k] : tables.point(k));
-    if (floatsSuffice(scan))
-        addCoordinates<float>(cloud, points);
-    else
-        addCoordinates<double>(cloud, points);
+    const bool placed = frame != CoordinateFrame::Scanner;
+    std::vector<Eigen::Vector3d> asRead;
+    if (placed && every && given != nullptr) asRead = points;
+    if (placed) placePoints(cloud, scan, cells, points);
+    addPoints(cloud, points, given == nullptr || placed);
     const auto beams = static_cast<std::size_t>(scan.beams());
     addColumn<std::uint32_t>(cloud, "line", cells, [&](std::size_t k) { return k / beams; });
     addColumn<std::uint32_t>(cloud, "beam", cells, [&](std::size_t k) { return k % beams; });
     addColumn<float>(cloud, "range_mm", cells, [&](std::size_t k) { return scan.rangeMm[k]; });
+    if (!asRead.empty()) addPoints(cloud, asRead, false, "scanner_");
     return cloud;
 }
 
@@ -73,9 +95,9 @@ std::vector<std::size_t> cellsWhere(const Scan& scan, Chosen chosen) {
 
 } // namespace
 
-CloudColumns everyCell(const Scan& scan) {
+CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
     const auto cells = cellsWhere(scan, [](std::size_t) { return true; });
-    CloudColumns cloud = columnsFor(scan, cells, true);
+    CloudColumns cloud = columnsFor(scan, cells, true, frame);
     addColumn<std::uint8_t>(cloud, "state", cells, [&](std::size_t k) { return scan.state[k]; });
     cloud.width = static_cast<std::size_t>(scan.beams());
     cloud.height = static_cast<std::size_t>(scan.lines());
@@ -83,25 +105,43 @@ CloudColumns everyCell(const Scan& scan) {
     return cloud;
 }
 
-CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask) {
+CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame) {
     const auto cells = cellsWhere(scan, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
-    CloudColumns cloud = columnsFor(scan, cells, false);
+    CloudColumns cloud = columnsFor(scan, cells, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", cells, [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
     return cloud;
 }
 
-CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask) {
-    return columnsFor(scan, cellsWhere(scan, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; }), false);
+CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame) {
+    const auto cells = cellsWhere(scan, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
+    return columnsFor(scan, cells, false, frame);
 }
 
-std::vector<std::string> commentLines(const std::string& description) {
+std::string frameText(const CloudColumns& cloud) {
+    switch (cloud.frame) {
+    case CoordinateFrame::Scanner:
+        break;
+    case CoordinateFrame::Mine:
+        return "EdgeScan, mine grid in metres: x Easting, y Northing, z Elevation";
+    case CoordinateFrame::MineLocal: {
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(),
+                      "EdgeScan, metres from the mine grid origin: x east, y north, z up; origin E %.3f N %.3f El %.3f", cloud.originM.x(),
+                      cloud.originM.y(), cloud.originM.z());
+        return text.data();
+    }
+    }
+    return "EdgeScan, coordinates in metres";
+}
+
+std::vector<std::string> commentLines(const std::string& json, const std::string& mark) {
     constexpr std::size_t kLength = 200;
     std::vector<std::string> lines;
-    for (std::size_t at = 0; at < description.size();) {
-        std::size_t end = std::min(at + kLength, description.size());
+    for (std::size_t at = 0; at < json.size();) {
+        std::size_t end = std::min(at + kLength, json.size());
         // A blank at a cut would be lost with the line's end.
-        while (end < description.size() && end > at + 1 && (description[end] == ' ' || description[end - 1] == ' ')) --end;
-        lines.push_back("edgescan " + description.substr(at, end - at));
+        while (end < json.size() && end > at + 1 && (json[end] == ' ' || json[end - 1] == ' ')) --end;
+        lines.push_back(mark + json.substr(at, end - at));
         at = end;
     }
     return lines;

@@ -3,6 +3,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
+#include "core/scan/placement.h"
 #include "core/scan/scan.h"
 
 #include <cstdint>
@@ -23,24 +24,37 @@ struct CloudColumns {
     std::size_t height = 1; ///< more than 1: organised, every cell is there
     std::vector<CloudColumn> columns;
     std::string description; ///< JSON for the comment lines; empty = none
-    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero();
+    std::string record;      ///< provenance as JSON for the comment lines; empty = none
+    CoordinateFrame frame = CoordinateFrame::Scanner;
+    Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< what to add to x y z for mine coordinates, when frame is MineLocal
+    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< in the same numbers as x y z
 };
 
-/// All cells, lines x beams: x y z (metres, NaN where not valid), range_mm, line, beam, state, and the description.
-[[nodiscard]] CloudColumns everyCell(const Scan& scan);
+/// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, state, and the description. A frame other
+/// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
+[[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
 /// Valid cells: x y z, line, beam, range_mm, edge. `edgeMask` may be null.
-[[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask);
+[[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
+                                       CoordinateFrame frame = CoordinateFrame::Scanner);
 
 /// Valid cells whose mask is not 0: x y z, line, beam, range_mm.
-[[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask);
+[[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
+                                      CoordinateFrame frame = CoordinateFrame::Scanner);
 
-Result<Done> savePcd(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii);
-Result<Done> savePly(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii);
+/// A writer is a function from columns to the bytes of the file. `where` is the path, for errors.
+Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where, bool ascii);
+Result<std::string> plyBytes(const CloudColumns& cloud, const std::string& where, bool ascii);
 /// Header line with names, then rows; the separator is ' ' or ','.
-Result<Done> savePointText(const CloudColumns& cloud, const std::filesystem::path& path, char separator);
+Result<std::string> pointTextBytes(const CloudColumns& cloud, const std::string& where, char separator);
 
-/// The description cut into lines short enough for every reader: "edgescan {...".
-[[nodiscard]] std::vector<std::string> commentLines(const std::string& description);
+/// What a header tells people of frame, unit, axis order and origin: one line of ASCII.
+[[nodiscard]] std::string frameText(const CloudColumns& cloud);
+
+/// JSON cut into lines short enough for every reader, each behind `mark`: "edgescan {...".
+[[nodiscard]] std::vector<std::string> commentLines(const std::string& json, const std::string& mark = "edgescan ");
+
+/// What stands before provenance in comment lines.
+inline constexpr const char* kRecordMark = "edgescan-record ";
 
 } // namespace edgescan

@@ -2,7 +2,6 @@
 #include "core/files/cloud_columns.h"
 
 #include "core/base/memory.h"
-#include "core/files/whole_file.h"
 
 #include <array>
 #include <bit>
@@ -30,16 +29,32 @@ void appendNumber(std::string& text, T value) {
 
 std::size_t rowsOf(const CloudColumns& cloud) { return cloud.width * cloud.height; }
 
+/// Tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more.
+void appendMineNumber(std::string& text, double value) {
+    if (!std::isfinite(value)) return appendNumber(text, value);
+    std::array<char, 64> digits{};
+    const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 4);
+    if (problem == std::errc{}) text.append(digits.data(), end);
+}
+
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
-        bool first = true;
-        for (const CloudColumn& column : cloud.columns) {
-            if (!first) text += separator;
-            first = false;
-            std::visit([&](const auto& values) { appendNumber(text, values[row]); }, column.values);
+        for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
+            const CloudColumn& column = cloud.columns[i];
+            if (i > 0) text += separator;
+            if (i < 3 && cloud.frame == CoordinateFrame::Mine)
+                appendMineNumber(text, std::get<std::vector<double>>(column.values)[row]);
+            else
+                std::visit([&](const auto& values) { appendNumber(text, values[row]); }, column.values);
         }
         text += '\n';
     }
+}
+
+/// Comment lines of the description and the record, each behind the format's own comment word.
+void appendComments(std::string& text, const CloudColumns& cloud, const std::string& word) {
+    for (const std::string& line : commentLines(cloud.description)) text += word + line + "\n";
+    for (const std::string& line : commentLines(cloud.record, kRecordMark)) text += word + line + "\n";
 }
 
 /// Records one after the other, each column's values as they are in memory.
@@ -84,16 +99,17 @@ std::string headerLine(const char* key, const CloudColumns& cloud, Word word) {
     return line;
 }
 
-Result<Done> checkRoom(const CloudColumns& cloud, const std::filesystem::path& path, std::uint64_t bytesPerNumber) {
-    return checkMemory(std::uint64_t{rowsOf(cloud)} * cloud.columns.size() * bytesPerNumber, path.string());
+Result<Done> checkRoom(const CloudColumns& cloud, const std::string& where, std::uint64_t bytesPerNumber) {
+    return checkMemory(std::uint64_t{rowsOf(cloud)} * cloud.columns.size() * bytesPerNumber, where);
 }
 
 } // namespace
 
-Result<Done> savePcd(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii) {
-    if (auto enough = checkRoom(cloud, path, ascii ? 12 : 8); !enough) return enough.error();
+Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where, bool ascii) {
+    if (auto enough = checkRoom(cloud, where, ascii ? 12 : 8); !enough) return enough.error();
     std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
-    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
+    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
+    appendComments(text, cloud, "# ");
     text += "VERSION 0.7\n";
     text += headerLine("FIELDS", cloud, [](const CloudColumn& c) { return c.name; });
     text += headerLine("SIZE", cloud, [](const CloudColumn& c) { return typeNamesOf(c).pcdSize; });
@@ -109,14 +125,14 @@ Result<Done> savePcd(const CloudColumns& cloud, const std::filesystem::path& pat
         appendRows(text, cloud, ' ');
     else
         appendRecords(text, cloud);
-    return writeWholeFile(path, text);
+    return text;
 }
 
-Result<Done> savePly(const CloudColumns& cloud, const std::filesystem::path& path, bool ascii) {
-    if (auto enough = checkRoom(cloud, path, ascii ? 12 : 8); !enough) return enough.error();
+Result<std::string> plyBytes(const CloudColumns& cloud, const std::string& where, bool ascii) {
+    if (auto enough = checkRoom(cloud, where, ascii ? 12 : 8); !enough) return enough.error();
     std::string text = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
-    text += "comment EdgeScan, coordinates in metres\n";
-    for (const std::string& line : commentLines(cloud.description)) text += "comment " + line + "\n";
+    text += "comment " + frameText(cloud) + "\n";
+    appendComments(text, cloud, "comment ");
     text += "element vertex " + std::to_string(rowsOf(cloud)) + "\n";
     for (const CloudColumn& column : cloud.columns) text += std::string("property ") + typeNamesOf(column).ply + " " + column.name + "\n";
     text += "end_header\n";
@@ -124,13 +140,14 @@ Result<Done> savePly(const CloudColumns& cloud, const std::filesystem::path& pat
         appendRows(text, cloud, ' ');
     else
         appendRecords(text, cloud);
-    return writeWholeFile(path, text);
+    return text;
 }
 
-Result<Done> savePointText(const CloudColumns& cloud, const std::filesystem::path& path, char separator) {
-    if (auto enough = checkRoom(cloud, path, 12); !enough) return enough.error();
+Result<std::string> pointTextBytes(const CloudColumns& cloud, const std::string& where, char separator) {
+    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
     std::string text;
-    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
+    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
+    appendComments(text, cloud, "# ");
     if (separator == ' ') text += "# "; // many readers of .xyz take no header line
     for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
         if (i > 0) text += separator;
@@ -138,7 +155,7 @@ Result<Done> savePointText(const CloudColumns& cloud, const std::filesystem::pat
     }
     text += '\n';
     appendRows(text, cloud, separator);
-    return writeWholeFile(path, text);
+    return text;
 }
 
 } // namespace edgescan

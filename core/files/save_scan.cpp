@@ -3,6 +3,7 @@
 
 #include "core/files/cloud_columns.h"
 #include "core/files/raw_grid.h"
+#include "core/files/whole_file.h"
 
 #include <algorithm>
 #include <array>
@@ -28,20 +29,26 @@ Error unknownFormat(const std::filesystem::path& path, const char* known) {
             path.string(), std::string("use ") + known};
 }
 
-Result<Done> saveColumns(const CloudColumns& columns, SaveFormat format, const std::filesystem::path& path, const SaveOptions& options) {
+Result<std::string> bytesOf(CloudColumns columns, SaveFormat format, const std::filesystem::path& path, const SaveOptions& options) {
+    columns.record = options.record;
     switch (format) {
     case SaveFormat::Pcd:
-        return savePcd(columns, path, options.ascii);
+        return pcdBytes(columns, path.string(), options.ascii);
     case SaveFormat::Ply:
-        return savePly(columns, path, options.ascii);
+        return plyBytes(columns, path.string(), options.ascii);
     case SaveFormat::Xyz:
-        return savePointText(columns, path, ' ');
+        return pointTextBytes(columns, path.string(), ' ');
     case SaveFormat::Csv:
-        return savePointText(columns, path, ',');
+        return pointTextBytes(columns, path.string(), ',');
     case SaveFormat::RawGrid:
         break;
     }
     return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+}
+
+Result<Done> write(const Result<std::string>& bytes, const std::filesystem::path& path) {
+    if (!bytes) return bytes.error();
+    return writeWholeFile(path, *bytes);
 }
 
 Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const std::filesystem::path& path) {
@@ -81,30 +88,52 @@ const std::vector<FileKind>& writableCloudKinds() {
     return kinds;
 }
 
+Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where) {
+    if (frame == CoordinateFrame::Scanner || scan.placement) return Done{};
+    return Error{"the scan has no pose, so its place in the mine grid is not known", where,
+                 "give a pose and the robot's calibration, or save in the scanner's frame"};
+}
+
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     const auto format = saveFormatOf(path);
     if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz or .csv");
     if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
-    if (*format == SaveFormat::RawGrid) return saveRawGrid(scan, path);
-    return saveColumns(everyCell(scan), *format, path, options);
+    if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return saveRawGrid(scan, path);
+    if (*format == SaveFormat::RawGrid)
+        return Error{"a raw grid holds ranges and no coordinates", path.string(),
+                     "save it without a frame, or as .pcd, .ply, .xyz or .csv"};
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    return write(bytesOf(everyCell(scan, options.frame), *format, path, options), path);
 }
 
-Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
-                       const SaveOptions& options) {
+Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                               const SaveOptions& options) {
     const auto format = saveFormatOf(path);
     if (!format || *format == SaveFormat::RawGrid) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
     if (edgeMask != nullptr) {
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
-    return saveColumns(validPoints(scan, edgeMask), *format, path, options);
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    return bytesOf(validPoints(scan, edgeMask, options.frame), *format, path, options);
+}
+
+Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                              const SaveOptions& options) {
+    const auto format = saveFormatOf(path);
+    if (!format || *format == SaveFormat::RawGrid) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    return bytesOf(edgePoints(scan, edgeMask, options.frame), *format, path, options);
+}
+
+Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                       const SaveOptions& options) {
+    return write(cloudBytes(scan, path, edgeMask, options), path);
 }
 
 Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                        const SaveOptions& options) {
-    const auto format = saveFormatOf(path);
-    if (!format || *format == SaveFormat::RawGrid) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
-    if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
-    return saveColumns(edgePoints(scan, edgeMask), *format, path, options);
+    return write(edgeBytes(scan, edgeMask, path, options), path);
 }
 
 } // namespace edgescan

@@ -4,11 +4,13 @@
 #include "core/base/grid.h"
 #include "core/base/result.h"
 #include "core/files/open_scan.h"
+#include "core/scan/placement.h"
 #include "core/scan/scan.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace edgescan {
@@ -30,7 +32,18 @@ enum class SaveFormat : std::uint8_t {
 
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
+    CoordinateFrame frame = CoordinateFrame::Scanner;
+    std::string record; ///< provenance JSON for the comment lines; empty = none
 };
+
+/// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.
+Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where);
+
+/// The bytes that the functions below write. `path` chooses the format and goes into errors; nothing is written.
+Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                               const SaveOptions& options = {});
+Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                              const SaveOptions& options = {});
 
 /// The whole grid with every cell, its state and the angles: openScan gives back the same ranges, states, angles and axis.
 /// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -52,6 +53,8 @@ struct PointGeometry {
 
 using Geometry = std::variant<PolarGeometry, PointGeometry>;
 
+struct Placement; // core/scan/placement.h
+
 struct Scan {
     std::string name;   ///< short name for titles and file names ("scan000")
     std::string path;   ///< file it was opened from, empty when made in memory
@@ -69,6 +72,7 @@ struct Scan {
     std::vector<std::uint32_t> statusCodes;      ///< raw counts that are device status codes
     std::vector<std::string> warnings;           ///< sentences about what was assumed, repaired or lost on reading
     std::string note;                            ///< free text that the file carried
+    std::shared_ptr<const Placement> placement;  ///< where it stands in the mine; null = scanner frame only
 
     [[nodiscard]] int lines() const { return rangeMm.lines; }
     [[nodiscard]] int beams() const { return rangeMm.beams; }

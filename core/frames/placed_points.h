@@ -1,0 +1,54 @@
+// From a scan's own points to the mine: one rigid transform per line, worked out once.
+#pragma once
+
+#include "core/scan/placement.h"
+#include "core/scan/scan.h"
+
+#include <vector>
+
+namespace edgescan {
+
+/// The scan must have a placement and outlive this.
+class PlacedPoints {
+public:
+    explicit PlacedPoints(const Scan& scan);
+
+    /// Scanner frame -> metres east, north, up from the placement's origin. NaN stays NaN.
+    [[nodiscard]] Eigen::Vector3d local(int line, const Eigen::Vector3d& scannerPointM) const;
+    /// Scanner frame -> Easting, Northing, Elevation.
+    [[nodiscard]] Eigen::Vector3d mine(int line, const Eigen::Vector3d& scannerPointM) const;
+    [[nodiscard]] Eigen::Vector3d inFrame(CoordinateFrame frame, int line, const Eigen::Vector3d& scannerPointM) const;
+    /// Metres from the origin -> scanner frame.
+    [[nodiscard]] Eigen::Vector3d scanner(int line, const Eigen::Vector3d& localPointM) const;
+
+    [[nodiscard]] const Eigen::Vector3d& originEnhM() const { return origin_; }
+
+private:
+    std::vector<RigidTransform> lines_; // scanner frame -> pose axes, still unscaled and at the head
+    Eigen::Vector3d scale_;
+    Eigen::Vector3d origin_;
+};
+
+/// A cell's place in the mine.
+struct MinePoint {
+    Eigen::Vector3d enhM;   ///< Easting, Northing, Elevation
+    Eigen::Vector3d localM; ///< the same less the origin
+};
+
+/// One point without tables: for a probe, not for a loop. NaN where the cell is not valid. The scan must have a placement.
+[[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
+
+/// Scanner frame -> axis base A for one line angle of the scan: the real mounting instead of the ideal one.
+[[nodiscard]] RigidTransform axisBaseFromScanner(const StepperMount& mount, const Geometry& geometry, int line);
+
+/// "boxes_edges.pcd"; without mine coordinates "boxes_edges_LOCAL.pcd", in local metres from an origin "boxes_edges_OFFSET.pcd"
+/// (OPERATOR.md S6). `extension` with the dot.
+[[nodiscard]] std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension,
+                                              CoordinateFrame frame);
+
+/// Mine where the scan has a place, else Scanner: what an export should carry unless somebody says otherwise.
+[[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {
+    return scan.placement ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
+}
+
+} // namespace edgescan

@@ -1,0 +1,62 @@
+// Where a scan stands in the mine: from the scanner's frame to local east, north, up about an origin that is kept in double.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+struct Scan;
+
+/// p_B = rotation p_A + translationM, in double. Rotations are proper: orthonormal, determinant +1.
+struct RigidTransform {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d translationM = Eigen::Vector3d::Zero();
+
+    [[nodiscard]] Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return rotation * p + translationM; }
+    bool operator==(const RigidTransform&) const = default;
+};
+
+/// p_C = outer (inner p_A): first inner, then outer.
+[[nodiscard]] inline RigidTransform operator*(const RigidTransform& outer, const RigidTransform& inner) {
+    return {outer.rotation * inner.rotation, outer * inner.translationM};
+}
+[[nodiscard]] inline RigidTransform inverse(const RigidTransform& t) {
+    return {t.rotation.transpose(), -(t.rotation.transpose() * t.translationM)};
+}
+
+/// How the sensor sits on the stepper (FRAMES.md step 1). A scan's own points are those of the ideal mounting.
+struct StepperMount {
+    RigidTransform sensorInMover; ///< M from S
+    Eigen::Vector3d axis{0, 0, 1};
+    double zeroDeg = 0.0;   ///< phi0: stepper angle of the scan's line angle 0
+    double direction = 1.0; ///< +1 or -1: how the stepper turns with the scan's line angle
+
+    bool operator==(const StepperMount&) const = default;
+};
+
+/// Which numbers an export carries.
+enum class CoordinateFrame : std::uint8_t {
+    Scanner,   ///< as measured, origin at the scanner
+    MineLocal, ///< east, north, up from the origin, which stands in the header: small numbers
+    Mine,      ///< Easting, Northing, Elevation; never in 4-byte floats
+};
+
+/// Made once, never changed.
+struct Placement {
+    StepperMount mount;
+    std::vector<RigidTransform> poses{1};                 ///< axis base A -> metres from the origin; one, or one per line
+    Eigen::Vector3d originEnhM = Eigen::Vector3d::Zero(); ///< Easting, Northing, Elevation of the local zero, whole metres
+    double gridScale = 1.0;                               ///< grid metres per metre, horizontally (FRAMES.md step 5)
+    std::string grid;                                     ///< "UTM 17N, WGS84" as the pose says; may be empty
+    std::string source;                                   ///< the files it was made from
+    std::string timeUtc;                                  ///< of the (last) pose, ISO 8601; empty when unknown
+    double ageSeconds = 0.0;                              ///< start of the scan minus time of its pose; NaN when unknown
+    bool outOfSpec = false;                               ///< pose older than the scan, tilt moved: warnings say why
+    std::vector<std::string> warnings;
+};
+
+} // namespace edgescan
