@@ -35,7 +35,7 @@ struct LineStamp {
 class LineCounter {
 public:
     /// `outputInterval`: every how many scans a telegram is sent (LMDscandatacfg); 0: learn it.
-    explicit LineCounter(int outputInterval = 0) : interval_(outputInterval) {}
+    explicit LineCounter(int outputInterval = 0) : interval_(outputInterval), learning_(outputInterval <= 0) {}
 
     /// `hostNs`: monotonic host time of the line; only differences are used, and 0 throughout is fine when no silence of an hour is
     /// to be bridged. A Duplicate is stamped as the line it repeats and changes nothing.
@@ -52,17 +52,18 @@ private:
         LineStamp stamp;
     };
     struct Advance {
-        std::int64_t us = 0, telegrams = 0, scans = 0;
+        std::int64_t us = 0, hostUs = 0, telegrams = 0, scans = 0;
         double scansByClock = 0.0;
     };
 
+    [[nodiscard]] std::int64_t steps() const { return interval_ > 0 ? interval_ : 1; }
     [[nodiscard]] Advance advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const;
     [[nodiscard]] LineStep judge(const Advance& advance) const;
-    [[nodiscard]] bool plausible(std::int64_t counted, double byClock) const;
     void learnInterval(const Advance& advance);
-    LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, const LineStamp& stamp);
+    LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp);
 
-    int interval_ = 0;
+    std::int64_t interval_; ///< scans per telegram, 0 while unknown
+    bool learning_;
     bool reconnected_ = false;
     std::optional<Last> last_;
 };
