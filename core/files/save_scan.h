@@ -33,7 +33,7 @@ enum class SaveFormat : std::uint8_t {
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    std::string record; ///< provenance JSON for the comment lines; empty = none
+    std::string record{}; ///< provenance JSON for the comment lines; empty = none
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.
