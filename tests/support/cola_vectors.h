@@ -1,0 +1,88 @@
+// The real telegrams in ../shared/protocol/vectors, and what they decode to.
+#pragma once
+
+#include "core/live/scan_telegram.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace edgescan::test {
+
+inline std::filesystem::path protocolFolder() { return std::filesystem::path(EDGESCAN_SHARED_DIR) / "protocol"; }
+inline std::filesystem::path vectorsFolder() { return protocolFolder() / "vectors"; }
+
+inline Bytes fileBytes(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+inline nlohmann::json fileJson(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return nlohmann::json::parse(file);
+}
+
+/// CRC-32 bit by bit, as "dfb4b09c".
+inline std::string crc32Text(ByteView bytes) {
+    std::uint32_t crc = 0xFFFFFFFFU;
+    for (const std::uint8_t byte : bytes) {
+        crc ^= byte;
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    char text[9];
+    std::snprintf(text, sizeof text, "%08x", crc ^ 0xFFFFFFFFU);
+    return text;
+}
+
+/// Over the values as 16-bit numbers, whatever their width on the wire: as the tables have it.
+inline std::string crc32Text(const ScanChannel& channel) {
+    Bytes bytes;
+    for (const std::uint16_t value : channel.values) {
+        bytes.push_back(static_cast<std::uint8_t>(value >> 8U));
+        bytes.push_back(static_cast<std::uint8_t>(value));
+    }
+    return crc32Text(bytes);
+}
+
+/// All frames of a file.
+inline std::vector<ColaFrame> framesOf(const std::filesystem::path& path, std::optional<Dialect> only = std::nullopt) {
+    ColaStream stream(only);
+    return stream.push(fileBytes(path));
+}
+/// All scan telegrams of a file, undecoded.
+inline std::vector<ColaFrame> scanFramesOf(const std::filesystem::path& path) {
+    std::vector<ColaFrame> frames = framesOf(path);
+    std::erase_if(frames, [](const ColaFrame& frame) { return !isScanTelegram(frame.payload()); });
+    return frames;
+}
+
+/// The rows of a CSV file by column name.
+inline std::vector<std::map<std::string, std::string>> csvRows(const std::filesystem::path& path) {
+    const auto cut = [](const std::string& line) {
+        std::vector<std::string> cells;
+        std::stringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+        return cells;
+    };
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    const std::vector<std::string> names = cut(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(file, line)) {
+        const std::vector<std::string> cells = cut(line);
+        auto& row = rows.emplace_back();
+        for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) row[names[i]] = cells[i];
+    }
+    return rows;
+}
+
+} // namespace edgescan::test
+
+#define EDGESCAN_NEEDS_VECTORS()                                                                                                           \
+    if (!std::filesystem::exists(edgescan::test::vectorsFolder())) GTEST_SKIP() << edgescan::test::vectorsFolder() << " is not there"
