@@ -202,6 +202,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
     grid.statusCodes = keys.codes("status_codes", {});
     grid.beamDeg = keys.angles("beam_deg", grid.beams);
     grid.lineDeg = keys.angles("line_deg", grid.lines);
+    grid.lineSkewDeg = keys.angles("line_skew_deg", grid.beams);
     grid.note = keys.word("note");
     readDataFile(keys, grid);
     readAxis(keys, grid);
@@ -243,6 +244,7 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
         object["line_deg"] = angleJson(polar->lineDeg);
         object["axis"] = polar->axis == Axis::Spin ? "spin" : "sweep";
         if (polar->lineDirection < 0) object["line_direction"] = -1;
+        if (!polar->lineSkewDeg.empty()) object["line_skew_deg"] = angleJson(polar->lineSkewDeg);
     } else {
         const auto& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
         object["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};

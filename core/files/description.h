@@ -36,6 +36,7 @@ struct GridDescription {
     std::vector<std::uint32_t> noReturnCodes{0};
     std::vector<std::uint32_t> statusCodes;
     std::optional<AngleList> beamDeg, lineDeg; ///< lists have exactly beams and lines numbers, all finite
+    std::optional<AngleList> lineSkewDeg;      ///< key "line_skew_deg", per beam, written only when there is one
     std::optional<Axis> axis;
     double lineDirection = 1.0;             ///< key "line_direction", written only when -1
     std::optional<Eigen::Vector3d> sensorM; ///< key "sensor_m": an organised cloud without angles

@@ -88,8 +88,9 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     if (grid->sensorM) {
         scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
     } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
-        scan.geometry =
-            PolarGeometry{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
+        PolarGeometry polar{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
+        if (grid->lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid->lineSkewDeg, grid->beams);
+        scan.geometry = std::move(polar);
     } else {
         return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
     }

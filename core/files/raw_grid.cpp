@@ -59,6 +59,7 @@ Result<Done> readGeometry(const GridDescription& grid, const Source& source, Sca
         anglesOf(grid.lineDeg.value_or(AngleSteps{options.lineStartDeg.value_or(0), options.lineStepDeg.value_or(0)}), grid.lines);
     polar.axis = grid.axis ? *grid.axis : *options.axis;
     polar.lineDirection = grid.lineDirection;
+    if (grid.lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid.lineSkewDeg, grid.beams);
     scan.geometry = std::move(polar);
     return Done{};
 }

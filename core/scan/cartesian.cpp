@@ -42,6 +42,10 @@ CartesianTables::CartesianTables(const Scan& scan) : scan_(&scan), polar_(std::g
         cosLine_.push_back(cosineDeg(p));
         sinLine_.push_back(sineDeg(p) * polar_->lineDirection);
     }
+    for (const double skew : polar_->lineSkewDeg) {
+        cosSkew_.push_back(cosineDeg(skew));
+        sinSkew_.push_back(sineDeg(skew) * polar_->lineDirection);
+    }
 }
 
 Eigen::Vector3d CartesianTables::direction(int line, int beam) const {
@@ -51,7 +55,10 @@ Eigen::Vector3d CartesianTables::direction(int line, int beam) const {
     }
     const auto i = static_cast<std::size_t>(line);
     const auto j = static_cast<std::size_t>(beam);
-    return beamDirection(polar_->axis, cosBeam_[j], sinBeam_[j], cosLine_[i], sinLine_[i]);
+    if (cosSkew_.empty()) return beamDirection(polar_->axis, cosBeam_[j], sinBeam_[j], cosLine_[i], sinLine_[i]);
+    const double cosine = cosLine_[i] * cosSkew_[j] - sinLine_[i] * sinSkew_[j];
+    const double sine = sinLine_[i] * cosSkew_[j] + cosLine_[i] * sinSkew_[j];
+    return beamDirection(polar_->axis, cosBeam_[j], sinBeam_[j], cosine, sine);
 }
 
 Eigen::Vector3d CartesianTables::point(int line, int beam) const {
@@ -76,7 +83,8 @@ Eigen::Vector3d pointOfCell(const Scan& scan, std::size_t k) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return std::get<PointGeometry>(scan.geometry).pointsM[k];
     const double beam = polar->beamDeg[k % static_cast<std::size_t>(scan.beams())];
-    const double line = polar->lineDeg[k / static_cast<std::size_t>(scan.beams())];
+    const double skew = polar->lineSkewDeg.empty() ? 0.0 : polar->lineSkewDeg[k % static_cast<std::size_t>(scan.beams())];
+    const double line = polar->lineDeg[k / static_cast<std::size_t>(scan.beams())] + skew;
     const double range = static_cast<double>(scan.rangeMm[k]) * kMetresPerMm;
     return beamDirection(polar->axis, cosineDeg(beam), sineDeg(beam), cosineDeg(line), sineDeg(line) * polar->lineDirection) * range;
 }

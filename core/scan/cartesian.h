@@ -25,6 +25,7 @@ private:
     const Scan* scan_;
     const PolarGeometry* polar_; // null for an organised cloud
     std::vector<double> cosBeam_, sinBeam_, cosLine_, sinLine_;
+    std::vector<double> cosSkew_, sinSkew_; // per beam; empty = the line angle holds for all beams
 };
 
 /// One point without tables: for a probe, not for a loop.

@@ -41,6 +41,9 @@ struct PolarGeometry {
     Axis axis = Axis::Spin;
     double lineDirection = 1.0; ///< +1: line angles turn right-handed about the axis; -1: the other way (3DTK files)
 
+    /// Beams degrees to add to the line angle: the stepper moves on while the mirror sweeps the fan (SPEC 6.5). Empty = none.
+    std::vector<double> lineSkewDeg = {};
+
     bool operator==(const PolarGeometry&) const = default;
 };
 
