@@ -13,6 +13,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <set>
 
 namespace edgescan::cli {
 namespace {
@@ -60,8 +61,8 @@ Result<Done> writeOutputs(const Outputs& out, const Frame& frame, double loadMs,
     }
     if (out.json.empty()) return Done{};
     const nlohmann::ordered_json report = detectReport(frame, loadMs);
-    if (out.json != "-") return writeWholeFile(out.json, report.dump(2) + "\n");
-    std::cout << report.dump(several ? -1 : 2) << '\n';
+    if (out.json != "-") return writeWholeFile(out.json, reportText(report, true) + "\n");
+    std::cout << reportText(report, !several) << '\n';
     return Done{};
 }
 
@@ -95,8 +96,14 @@ bool onePathForSeveral(const Detect& detect) {
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     for (const std::string& path : {detect.edges, detect.cloud}) {
-        if (!path.empty() && !saveFormatOf(path))
+        if (!path.empty() && saveFormatOf(path).value_or(SaveFormat::RawGrid) == SaveFormat::RawGrid)
             return Error{"the extension names no format for points", path, "use .pcd, .ply, .csv or .xyz"};
+    }
+    std::set<std::string> stems;
+    for (const std::string& file : detect.files) {
+        const std::string stem = fs::path(file).stem().string();
+        if (detect.folder.empty() || stems.insert(stem).second) continue;
+        return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
     return Done{};
 }

@@ -23,7 +23,7 @@ int run(const Info& info) {
             code = kRefused;
             continue;
         }
-        std::cout << infoReport(*scan).dump() << '\n';
+        std::cout << reportText(infoReport(*scan), false) << '\n';
     }
     return code;
 }

@@ -28,5 +28,8 @@ int main(int argc, char** argv) {
         std::cerr << "edgescan-cli: " << error.what() << "; this should not happen, please report it.\n";
         return cli::kRefused;
     }
-    return code;
+    std::cout.flush();
+    if (std::cout.good()) return code;
+    std::cerr << "edgescan-cli: stdout: the results cannot be written (no space, or closed); send them elsewhere.\n";
+    return cli::kRefused;
 }

@@ -6,6 +6,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -33,10 +37,24 @@ std::string hint(const Parameter& p) {
     return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
 }
 
+const std::string kNotTyped = "\n"; // no flag can hold it
+
+std::atomic<bool> progressLineOpen{false}; // an error must start on a line of its own
+
+const CLI::Validator kFinite(
+    [](std::string& text) {
+        double value = 0;
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool fine = code == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+        return fine ? std::string() : "\"" + text + "\" is not a number";
+    },
+    "NUMBER");
+
 // One line per stage on stderr, redrawn in place.
 bool tellProgress(const char* stage, double fraction) {
     std::fprintf(stderr, "\r%-24s %3.0f %%", stage, fraction * 100);
-    if (fraction >= 1.0) std::fputc('\n', stderr);
+    progressLineOpen = fraction < 1.0;
+    if (!progressLineOpen) std::fputc('\n', stderr);
     return true;
 }
 
@@ -44,10 +62,10 @@ bool tellProgress(const char* stage, double fraction) {
 
 void addReadFlags(CLI::App& command, ReadFlags& flags) {
     const char* group = "Reading";
-    command.add_option("--beam-start", flags.options.beamStartDeg, "Angle of the first beam [degrees]")->group(group);
-    command.add_option("--beam-step", flags.options.beamStepDeg, "Angle from beam to beam [degrees]")->group(group);
-    command.add_option("--line-start", flags.options.lineStartDeg, "Angle of the first line [degrees]")->group(group);
-    command.add_option("--line-step", flags.options.lineStepDeg, "Angle from line to line [degrees]")->group(group);
+    command.add_option("--beam-start", flags.options.beamStartDeg, "Angle of the first beam [degrees]")->check(kFinite)->group(group);
+    command.add_option("--beam-step", flags.options.beamStepDeg, "Angle from beam to beam [degrees]")->check(kFinite)->group(group);
+    command.add_option("--line-start", flags.options.lineStartDeg, "Angle of the first line [degrees]")->check(kFinite)->group(group);
+    command.add_option("--line-step", flags.options.lineStepDeg, "Angle from line to line [degrees]")->check(kFinite)->group(group);
     command.add_option("--axis", flags.axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
         ->check(CLI::IsMember({"spin", "sweep"}))
         ->group(group);
@@ -73,8 +91,14 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
         ->capture_default_str()
         ->group(group);
     for (const Parameter& p : parameters()) {
+        flags.typed[p.key] = kNotTyped;
         command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
     }
+}
+
+bool anyTyped(const MethodFlags& flags, const CLI::App& command) {
+    if (command.count("--preset") > 0) return true;
+    return std::ranges::any_of(flags.typed, [](const auto& flag) { return flag.second != kNotTyped; });
 }
 
 Result<Settings> settingsOf(const MethodFlags& flags) {
@@ -82,7 +106,7 @@ Result<Settings> settingsOf(const MethodFlags& flags) {
     if (!preset) return preset.error();
     Settings settings = preset->settings;
     for (const auto& [key, text] : flags.typed) {
-        if (text.empty()) continue;
+        if (text == kNotTyped) continue;
         const Parameter& parameter = *findParameter(key);
         const Result<double> value = parseValue(parameter, text);
         if (!value) return value.error();
@@ -92,6 +116,10 @@ Result<Settings> settingsOf(const MethodFlags& flags) {
     return settings;
 }
 
-void complain(const Error& error) { std::cerr << "edgescan-cli: " << error.sentence() << '\n'; }
+void complain(const Error& error) {
+    if (progressLineOpen) std::cerr << '\n';
+    progressLineOpen = false;
+    std::cerr << "edgescan-cli: " << error.sentence() << '\n';
+}
 
 } // namespace edgescan::cli

@@ -31,6 +31,9 @@ struct MethodFlags {
 };
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
 
+/// A preset or a parameter was given on the command line.
+[[nodiscard]] bool anyTyped(const MethodFlags& flags, const CLI::App& command);
+
 /// Preset first, then the flags. Error: unknown preset, or values that do not go together.
 [[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);
 

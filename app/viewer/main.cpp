@@ -40,20 +40,12 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     cli::addReadFlags(app, wanted.read);
 }
 
-bool methodTyped(const Wanted& wanted, const CLI::App& app) {
-    if (app.count("--preset") > 0) return true;
-    for (const auto& [key, text] : wanted.method.typed) {
-        if (!text.empty()) return true;
-    }
-    return false;
-}
-
 // Once the first picture is shown and the cloud has come to rest, or at once when the scan was refused.
 void screenshotWhenShown(ui::MainWindow& window, const std::string& path) {
     constexpr int kRestMs = 700;
     const auto write = [&window, path] {
-        const bool written = window.screenshot().save(QString::fromStdString(path));
-        if (!written) std::cerr << "edgescan: " << path << ": the picture cannot be written; choose another folder.\n";
+        const Result<Done> written = window.saveScreenshotTo(QString::fromStdString(path));
+        if (!written) std::cerr << "edgescan: " << written.error().sentence() << '\n';
         QApplication::exit(written ? 0 : 1);
     };
     QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write] { QTimer::singleShot(kRestMs, &window, write); });
@@ -101,7 +93,7 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     std::optional<Settings> settings;
-    if (methodTyped(wanted, app)) {
+    if (cli::anyTyped(wanted.method, app)) {
         const Result<Settings> typed = cli::settingsOf(wanted.method);
         if (!typed) {
             std::cerr << "edgescan: " << typed.error().sentence() << '\n';

@@ -67,11 +67,11 @@ void fillLogLevels(GrayImage& gray, const Scan& scan) {
     const auto search = [&](double range) {
         return static_cast<std::uint8_t>(std::upper_bound(limits.begin(), limits.end(), range) - limits.begin());
     };
-    std::vector<std::uint8_t> table(std::min(kTableMm, static_cast<std::size_t>(gray.scale.farMm) + 2));
+    std::vector<std::uint8_t> table(static_cast<std::size_t>(std::min(static_cast<double>(kTableMm), gray.scale.farMm + 2)));
     for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
     fillLevels(gray, scan, [&](double range) {
         const double floor = std::floor(range);
-        return range == floor && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)] : search(range);
+        return range == floor && floor >= 0 && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)] : search(range);
     });
 }
 

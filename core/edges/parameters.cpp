@@ -19,96 +19,49 @@ const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", 
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 
+constexpr bool kAuto = true;
+constexpr bool kAdvanced = true;
+
+// Reads and writes one member of Settings.
+#define EDGESCAN_MEMBER(member)                                                                                                            \
+    [](const Settings& s) { return static_cast<double>(s.member); },                                                                       \
+        [](Settings& s, double v) { s.member = static_cast<decltype(s.member)>(v); }
+
+// clang-format off
 const std::vector<Parameter>& table() {
+    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, member
     static const std::vector<Parameter> rows{
-        {"lower",
-         "Lower threshold",
-         "levels",
-         "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.",
-         0,
-         340,
-         1,
-         1,
-         false,
-         false,
-         {},
-         [](const Settings& s) { return s.lower; },
-         [](Settings& s, double v) { s.lower = v; }},
-        {"ratio",
-         "Ratio upper : lower",
-         "x",
-         "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
-         1,
-         10,
-         0.1,
-         2,
-         false,
-         false,
-         {},
-         [](const Settings& s) { return s.ratio; },
-         [](Settings& s, double v) { s.ratio = v; }},
-        {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.", 1, 11, 2, 0, false, false,
-         kKernels, [](const Settings& s) { return double(s.kernel); }, [](Settings& s, double v) { s.kernel = int(v); }},
-        {"sigma",
-         "Gaussian sigma",
-         "cells",
-         "Width of the smoothing; auto takes it from the kernel size.",
-         0.1,
-         10,
-         0.05,
-         2,
-         true,
-         false,
-         {},
-         [](const Settings& s) { return s.sigma; },
-         [](Settings& s, double v) { s.sigma = v; }},
-        {"scaling", "Gray scaling", "",
-         "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.", 0, 2, 1,
-         0, false, false, kScalings, [](const Settings& s) { return double(s.scaling); },
-         [](Settings& s, double v) { s.scaling = Scaling(int(v)); }},
-        {"near",
-         "Near",
-         "mm",
-         "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
-         0,
-         200000,
-         10,
-         0,
-         true,
-         false,
-         {},
-         [](const Settings& s) { return s.nearMm; },
-         [](Settings& s, double v) { s.nearMm = v; }},
-        {"far",
-         "Far",
-         "mm",
-         "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
-         0,
-         200000,
-         10,
-         0,
-         true,
-         false,
-         {},
-         [](const Settings& s) { return s.farMm; },
-         [](Settings& s, double v) { s.farMm = v; }},
-        {"mask-missing", "Mask missing data", "",
-         "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.", 0, 1, 1, 0, false,
-         false, kOffOn, [](const Settings& s) { return double(s.maskMissing); }, [](Settings& s, double v) { s.maskMissing = v != 0; }},
-        {"mask-isolated", "Mask isolated cells", "",
-         "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.", 0, 1, 1, 0, false,
-         false, kOffOn, [](const Settings& s) { return double(s.maskIsolated); }, [](Settings& s, double v) { s.maskIsolated = v != 0; }},
-        {"aperture", "Sobel aperture", "cells", "Size of the gradient operator.", 3, 7, 2, 0, false, true, kApertures,
-         [](const Settings& s) { return double(s.aperture); }, [](Settings& s, double v) { s.aperture = int(v); }},
-        {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.", 0, 1, 1, 0, false, true, kNorms,
-         [](const Settings& s) { return double(s.norm); }, [](Settings& s, double v) { s.norm = Norm(int(v)); }},
+        {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.",
+         0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(lower)},
+        {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
+         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(ratio)},
+        {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
+         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, EDGESCAN_MEMBER(kernel)},
+        {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
+         0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(sigma)},
+        {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
+         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kScalings, EDGESCAN_MEMBER(scaling)},
+        {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(nearMm)},
+        {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(farMm)},
+        {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.",
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, EDGESCAN_MEMBER(maskMissing)},
+        {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, EDGESCAN_MEMBER(maskIsolated)},
+        {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
+         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, EDGESCAN_MEMBER(aperture)},
+        {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, EDGESCAN_MEMBER(norm)},
     };
     return rows;
 }
+// clang-format on
 
 std::string shortest(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    std::array<char, 64> buffer{}; // values are within the limits of the table
+    const auto format = std::abs(value) < 1e15 ? std::chars_format::fixed : std::chars_format::general;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
     return {buffer.data(), end};
 }
 

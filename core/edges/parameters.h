@@ -27,6 +27,7 @@ struct Parameter {
     const char* help;  ///< one sentence
     double minimum;
     double maximum;
+    double sliderMaximum; ///< where the slider ends; larger values are typed
     double step;
     int decimals;
     bool canBeAutomatic;         ///< "auto" is a value

@@ -32,9 +32,9 @@ std::span<const Preset> builtInPresets() {
     static const std::vector<Preset> presets{
         {"default",
          "Logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.",
-         Settings{}},
-        {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis)},
-        {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window)},
+         Settings{}, {}},
+        {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
+        {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
     };
     return presets;
 }
@@ -61,7 +61,7 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (!settings) return settings.error();
     if (const auto checked = checkSettings(*settings); !checked) return checked.error();
     const nlohmann::json name = json.value("name", nlohmann::json());
-    return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings};
+    return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};
 }
 
 std::string presetText(const Preset& preset) {

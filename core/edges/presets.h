@@ -13,6 +13,7 @@ struct Preset {
     std::string name;
     std::string help; ///< one sentence
     Settings settings;
+    std::string path; ///< empty for a built-in preset
 };
 
 /// "default" first, then "thesis" and "window" (CLI.md).

@@ -3,6 +3,7 @@
 
 #include "core/edges/pipeline.h"
 
+#include <exception>
 #include <utility>
 
 namespace edgescan {
@@ -41,6 +42,11 @@ std::shared_ptr<const Frame> Worker::take() {
     return std::exchange(unread_, nullptr);
 }
 
+std::string Worker::takeFailure() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(failure_, {});
+}
+
 bool Worker::busy() const {
     const std::lock_guard lock(mutex_);
     return posted_ || running_;
@@ -57,11 +63,20 @@ void Worker::loop() {
         const std::shared_ptr<const Scan> scan = scan_;
         const Settings settings = settings_;
         lock.unlock();
-        std::shared_ptr<const Frame> frame = scan ? pipeline.run(scan, settings) : nullptr;
+        std::shared_ptr<const Frame> frame;
+        std::string failure;
+        try {
+            if (scan) frame = pipeline.run(scan, settings);
+        } catch (const std::exception& error) {
+            // The frame before stays on the screen; OpenCV reports a lack of memory in its own words.
+            pipeline = Pipeline();
+            failure = std::string("the edges could not be computed (") + error.what() + "); close other programs or open a smaller scan.";
+        }
         lock.lock();
         running_ = false;
-        if (!frame) continue;
-        unread_ = std::move(frame);
+        failure_ = failure;
+        if (!frame && failure.empty()) continue;
+        if (frame) unread_ = std::move(frame);
         lock.unlock();
         frameReady_();
         lock.lock();

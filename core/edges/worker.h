@@ -6,14 +6,14 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <optional>
+#include <string>
 #include <thread>
 
 namespace edgescan {
 
 class Worker {
 public:
-    /// `frameReady` is called on the worker's thread whenever take() has something new; the next run waits until it returns.
+    /// `frameReady` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it returns.
     explicit Worker(std::function<void()> frameReady);
     ~Worker();
     Worker(const Worker&) = delete;
@@ -25,6 +25,9 @@ public:
 
     /// The newest frame that nobody took yet, or null.
     [[nodiscard]] std::shared_ptr<const Frame> take();
+
+    /// Why the last run gave no frame (not enough memory ...); empty when it did. Asking clears it.
+    [[nodiscard]] std::string takeFailure();
 
     /// Something was posted whose frame is not ready yet.
     [[nodiscard]] bool busy() const;
@@ -41,6 +44,7 @@ private:
     bool running_ = false;
     bool stop_ = false;
     std::shared_ptr<const Frame> unread_;
+    std::string failure_;
     std::thread thread_; // last: starts when all the rest is there
 };
 

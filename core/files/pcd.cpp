@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 namespace edgescan {
@@ -31,6 +32,8 @@ struct PcdHeader {
     std::size_t firstLine = 1;
 };
 
+constexpr double kFarthestSensor = 1e9; // in the numbers of the file
+
 std::optional<std::vector<std::uint64_t>> wholeNumbers(const std::vector<std::string_view>& words) {
     std::vector<std::uint64_t> numbers;
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -45,6 +48,7 @@ void readViewpoint(const std::vector<std::string_view>& words, PcdHeader& header
     for (std::size_t i = 1; i < words.size() && i <= 3; ++i) {
         double value = 0;
         std::from_chars(words[i].data(), words[i].data() + words[i].size(), value);
+        if (!(std::abs(value) < kFarthestSensor)) value = 0; // no place on earth: as good as not given
         header.sensor[static_cast<Eigen::Index>(i - 1)] = value;
     }
 }
@@ -141,7 +145,7 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     std::vector<RecordField> fields;
     for (std::size_t i = 0; i < count; ++i) {
         const auto scalar = scalarOf(header.types[i], header.sizes[i]);
-        if (!scalar || header.counts[i] > kLargestRecord) {
+        if (!scalar || header.counts[i] == 0 || header.counts[i] > kLargestRecord) {
             return source.refused("the field " + header.names[i].substr(0, 40) + " has a type or size that PCD does not know",
                                   "export the file again");
         }

@@ -105,6 +105,10 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
         {"version", version()}};
 }
 
+std::string reportText(const nlohmann::ordered_json& report, bool indented) {
+    return report.dump(indented ? 2 : -1, ' ', false, json::error_handler_t::replace);
+}
+
 std::string maskSha256(const Grid<std::uint8_t>& mask) { return sha256Hex(std::as_bytes(std::span(mask.cells))); }
 
 } // namespace edgescan

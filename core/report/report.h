@@ -16,6 +16,9 @@ namespace edgescan {
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
 [[nodiscard]] nlohmann::ordered_json detectReport(const Frame& frame, double loadMs);
 
+/// The report as text, indented or on one line. A path that is not UTF-8 is told with replacement characters.
+[[nodiscard]] std::string reportText(const nlohmann::ordered_json& report, bool indented);
+
 /// SHA-256 of the lines x beams mask bytes, 0 or 255.
 [[nodiscard]] std::string maskSha256(const Grid<std::uint8_t>& mask);
 

@@ -86,7 +86,7 @@ TEST(Parameters, NearBeyondFarIsRefused) {
 }
 
 TEST(Presets, AFileComesBackAsItWas) {
-    Preset preset{"my bell", "", findPreset("thesis")->settings};
+    Preset preset{"my bell", "", findPreset("thesis")->settings, {}};
     preset.settings.lower = 17.5;
     preset.settings.farMm = 12000;
     const auto path = std::filesystem::temp_directory_path() / "edgescan-préréglage.json";

@@ -12,10 +12,8 @@
 #include "ui/panel/edges_panel.h"
 
 #include <QCloseEvent>
-#include <QDesktopServices>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMimeData>
@@ -140,11 +138,7 @@ void MainWindow::connectSession() {
         memory_.keepFolder("scans", path);
         memory_.write();
     });
-    connect(&session_, &Session::saved, this, [this](const QString& path, qint64 count) {
-        notice_->showNotice(NoticeBar::Kind::Done,
-                            tr("Saved %1: %2, %3 kB.").arg(path).arg(count).arg((QFileInfo(path).size() + 999) / 1000));
-        notice_->offer(tr("Open folder"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath())); });
-    });
+    connect(&session_, &Session::saved, this, &MainWindow::tellSaved);
     connect(&session_, &Session::settingsChanged, this, [this] {
         sinceChange_.start();
         panel_->show(session_.settings());
@@ -188,15 +182,16 @@ void MainWindow::showPicture() {
     const Frame& frame = *shown_->frame;
     const bool newScan = !last || last->frame->scan != frame.scan;
     if (newScan) {
-        levels_ = {};
-        stick(std::nullopt);
+        // Cells of the old scan are none of the new one.
         hovered_.reset();
+        stick(std::nullopt);
+        resetDisplayLevels();
+        applyAspect();
         viewPort_->setImageSize({frame.scan->beams(), frame.scan->lines()});
         cloud_->setCloud(frame.scan, shown_->cloud);
         cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
         for (ImageView* view : {gray_, edges_}) view->setNote(QString());
-        const int place = static_cast<int>(series_.indexOf(openedPath_)) + 1;
-        const QString ofSeries = series_.size() > 1 && place > 0 ? tr(" (%1 of %2)").arg(place).arg(series_.size()) : QString();
+        const QString ofSeries = series_.size() > 1 ? tr(" (%1 of %2)").arg(seriesPlace_ + 1).arg(series_.size()) : QString();
         setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
         QStringList warnings;
         for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
@@ -251,15 +246,31 @@ void MainWindow::changeDisplayLevels(int window, int level) {
     grayPane_->setRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
 }
 
+void MainWindow::resetDisplayLevels() {
+    levels_ = {};
+    grayPane_->setRemark(QString());
+    if (shown_) gray_->setImage(shown_->gray);
+}
+
+// Square pixels, or as wide and high as the angles between beams and lines are.
+void MainWindow::applyAspect() {
+    const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->frame->scan->geometry) : nullptr;
+    if (!trueAngles_ || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
+        viewPort_->setSquarePixels();
+        return;
+    }
+    const auto step = [](const std::vector<double>& deg) { return std::abs(deg.back() - deg.front()) / static_cast<double>(deg.size() - 1); };
+    viewPort_->setTrueAngle(step(polar->beamDeg), step(polar->lineDeg));
+}
+
 void MainWindow::changeSettings(const Settings& settings, bool dragging) {
     if (settings == session_.settings()) return;
-    if (!dragging) ++drag_;
-    undo_->push(new SettingsChange(session_.settings(), settings, drag_, [this](const Settings& s) { session_.setSettings(s); }));
+    undo_->push(new SettingsChange(session_.settings(), settings, dragging ? drag_ : 0, [this](const Settings& s) { session_.setSettings(s); }));
 }
 
 void MainWindow::usePreset(const Preset& preset) {
     panel_->setPreset(preset);
-    memory_.keep("edges/preset", QString::fromStdString(preset.name));
+    memory_.keep("edges/preset", QString::fromStdString(preset.path.empty() ? preset.name : preset.path));
     changeSettings(preset.settings, false);
     panel_->show(session_.settings());
 }
@@ -274,6 +285,7 @@ void MainWindow::openFile(const QString& path, const OpenOptions& options) { ope
 void MainWindow::openSeries(const QStringList& paths, const OpenOptions& options) {
     if (paths.isEmpty()) return;
     series_ = paths;
+    seriesPlace_ = 0;
     openOptions_ = options;
     session_.open(paths.front(), options);
 }
@@ -374,8 +386,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (session_.working())
+    if (session_.opening()) {
         session_.cancel();
+        notice_->showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (notice_->isVisible())
+        notice_->hide();
     else if (maximised_ != nullptr)
         maximise(maximised_);
     else

@@ -48,6 +48,8 @@ public:
 
     /// The whole window as it is, with all points of the cloud drawn.
     [[nodiscard]] QImage screenshot();
+    /// As a PNG, whole or not at all.
+    Result<Done> saveScreenshotTo(const QString& path);
 
 signals:
     /// All views show session().picture() now.
@@ -71,6 +73,8 @@ private:
     void showHover(std::optional<std::size_t> cell, const QObject* from);
     void stick(std::optional<std::size_t> cell);
     void changeDisplayLevels(int window, int level);
+    void resetDisplayLevels();
+    void applyAspect();
     void arrangePanes();
     void maximise(Pane* pane);
     void changeSettings(const Settings& settings, bool dragging);
@@ -99,6 +103,7 @@ private:
     void askOpen();
     void stepInSeries(int step);
     void askExport(Session::Export what);
+    void tellSaved(Session::Export what, const QString& path, qint64 count);
     void askOpenPreset();
     void askSavePreset();
     void saveScreenshot();
@@ -128,6 +133,7 @@ private:
     std::optional<std::size_t> sticky_;
     DisplayLevels levels_;
     bool overlay_ = false;
+    bool trueAngles_ = false;
     int drag_ = 1; // number of the drag, for undo
     QElapsedTimer sinceChange_;
     QTimer rememberTimer_;
@@ -136,6 +142,7 @@ private:
     QString openedPath_;
     OpenOptions openOptions_; // those of the file on the screen, for Reload and the series
     QStringList series_;
+    int seriesPlace_ = 0;
 };
 
 } // namespace edgescan::ui

@@ -8,12 +8,18 @@
 #include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
 
+#include <QBuffer>
 #include <QClipboard>
 #include <QDate>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+
+#include <QUrl>
+
+#include <span>
 
 namespace edgescan::ui {
 namespace {
@@ -62,8 +68,13 @@ void MainWindow::askOpen() {
 }
 
 void MainWindow::stepInSeries(int step) {
-    const auto next = series_.indexOf(openedPath_) + step;
-    if (series_.contains(openedPath_) && next >= 0 && next < series_.size()) session_.open(series_[next], openOptions_);
+    const int place = seriesPlace_ + step;
+    if (place < 0 || place >= series_.size()) {
+        notice_->showNotice(NoticeBar::Kind::Warning, step > 0 ? tr("This is the last file of the series.") : tr("This is the first file of the series."));
+        return;
+    }
+    seriesPlace_ = place;
+    session_.open(series_[place], openOptions_);
 }
 
 void MainWindow::askExport(Session::Export what) {
@@ -92,10 +103,17 @@ void MainWindow::askExport(Session::Export what) {
     QString path = QFileDialog::getSaveFileName(this, count, QDir(memory_.folder(kind)).filePath(name), filters.join(";;"), &usual);
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += extension;
-    memory_.keepFolder(kind, path);
+    session_.save(what, path);
+}
+
+void MainWindow::tellSaved(Session::Export what, const QString& path, qint64 count) {
+    memory_.keepFolder(isImage(what) ? "images" : "exports", path);
     if (!isImage(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
     memory_.write();
-    session_.save(what, path);
+    const char* things = what == Session::Export::EdgeCloud ? "edge points" : what == Session::Export::FullCloud ? "points" : "cells";
+    notice_->showNotice(NoticeBar::Kind::Done,
+                        tr("Saved %1: %2 %3, %4 kB.").arg(path).arg(count).arg(things).arg((QFileInfo(path).size() + 999) / 1000));
+    notice_->offer(tr("Open folder"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath())); });
 }
 
 void MainWindow::askOpenPreset() {
@@ -114,7 +132,7 @@ void MainWindow::askSavePreset() {
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += ".json";
     memory_.keepFolder("presets", path);
-    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings()};
+    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings(), path.toStdString()};
     const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset));
     if (written)
         usePreset(preset);
@@ -128,11 +146,19 @@ void MainWindow::saveScreenshot() {
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += ".png";
     memory_.keepFolder("images", path);
-    if (!screenshot().save(path)) {
-        notice_->showNotice(NoticeBar::Kind::Error, tr("%1: the picture cannot be written; choose another folder.").arg(path));
+    if (const Result<Done> written = saveScreenshotTo(path); !written) {
+        notice_->showNotice(NoticeBar::Kind::Error, QString::fromStdString(written.error().sentence()));
         return;
     }
     notice_->showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
+}
+
+Result<Done> MainWindow::saveScreenshotTo(const QString& path) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    screenshot().save(&buffer, "PNG");
+    return writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
 void MainWindow::copyProbe() { QGuiApplication::clipboard()->setText(status_->probeShown()); }

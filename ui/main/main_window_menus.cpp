@@ -17,6 +17,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSignalBlocker>
 #include <QTextBrowser>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -56,7 +57,9 @@ QAction* MainWindow::addSwitch(QMenu& menu, const QString& text, const QList<QKe
         rememberTimer_.start();
     });
     const bool wanted = memoryKey.isEmpty() ? on : memory_.flag(memoryKey, on);
+    const QSignalBlocker quiet(action);
     action->setChecked(wanted);
+    run(wanted); // also when it is what an action starts with
     return action;
 }
 
@@ -104,6 +107,8 @@ void MainWindow::buildEditMenu() {
     undo->setShortcut(QKeySequence::Undo);
     QAction* redo = undo_->createRedoAction(this, tr("&Redo"));
     redo->setShortcuts({QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")});
+    undo->setObjectName(tr("Undo")); // the texts name the step
+    redo->setObjectName(tr("Redo"));
     edit.addActions({undo, redo});
     addActions({undo, redo});
     edit.addSeparator();
@@ -125,7 +130,7 @@ void MainWindow::buildViewMenu() {
     addCommand(view, tr("R&eset View"), {QKeySequence(Qt::Key_R), QKeySequence(Qt::Key_Home)}, [this] {
         cloud_->resetView();
         viewPort_->fit();
-        changeDisplayLevels(0, 0);
+        resetDisplayLevels();
     });
     addCommand(view, tr("Fl&y to Point under Cursor"), key(Qt::Key_F), [this] {
         if (hovered_) cloud_->flyTo(static_cast<qint64>(*hovered_));
@@ -144,16 +149,9 @@ void MainWindow::buildViewMenu() {
     });
     addSwitch(view, tr("&Colour-Blind Edge Colour"), {}, false, "view/colour-blind",
               [this](bool on) { cloud_->setEdgeColour(on ? kColourBlindEdge : QColor(0, 255, 0)); });
-    addSwitch(view, tr("True &Angle Aspect"), {}, false, {}, [this](bool on) {
-        const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->frame->scan->geometry) : nullptr;
-        if (!on || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
-            viewPort_->setSquarePixels();
-            return;
-        }
-        const auto step = [](const std::vector<double>& deg) {
-            return std::abs(deg.back() - deg.front()) / static_cast<double>(deg.size() - 1);
-        };
-        viewPort_->setTrueAngle(step(polar->beamDeg), step(polar->lineDeg));
+    addSwitch(view, tr("True &Angle Aspect"), {}, false, "view/true-angles", [this](bool on) {
+        trueAngles_ = on;
+        applyAspect();
     });
     view.addSeparator();
     addCommand(view, tr("Point Size &+"), key(Qt::Key_BracketRight), [this] { cloud_->setPointSize(cloud_->pointSize() + 1); });
@@ -218,7 +216,8 @@ void MainWindow::showShortcuts() {
     for (const QAction* action : actions()) {
         QStringList keys;
         for (const QKeySequence& sequence : action->shortcuts()) keys << sequence.toString(QKeySequence::NativeText);
-        if (!keys.isEmpty()) row(action->text().remove('&'), keys.join(", "));
+        const QString name = action->objectName().isEmpty() ? action->text() : action->objectName();
+        if (!keys.isEmpty()) row(QString(name).remove('&'), keys.join(", "));
     }
     const QString mouse = tr(
         "<h3>Mouse in the cloud</h3>Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; "

@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -172,10 +171,7 @@ void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
 void EdgesPanel::show(const Settings& settings) {
     shown_ = settings;
     if (settings.ratio != kThesisRatio && ratioLocked()) {
-        const QSignalBlocker quiet(this);
-        lock_->setChecked(false);
-        lock_->setText(tr("Unlocked"));
-        row("ratio")->setEnabled(true);
+        setRatioLocked(false);
     }
     showInUse();
     showUpper();

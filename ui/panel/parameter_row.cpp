@@ -20,8 +20,8 @@ namespace {
 
 // A slider over more steps than it has pixels would have no fine end: such ranges are bent.
 double bend(const Parameter& p) {
-    const double steps = (p.maximum - p.minimum) / p.step;
-    return steps > 5000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;
+    const double steps = (p.sliderMaximum - p.minimum) / p.step;
+    return steps > 1000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;
 }
 
 // A wheel over a slider inside a scroll area does nothing until the slider has the focus (VIEWER.md 2.8).
@@ -65,14 +65,14 @@ int sliderPosition(const Parameter& p, double value) {
         const auto found = std::ranges::find_if(p.choices, [&](const Choice& c) { return c.value == value; });
         return static_cast<int>(found - p.choices.begin());
     }
-    const double share = std::clamp((value - p.minimum) / (p.maximum - p.minimum), 0.0, 1.0);
+    const double share = std::clamp((value - p.minimum) / (p.sliderMaximum - p.minimum), 0.0, 1.0);
     return static_cast<int>(std::lround(std::pow(share, 1.0 / bend(p)) * kSliderSteps));
 }
 
 double sliderValue(const Parameter& p, int position) {
     if (!p.choices.empty()) return p.choices[static_cast<std::size_t>(position)].value;
     const double share = std::pow(static_cast<double>(position) / kSliderSteps, bend(p));
-    const double value = p.minimum + share * (p.maximum - p.minimum);
+    const double value = p.minimum + share * (p.sliderMaximum - p.minimum);
     return snapped(p, p.minimum + std::round((value - p.minimum) / p.step) * p.step);
 }
 
@@ -104,7 +104,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     const Parameter& p = parameter_;
     slider_ = new CalmSlider(Qt::Horizontal, parent);
     slider_->setRange(0, kSliderSteps);
-    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.maximum - p.minimum)))));
+    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
     number_ = new CalmBox<QDoubleSpinBox>(parent);
     number_->setObjectName(QString("number-") + p.key);
     number_->setLocale(QLocale::c());

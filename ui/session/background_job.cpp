@@ -4,6 +4,7 @@
 #include <QMetaObject>
 
 #include <chrono>
+#include <exception>
 
 namespace edgescan::ui {
 namespace {
@@ -29,7 +30,12 @@ BackgroundJob::BackgroundJob(Work work, QObject* parent) : QObject(parent), canc
             }
             return !*cancelled;
         };
-        const std::function<void()> deliver = work(progress);
+        std::function<void()> deliver;
+        try {
+            deliver = work(progress);
+        } catch (const std::exception& error) {
+            deliver = [this, what = QString::fromUtf8(error.what())] { emit crashed(what); };
+        }
         QMetaObject::invokeMethod(
             this,
             [this, cancelled, deliver] {

@@ -28,6 +28,8 @@ public:
 
 signals:
     void progressed(const QString& stage, double fraction);
+    /// The work threw; there is no result.
+    void crashed(const QString& what);
     /// After the result was delivered or dropped; the job may be deleted.
     void ended();
 

@@ -79,7 +79,7 @@ void Session::openDemo() {
 }
 
 void Session::cancel() {
-    if (job_ != nullptr) job_->cancel();
+    if (opening_ != nullptr) opening_->cancel();
 }
 
 void Session::setSettings(const Settings& settings) {
@@ -105,9 +105,9 @@ void Session::save(Export what, const QString& path) {
         } catch (const std::bad_alloc&) {
             saving.result = outOfMemory(path);
         }
-        return [this, saving, path] {
+        return [this, what, saving, path] {
             if (saving.result)
-                emit saved(path, static_cast<qint64>(saving.count));
+                emit saved(what, path, static_cast<qint64>(saving.count));
             else
                 emit failed(QString::fromStdString(saving.result.error().sentence()));
         };
@@ -115,7 +115,9 @@ void Session::save(Export what, const QString& path) {
 }
 
 void Session::startOpening(const QString& title, const QString& path, OpenWork work) {
-    startJob(title, [this, path, work = std::move(work)](const BackgroundJob::Progress& progress) -> std::function<void()> {
+    // Newest wins: the opening before this one delivers nothing.
+    cancel();
+    opening_ = startJob(title, [this, path, work = std::move(work)](const BackgroundJob::Progress& progress) -> std::function<void()> {
         const Result<Opening> opening = readScan(work, progress, path);
         return [this, opening, path] {
             if (!opening) {
@@ -134,26 +136,27 @@ void Session::startOpening(const QString& title, const QString& path, OpenWork w
     });
 }
 
-void Session::startJob(const QString& title, BackgroundJob::Work work) {
-    if (job_ != nullptr) {
-        // Newest wins: the old job is told to stop and delivers nothing; it is deleted when its thread has ended.
-        disconnect(job_, nullptr, this, nullptr);
-        job_->cancel();
-        connect(job_, &BackgroundJob::ended, job_, &QObject::deleteLater);
-        emit workEnded();
-    }
-    job_ = new BackgroundJob(std::move(work), this);
-    BackgroundJob* job = job_;
-    connect(job, &BackgroundJob::progressed, this, &Session::workProgressed);
-    connect(job, &BackgroundJob::ended, this, [this, job] {
-        job_ = nullptr;
-        job->deleteLater();
-        emit workEnded();
+BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work) {
+    auto* job = new BackgroundJob(std::move(work), this);
+    connect(job, &BackgroundJob::progressed, this, [this, job](const QString& stage, double fraction) {
+        if (!job->cancelled()) emit workProgressed(stage, fraction);
     });
+    connect(job, &BackgroundJob::crashed, this,
+            [this, title](const QString& what) { emit failed(tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what)); });
+    connect(job, &BackgroundJob::ended, this, [this, job] {
+        if (opening_ == job) opening_ = nullptr;
+        job->deleteLater();
+        if (--jobs_ == 0) emit workEnded();
+    });
+    ++jobs_;
     emit workStarted(title);
+    return job;
 }
 
 void Session::present() {
+    if (const std::string failure = worker_.takeFailure(); !failure.empty()) {
+        QMetaObject::invokeMethod(this, [this, text = QString::fromStdString(failure)] { emit failed(text); }, Qt::QueuedConnection);
+    }
     const std::shared_ptr<const Frame> frame = worker_.take();
     if (!frame) return;
     std::shared_ptr<const CloudGeometry> cloud;

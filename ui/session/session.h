@@ -28,9 +28,10 @@ public:
     void open(const QString& path, const OpenOptions& options = {});
     /// The demo draw-bell: simulated once, then kept in the cache folder.
     void openDemo();
-    /// Gives up the opening or saving that is under way.
+    /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
     void cancel();
-    [[nodiscard]] bool working() const { return job_ != nullptr; }
+    [[nodiscard]] bool opening() const { return opening_ != nullptr; }
+    [[nodiscard]] bool working() const { return jobs_ > 0; }
 
     void setSettings(const Settings& settings);
     [[nodiscard]] const Settings& settings() const { return settings_; }
@@ -51,7 +52,7 @@ signals:
     /// A scan was read; its first picture follows.
     void opened(const QString& path);
     /// `count`: points or cells in the file.
-    void saved(const QString& path, qint64 count);
+    void saved(edgescan::ui::Session::Export what, const QString& path, qint64 count);
     void failed(const QString& sentence);
     void settingsChanged();
     void pictureReady();
@@ -59,14 +60,15 @@ signals:
 private:
     using OpenWork = std::function<Result<Scan>(const BackgroundJob::Progress&)>;
     void startOpening(const QString& title, const QString& path, OpenWork work);
-    void startJob(const QString& title, BackgroundJob::Work work);
+    BackgroundJob* startJob(const QString& title, BackgroundJob::Work work);
     void present(); // worker's thread
     void takePicture();
 
     Settings settings_;
     std::shared_ptr<const Picture> picture_;
     std::shared_ptr<const Scan> posted_;
-    BackgroundJob* job_ = nullptr; // child
+    BackgroundJob* opening_ = nullptr; // child
+    int jobs_ = 0;                     // under way, openings given up included
 
     std::mutex slotMutex_;
     std::shared_ptr<const Picture> slot_; // newest picture that the GUI thread did not take yet
