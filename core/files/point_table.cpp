@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/files/description.h"
 #include "core/scan/recognise_unit.h"
+#include "core/scan/regrid.h"
 
 #include <algorithm>
 #include <array>
@@ -14,11 +15,12 @@ namespace edgescan {
 namespace {
 
 constexpr double kMetresPerMm = 0.001;
+constexpr double kLongestRangeMm = 1e9;
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
 
-std::string numberText(double value) {
+std::string numberText(double value, const char* format = "%.3g") {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
+    std::snprintf(text.data(), text.size(), format, value);
     return text.data();
 }
 
@@ -78,8 +80,8 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
     scan.state = Grid<CellState>(lines, beams, std::move(*states));
     for (std::size_t k = 0; k < cells; ++k) {
-        if (scan.state[k] == CellState::Valid && !std::isfinite(scan.rangeMm[k]))
-            return source.refused("a valid cell has no finite range", "save the scan again");
+        if (scan.state[k] == CellState::Valid && !(scan.rangeMm[k] >= 0 && scan.rangeMm[k] <= kLongestRangeMm))
+            return source.refused("a valid cell has a range that is no range", "save the scan again");
     }
     scan.unitMm = grid->unitMm;
     scan.noReturnCodes = grid->noReturnCodes;
@@ -118,6 +120,7 @@ void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& u
     for (std::size_t k = 0; k < pointOf.size(); ++k) {
         if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
         const double mm = ranges[pointOf[k]] * unit.mmPerUnit;
+        if (!(mm <= kLongestRangeMm)) continue; // no scanner reaches as far: as good as no return
         scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
         scan.state[k] = CellState::Valid;
     }
@@ -203,8 +206,14 @@ std::string coarseStep(const PointTable& table) {
     if (largest < 1e5) return {};
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
-    return "; numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
+    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
            numberText(step);
+}
+
+std::string withCoarseStep(std::string what, const PointTable& table) {
+    const std::string coarse = coarseStep(table);
+    if (!coarse.empty()) what += "; " + coarse;
+    return what;
 }
 
 Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, std::size_t rowLength) {
@@ -218,6 +227,92 @@ Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, 
     PointList list{points, table.precision, rowLength, source.options->axis, {}};
     list.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
     return recogniseGrid(list);
+}
+
+/// The sensor's place that the user gave, in the file's own numbers.
+void takeGivenSensor(PointTable& table, const Source& source) {
+    if (!source.options->sensorM) return;
+    table.sensor = *source.options->sensorM;
+    if (table.leftHanded) table.sensor.y() *= -1;
+    const double perMetre = 1000.0 / unitOf(table, rangesOf(table), source).mmPerUnit;
+    if (perMetre != 1.0) table.sensor *= perMetre;
+}
+
+/// Points of a left-handed file as they are in space; lines that are recognised say it by their direction instead.
+void mirror(PointTable& table) {
+    for (Eigen::Vector3d& p : table.points) p.y() = -p.y();
+    table.sensor.y() = -table.sensor.y();
+    table.leftHanded = false;
+    table.remarks.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+}
+
+std::string aboutSensor(const PointTable& table, const Source& source, double metres) {
+    if (!source.options->sensorM && table.sensor.isZero(0.0)) return "the origin, because no sensor position is known";
+    std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ", ";
+        text += numberText(table.sensor[axis] * metres, "%.10g");
+    }
+    return text += ") m";
+}
+
+/// What was done to the points, in numbers.
+void tellProjection(Scan& scan, const Regridded& grid, const std::string& about, bool gridLookedFor, bool stepGiven) {
+    std::string text = gridLookedFor ? "The points lie on no scanner grid and were projected about " : "The points were projected about ";
+    text += about;
+    text += ": ";
+    text += accountOf(grid);
+    scan.warnings.push_back(text += ".");
+    text = stepGiven ? "The cells have the given " : "The cells have ";
+    text += numberText(grid.beamStepDeg, "%.4g");
+    text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
+    scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
+}
+
+/// A cloud without a grid, as seen from its sensor.
+Result<Scan> projectedScan(PointTable& table, const Source& source, const Error& noGrid) {
+    if (table.leftHanded) mirror(table);
+    LooseCloud cloud{table.points, table.sensor, source.options->gridStepDeg, {}};
+    cloud.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    const auto grid = regrid(cloud);
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    const double metres = unit.mmPerUnit * kMetresPerMm;
+    const std::string about = aboutSensor(table, source, metres);
+    if (!grid) {
+        if (grid.error().what == "cancelled") return source.cancelled();
+        std::string text = noGrid.what;
+        if (!text.empty()) text += "; ";
+        text += "projected about ";
+        text += about;
+        text += ": ";
+        text += grid.error().what;
+        return source.refused(withCoarseStep(text, table), grid.error().todo);
+    }
+    Scan scan;
+    scan.format = table.format;
+    fillCells(scan, ranges, unit, grid->pointOf);
+    scan.geometry = pointGeometry(table, grid->pointOf, unit);
+    scan.attached.reserve(grid->hidden.size());
+    for (const auto& hidden : grid->hidden) scan.attached.push_back({hidden.cell, table.points[hidden.point] * metres});
+    tellProjection(scan, *grid, about, !noGrid.what.empty(), source.options->gridStepDeg.has_value());
+    return scan;
+}
+
+Result<Scan> scanOf(PointTable& table, const Source& source) {
+    const Projection projection = source.options->projection;
+    if (projection == Projection::Always) return projectedScan(table, source, {});
+    const bool organised = table.height > 1;
+    if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
+    auto grid = recognise(table, source, organised ? table.width : 0);
+    if (grid) return recognisedScan(table, std::move(*grid), source);
+    if (grid.error().what == "cancelled") return source.cancelled();
+    if (organised) return organisedScan(table, source);
+    // Who names the axis knows of a grid; to project the points then would hide that it was not found.
+    const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
+    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().todo);
+    return projectedScan(table, source, grid.error());
 }
 
 } // namespace
@@ -240,13 +335,16 @@ Result<Scan> scanFromPoints(PointTable table, const Source& source) {
     std::size_t infinite = 0;
     for (const Eigen::Vector3d& p : table.points) infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < 1e12 ? 0 : 1;
     table.precision = withDecimals(table.precision, table.points);
-    const bool organised = table.height > 1;
-    auto grid = recognise(table, source, organised ? table.width : 0);
-    if (!grid && grid.error().what == "cancelled") return source.cancelled();
-    if (!grid && !organised) return source.refused(grid.error().what + coarseStep(table), grid.error().todo);
-    Scan scan = grid ? recognisedScan(table, std::move(*grid), source) : organisedScan(table, source);
+    takeGivenSensor(table, source);
+    auto scan = scanOf(table, source);
+    if (!scan) return scan;
+    if (std::string coarse = coarseStep(table); !coarse.empty()) {
+        coarse[0] = 'N';
+        scan->warnings.push_back(coarse + ": it was written with 4-byte floats.");
+    }
+    std::move(table.remarks.begin(), table.remarks.end(), std::back_inserter(scan->warnings));
     if (infinite > 0)
-        scan.warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
+        scan->warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
     return scan;
 }
 

@@ -26,14 +26,15 @@ struct PointTable {
     std::optional<double> unitMm;                     ///< millimetres per number where the format or a header says so
     bool leftHanded = false;                          ///< 3DTK: x right, y up, z forward
     std::string description;                          ///< our own comment lines, JSON
+    std::vector<std::string> remarks;                 ///< sentences of the reader, for Scan::warnings
 
     // Our own columns; empty when the file has them not, else one per point.
     std::vector<float> rangeMm;
     std::vector<std::uint8_t> state;
 };
 
-/// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised.
-/// Error: no grid, in numbers; a description that does not fit.
+/// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised, or else
+/// the one the points are projected onto. Error: neither, in numbers; a description that does not fit.
 Result<Scan> scanFromPoints(PointTable table, const Source& source);
 
 /// Adds one line of a comment to the description when it is ours ("edgescan {..."): true when it was.

@@ -202,6 +202,17 @@ std::size_t putBackMissing(Fit& fit) {
     return added;
 }
 
+/// Smallest and largest step.
+std::pair<double, double> stepsIn(const std::vector<double>& angles) {
+    double least = 1e9;
+    double most = 0;
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        least = std::min(least, std::abs(angles[i] - angles[i - 1]));
+        most = std::max(most, std::abs(angles[i] - angles[i - 1]));
+    }
+    return {least, most};
+}
+
 struct Found {
     Fit fit;
     Hypothesis hypothesis;
@@ -228,6 +239,28 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
     return text + " (99 % are needed)";
 }
 
+/// Sentences about how the list differed from a grid in order.
+void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
+    const auto tell = [&](std::size_t count, const char* sentence) {
+        if (count > 0) grid.remarks.push_back(std::to_string(count) + sentence);
+    };
+    if (!grid.complete) {
+        grid.remarks.push_back("The list was not a full grid in order: " + std::to_string(grid.pointOf.lines) + " lines x " +
+                               std::to_string(grid.pointOf.beams) + " beams were recovered from the angles of its points.");
+    }
+    tell(grid.copiedLines, " lines repeated the line before and were left out.");
+    tell(grid.copied, " points stood in the list before, as when a driver stores lines twice, and were taken once.");
+    tell(putBack, " lines or beams without any point were put back empty, to keep the steps even.");
+    tell(grid.unplaced, " points could not be told to one cell of the grid (on the rotation axis, or off the grid) and were left out.");
+    tell(grid.doubled, " points lay in a cell with a nearer one, which was taken.");
+    const auto [least, most] = stepsIn(grid.geometry.lineDeg);
+    if (most > 1.2 * least) {
+        char text[120];
+        std::snprintf(text, sizeof text, "The line angles are uneven: steps from %.4g to %.4g degrees, kept as they are.", least, most);
+        grid.remarks.emplace_back(text);
+    }
+}
+
 RecognisedGrid finished(Found found, const PointList& list) {
     RecognisedGrid grid;
     grid.copiedLines = found.fit.complete ? dropCopiedLines(found.fit, found.points) : 0;
@@ -238,21 +271,12 @@ RecognisedGrid finished(Found found, const PointList& list) {
     grid.complete = found.fit.complete;
     grid.unplaced = found.fit.unplaced;
     grid.doubled = found.fit.doubled;
-    if (grid.copiedLines > 0)
-        grid.remarks.push_back(std::to_string(grid.copiedLines) + " lines repeated the line before and were left out.");
-    if (putBack > 0)
-        grid.remarks.push_back(std::to_string(putBack) + " lines or beams without any point were put back empty, to keep the steps even.");
-    if (grid.unplaced > 0) {
-        grid.remarks.push_back(
-            std::to_string(grid.unplaced) +
-            " points could not be told to one cell of the grid (on the rotation axis, or off the grid) and were left out.");
-    }
-    if (grid.doubled > 0)
-        grid.remarks.push_back(std::to_string(grid.doubled) + " points lay in a cell with a nearer one, which was taken.");
+    grid.copied = found.fit.copied;
     if (!found.hypothesis.turn.isIdentity()) {
         grid.remarks.emplace_back("The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.");
     }
     grid.pointOf = std::move(found.fit.pointOf);
+    tellRepairs(grid, putBack);
     return grid;
 }
 

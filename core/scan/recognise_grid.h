@@ -39,7 +39,8 @@ struct RecognisedGrid {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< applied first, where the rotation axis is none that Axis can express
     bool complete = false;                              ///< the list held every cell in order, also those without a return
     std::size_t unplaced = 0;                           ///< points with a return that lie on no cell
-    std::size_t doubled = 0;                            ///< points in cells that hold a nearer one
+    std::size_t doubled = 0;                            ///< other points in cells that hold a nearer one
+    std::size_t copied = 0;                             ///< points that stood in the list before
     std::size_t copiedLines = 0;                        ///< lines that repeated the line before and were left out
     std::vector<std::string> remarks;                   ///< sentences about what was assumed or repaired
 };

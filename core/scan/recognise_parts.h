@@ -37,7 +37,8 @@ struct Fit {
     Grid<std::uint32_t> pointOf; ///< lines x beams, RecognisedGrid::kNoPoint where empty
     bool complete = false;       ///< every cell was in the list, in order
     std::size_t unplaced = 0;
-    std::size_t doubled = 0;
+    std::size_t doubled = 0; ///< different points in one cell
+    std::size_t copied = 0;  ///< the same point again
     double residual = 0.0; ///< median distance from the fitted beam in beam steps
 };
 

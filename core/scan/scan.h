@@ -54,6 +54,12 @@ struct PointGeometry {
     Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< position of the sensor in the frame of pointsM
 };
 
+/// A point of a cloud that was put onto a grid, behind the nearer one that its cell shows.
+struct AttachedPoint {
+    std::uint32_t cell = 0;
+    Eigen::Vector3d pointM = Eigen::Vector3d::Zero(); ///< in the frame of PointGeometry::pointsM
+};
+
 using Geometry = std::variant<PolarGeometry, PointGeometry>;
 
 struct Placement; // core/scan/placement.h
@@ -69,6 +75,7 @@ struct Scan {
     Grid<float> rangeMm;
     Grid<CellState> state; ///< lines x beams
     Geometry geometry;
+    std::vector<AttachedPoint> attached; ///< by cell; empty unless the cloud had to be put onto a grid
 
     double unitMm = 1.0;                         ///< millimetres per raw count
     std::vector<std::uint32_t> noReturnCodes{0}; ///< raw counts that mean "no return"
