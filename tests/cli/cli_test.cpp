@@ -96,8 +96,8 @@ TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
 TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"})
         EXPECT_EQ(runCli(usage).code, 2) << usage;
-    for (const std::string flags : {"--lower abc", "--lower 341", "--kernel 4", "--norm l3", "--preset nonsense",
-                                    "--scaling window --near 5m --far 4m", "--edges e.docx", "--nonsense 3", "--axis up"}) {
+    for (const std::string flags : {"--lower abc", "--lower 20001", "--lower ''", "--kernel 4", "--norm l3", "--preset nonsense",
+                                    "--scaling window --near 5m --far 4m", "--edges e.docx", "--nonsense 3", "--axis up", "--beam-step nan", "--edges e.json"}) {
         const auto run = runCli("detect " + scanPath + " " + flags);
         EXPECT_EQ(run.code, 2) << flags;
         EXPECT_EQ(run.out, "") << flags;
@@ -105,6 +105,9 @@ TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     }
     EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " --mask m.png").code, 2);
     EXPECT_EQ(runCli("detect /nonexistent.json").code, 1);
+    EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " -o " + folder.path().string()).code, 2); // one name, two results
+    const int full = std::system((std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli info " + scanPath + " >/dev/full 2>/dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(full), 1);
     EXPECT_EQ(runCli("--help").code, 0);
     EXPECT_EQ(runCli("--version").code, 0);
 }
@@ -117,7 +120,7 @@ TEST_F(Cli, AResultThatCannotBeWrittenIsOneAndNamesThePath) {
 
 TEST_F(Cli, HelpListsEveryParameterWithLimitsAndDefault) {
     const std::string help = runCli("detect --help").out;
-    for (const char* text : {"--lower", "--kernel", "--mask-missing", "0 to 340", "default 6", "l1|l2", "--preset", "--beam-start"}) {
+    for (const char* text : {"--lower", "--kernel", "--mask-missing", "0 to 20000", "default 6", "l1|l2", "--preset", "--beam-start"}) {
         EXPECT_NE(help.find(text), std::string::npos) << text;
     }
 }

@@ -102,16 +102,16 @@ private slots:
     void retuneReplacesOnlyTheEdges() {
         view_->setScan(scan_);
         view_->setEdges(edges_);
-        const int before = countColour(view_->grabFrame(), isGreen);
+        const int before = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
         view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(edges_->begin(), edges_->begin() + 50));
-        const int fewer = countColour(view_->grabFrame(), isGreen);
+        const int fewer = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
         QVERIFY(fewer > 0 && fewer < before / 4);
         view_->setEdges(std::make_shared<std::vector<std::uint32_t>>());
-        QCOMPARE(countColour(view_->grabFrame(), isGreen), 0);
+        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), 0);
         view_->setEdges(edges_);
-        QCOMPARE(countColour(view_->grabFrame(), isGreen), before);
+        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), before);
         view_->setEdges(nullptr);
-        QCOMPARE(countColour(view_->grabFrame(), isGreen), 0);
+        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), 0);
     }
 
     void edgeCellsWithoutAPointAreLeftOut() {

@@ -4,6 +4,7 @@
 #include "core/report/report.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scans.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
@@ -21,6 +22,7 @@
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
+#include <QUndoStack>
 #include <QtTest>
 
 #include <nlohmann/json.hpp>
@@ -189,9 +191,10 @@ private slots:
         const QPoint pixel = gray.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), gray.size()).toPoint();
         QTest::mouseMove(&gray, pixel - QPoint(20, 0));
         QTest::mouseMove(&gray, pixel);
-        QTRY_VERIFY(window.edgeView().markedCell().has_value());
+        // A view pixel may cover more than one cell; the move to the place before may still be on its way.
+        const auto marks = [&] { return window.edgeView().markedCell() && (*window.edgeView().markedCell() - cell).manhattanLength() <= 2; };
+        QTRY_VERIFY(marks());
         const QPoint marked = *window.edgeView().markedCell();
-        QVERIFY((marked - cell).manhattanLength() <= 2); // a view pixel may cover more than one cell
         QTRY_VERIFY(window.cloudView().markedCell().has_value());
         QCOMPARE(static_cast<int>(*window.cloudView().markedCell()), marked.y() * frame.scan->beams() + marked.x());
         const QString probe = window.statusLine().probeShown();
@@ -276,8 +279,7 @@ private slots:
         QCOMPARE(again.session().settings().ratio, 2.5);
         QVERIFY(!again.panel().ratioLocked());
         QCOMPARE(again.size(), QSize(1234, 777));
-        QVERIFY(after.recentFiles().contains(QString::fromStdString(std::filesystem::absolute(real_).lexically_normal().string())) ||
-                after.recentFiles().size() == 1);
+        QCOMPARE(after.recentFiles(), QStringList(QFileInfo(QString::fromStdString(real_)).absoluteFilePath()));
         delete window;
         delete memory;
     }
@@ -309,6 +311,101 @@ private slots:
         window.session().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
         QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
         QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
+    }
+
+    void aSmallerScanUnderTheMouseIsShown() {
+        const std::string large = (folder_ / "large.json").string();
+        const std::string small = (folder_ / "small.json").string();
+        QVERIFY(saveScan(test::boxesScan(1500, 1500, 1), large));
+        QVERIFY(saveScan(test::boxesScan(4, 4, 1), small));
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        window.openFile(QString::fromStdString(large));
+        QVERIFY(waitForPicture(window));
+        emit window.grayView().hovered(1499, 1499);
+        emit window.grayView().clicked(1499, 1499);
+        QVERIFY(!window.statusLine().probeShown().isEmpty());
+        window.openFile(QString::fromStdString(small));
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->lines() == 4; }, 20000));
+        QVERIFY(window.statusLine().probeShown().isEmpty());
+    }
+
+    void aSingleEditIsAStepOfItsOwn() {
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        window.panel().row("kernel")->choice()->setCurrentIndex(3); // 7 cells
+        QSlider* slider = window.panel().row("lower")->slider();
+        slider->setSliderDown(true);
+        slider->setValue(300);
+        slider->setValue(400);
+        slider->setSliderDown(false);
+        QVERIFY(window.session().settings().lower > 20);
+        QCOMPARE(window.session().settings().kernel, 7);
+        auto* undo = window.findChild<QUndoStack*>();
+        undo->undo();
+        QCOMPARE(window.session().settings().lower, Settings{}.lower);
+        QCOMPARE(window.session().settings().kernel, 7);
+        undo->undo();
+        QCOMPARE(window.session().settings().kernel, Settings{}.kernel);
+    }
+
+    void aSeriesGoesOnBehindABadFile() {
+        const std::string second = (folder_ / "series2.json").string();
+        const std::string bad = (folder_ / "series-bad.json").string();
+        QVERIFY(saveScan(test::boxesScan(30, 40, 8), second));
+        std::ofstream(bad) << "no scan";
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        window.openSeries({QString::fromStdString(real_), QString::fromStdString(bad), QString::fromStdString(second)});
+        QVERIFY(waitForPicture(window));
+        QVERIFY(window.windowTitle().contains("(1 of 3)"));
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QSignalSpy failures(&window.session(), &Session::failed);
+        QTest::keyClick(&window, Qt::Key_PageDown);
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+        QTest::keyClick(&window, Qt::Key_PageDown);
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->lines() == 30; }, 10000));
+        QVERIFY(window.windowTitle().contains("(3 of 3)"));
+    }
+
+    void aFailingSaveIsToldEvenWhileAScanOpens() {
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        window.openFile(QString::fromStdString(real_));
+        QVERIFY(waitForPicture(window));
+        QSignalSpy failures(&window.session(), &Session::failed);
+        window.session().save(Session::Export::EdgeCloud, "/nonexistent-folder/e.pcd");
+        window.openFile(QString::fromStdString(real_));
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+    }
+
+    void theCloudIsCompleteOnceItRests() {
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        const std::string large = (folder_ / "complete.json").string();
+        QVERIFY(saveScan(test::boxesScan(800, 900, 1), large));
+        window.openFile(QString::fromStdString(large));
+        QVERIFY(waitForPicture(window));
+        QVERIFY(QTest::qWaitFor([&] { return window.cloudView().drawnFraction() < 1.0; }, 15000)); // coarse first
+        QVERIFY(QTest::qWaitFor([&] { return window.cloudView().drawnFraction() >= 1.0; }, 15000));
+        // Part after part on top of each other gives the picture that one single frame gives.
+        const QImage grown = window.cloudView().grabFrame();
+        const QImage whole = window.cloudView().grabFrame(CloudView::Points::All);
+        if (const QByteArray pictures = qgetenv("EDGESCAN_PICTURES"); !pictures.isEmpty()) {
+            grown.save(pictures + "/cloud_grown.png");
+            whole.save(pictures + "/cloud_whole.png");
+        }
+        int different = 0;
+        for (int y = 0; y < whole.height(); ++y) {
+            for (int x = 0; x < whole.width(); ++x) different += whole.pixel(x, y) != grown.pixel(x, y) ? 1 : 0;
+        }
+        QVERIFY2(different < whole.width() * whole.height() / 200, qPrintable(QString::number(different)));
     }
 
     void aDroppedFileIsOpened() {

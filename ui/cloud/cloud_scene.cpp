@@ -216,18 +216,21 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     pullNearer(halo_.actor, pose, kHaloNearer);
 }
 
-bool CloudScene::setLastPart(int last) {
+bool CloudScene::setParts(const Parts& parts) {
     bool first = false;
-    // Fewer points are drawn larger, so that a surface stays a surface while the camera moves.
-    const double larger = std::clamp(std::sqrt(0.5 / kPartEnds[static_cast<std::size_t>(last)]), 1.0, kLargestGrowth);
+    const double share = kPartEnds[static_cast<std::size_t>(parts.last)];
+    const double larger = parts.enlarge ? std::clamp(std::sqrt(0.5 / share), 1.0, kLargestGrowth) : 1.0;
     const auto size = static_cast<float>(std::round(pointSize_ * larger));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const bool shown = static_cast<int>(i) <= last && cloud_ && !cloud_->drawOrder[i].empty();
+        const int part = static_cast<int>(i);
+        const bool shown = part >= parts.first && part <= parts.last && cloud_ && !cloud_->drawOrder[i].empty();
         parts_[i].actor->SetVisibility(shown);
         parts_[i].actor->GetProperty()->SetPointSize(size);
         first = first || (shown && !uploaded_[i]);
         uploaded_[i] = uploaded_[i] || shown;
     }
+    renderer_->SetPreserveColorBuffer(parts.onTop);
+    renderer_->SetPreserveDepthBuffer(parts.onTop);
     return first;
 }
 

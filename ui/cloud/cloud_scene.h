@@ -46,8 +46,15 @@ public:
     void setEdges(std::shared_ptr<const std::vector<std::uint32_t>> cells);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
-    /// Draw parts 0 .. last of the drawing order. True when one of them goes to the graphics memory for the first time.
-    bool setLastPart(int last);
+    /// What is drawn of the drawing order: parts first .. last.
+    struct Parts {
+        int first = 0;
+        int last = 0;
+        bool onTop = false;   ///< of the frame before, which stays (same camera, same look)
+        bool enlarge = false; ///< fewer points are drawn larger, so that a surface stays a surface while the camera moves
+    };
+    /// True when one of them goes to the graphics memory for the first time.
+    bool setParts(const Parts& parts);
     void showFocus(const Eigen::Vector3d& centre, double radius);
     void hideFocus();
 

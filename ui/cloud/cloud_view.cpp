@@ -86,6 +86,7 @@ void CloudView::setEdges(std::shared_ptr<const CellIndices> edgeCells) {
 }
 
 void CloudView::requestFrame() {
+    nextPart_ = 0; // from the beginning
     framePending_ = true;
     update(); // Qt merges these: never more than one waits
 }
@@ -135,8 +136,10 @@ void CloudView::paintGL() {
     }
     framePending_ = false;
     const bool moving = restTimer_.isActive();
-    const int last = drawAll_ ? kCloudParts - 1 : budget_.lastPart(moving);
-    const bool uploads = scene_->setLastPart(last);
+    CloudScene::Parts parts{nextPart_, nextPart_, nextPart_ > 0, moving};
+    // At rest a first share in the final size, then part after part on top of it until all are there: no frame takes long.
+    if (nextPart_ == 0) parts.last = drawAll_ ? kCloudParts - 1 : budget_.lastPart(moving);
+    const bool uploads = scene_->setParts(parts);
     updateSize(); // makes VTK draw anew in paintGL()
     QElapsedTimer clock;
     clock.start();
@@ -145,26 +148,30 @@ void CloudView::paintGL() {
     lastFrameMs_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     ++framesDrawn_;
 
-    const double fraction = kPartEnds[static_cast<std::size_t>(last)];
+    const double fraction = cloud_ ? kPartEnds[static_cast<std::size_t>(parts.last)] : 1.0;
     const bool changed = fraction != drawnFraction_;
     drawnFraction_ = fraction;
-    if (!uploads && cloud_) budget_.measured(fraction, lastFrameMs_);
-    // A frame that uploads says nothing about the next one; each part uploads once, so this ends.
-    const bool canDoMore = cloud_ && !moving && !drawAll_ && (uploads || budget_.lastPart(false) > last);
+    if (!uploads && cloud_ && !parts.onTop) budget_.measured(fraction, lastFrameMs_);
+    nextPart_ = cloud_ && !moving ? (parts.last + 1) % kCloudParts : 0;
     // Slots must not run inside a paint event.
     QMetaObject::invokeMethod(
         this,
-        [this, changed, canDoMore, ms = lastFrameMs_] {
-            if (canDoMore) requestFrame();
+        [this, changed, ms = lastFrameMs_] {
+            if (nextPart_ > 0 && !framePending_) refine();
             if (changed) emit drawnFractionChanged(drawnFraction_);
             emit frameDrawn(ms);
         },
         Qt::QueuedConnection);
 }
 
+void CloudView::refine() {
+    framePending_ = true;
+    update();
+}
+
 QImage CloudView::grabFrame(Points points) {
     drawAll_ = points == Points::All;
-    framePending_ = true;
+    if (drawAll_) requestFrame(); // otherwise what is on the screen, or what waits to be drawn
     const QImage image = grab().toImage();
     drawAll_ = false;
     return image;

@@ -137,6 +137,7 @@ private:
     static constexpr int kRestMs = 160; // after the last movement the full picture is drawn
 
     void requestFrame();
+    void refine();
     void moved(int restMs = kRestMs); // the camera is under way: coarse picture now, full one after a pause
     void applyCamera();
     void applyColours();
@@ -181,6 +182,7 @@ private:
     DrawingBudget budget_;
     QTimer restTimer_; // running = the camera (or a slider) is under way
     bool framePending_ = true, drawAll_ = false;
+    int nextPart_ = 0; // of the drawing order; above 0: it goes on top of the frame before
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
     int framesDrawn_ = 0;
 };

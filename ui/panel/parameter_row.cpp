@@ -90,9 +90,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
         slider_->setObjectName(QString("slider-") + parameter.key);
         slider_->setToolTip(limitsText(parameter));
         slider_->setAccessibleName(label_->text());
-        slider_->setMinimumWidth(90);
         slider_->installEventFilter(this);
-        grid.addWidget(slider_, row, 1);
+        grid.addWidget(slider_, row + 1, 0, 1, 4); // a line of its own: a short slider has no fine end
         connect(slider_, &QSlider::valueChanged, this, [this](int position) { tell(sliderValue(parameter_, position)); });
         connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
     }
@@ -138,6 +137,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
         if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
     if (!numericChoices()) {
+        choice_->setMinimumContentsLength(8);
         grid.addWidget(choice_, row, 1, 1, 3);
         return;
     }
@@ -145,7 +145,8 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     slider_->setRange(0, static_cast<int>(parameter_.choices.size()) - 1);
     slider_->setPageStep(1);
     slider_->setTickPosition(QSlider::TicksBelow);
-    grid.addWidget(choice_, row, 2);
+    choice_->setMinimumContentsLength(8);
+    grid.addWidget(choice_, row, 1, 1, 3);
 }
 
 void ParameterRow::show(double value, double inUse) {
