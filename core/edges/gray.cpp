@@ -99,7 +99,10 @@ GrayImage grayImage(const Scan& scan, const Settings& settings) {
     GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
     const double nearMm = gray.scale.nearMm;
     const double farMm = gray.scale.farMm;
-    if (farMm <= nearMm) return gray; // one single range: no depth, no gray
+    if (farMm <= nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
+        fillLevels(gray, scan, [](double) { return std::uint8_t{0}; });
+        return gray;
+    }
     if (settings.scaling == Scaling::Log) {
         fillLogLevels(gray, scan);
     } else if (settings.scaling == Scaling::Thesis) {

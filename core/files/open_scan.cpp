@@ -53,7 +53,11 @@ Result<Scan> readText(const Source& source) {
     }
     const auto layout = textLayoutOf(source);
     if (!layout) return layout.error();
-    return looksLikeRangeCsv(*layout, source) ? readRangeCsv(source, *layout) : readPointText(source, *layout);
+    Result<Scan> scan = looksLikeRangeCsv(*layout, source) ? readRangeCsv(source, *layout) : readPointText(source, *layout);
+    if (scan && !source.text().ends_with('\n') && !source.text().ends_with('\r')) {
+        scan->warnings.emplace_back("The last row has no line end: the file may have been cut off there; compare it with the original.");
+    }
+    return scan;
 }
 
 Result<Scan> readByContent(const Source& source) {

@@ -48,6 +48,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
     layout.firstLine = firstLine;
     layout.columns = columns;
     RowReader rows(source, layout);
+    rows.measure({fields.x.column, fields.y.column, fields.z.column});
     std::vector<double> row;
     while (table.points.size() < points && rows.next(row)) {
         if (row.size() != columns) {

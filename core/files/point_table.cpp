@@ -157,6 +157,15 @@ void takeStatusCodes(Scan& scan) {
     }
 }
 
+/// All the cells without a point stand at the end of the last line: a text that was cut off, not points that were left out.
+bool endsInMidLine(const Grid<std::uint32_t>& pointOf) {
+    std::size_t firstEmpty = pointOf.size();
+    while (firstEmpty > 0 && pointOf[firstEmpty - 1] == RecognisedGrid::kNoPoint) --firstEmpty;
+    const bool elsewhere = std::find(pointOf.cells.begin(), pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty),
+                                     RecognisedGrid::kNoPoint) != pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty);
+    return firstEmpty < pointOf.size() && !elsewhere && pointOf.size() - firstEmpty < static_cast<std::size_t>(pointOf.beams);
+}
+
 Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& source) {
     Scan scan;
     scan.format = table.format;
@@ -306,6 +315,10 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     const bool organised = table.height > 1;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
     auto grid = recognise(table, source, organised ? table.width : 0);
+    const bool text = table.format == "point list";
+    if (grid && text && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
+        return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
+    }
     if (grid) return recognisedScan(table, std::move(*grid), source);
     if (grid.error().what == "cancelled") return source.cancelled();
     if (organised) return organisedScan(table, source);

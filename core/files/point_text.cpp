@@ -74,6 +74,7 @@ Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
     PointTable table;
     table.format = "point list";
     RowReader rows(source, layout);
+    rows.measure(columns->xyz);
     std::vector<double> row;
     while (rows.next(row)) {
         if (row.size() < columns->needed) {

@@ -105,7 +105,9 @@ public:
 
     /// Empty when the cell cannot be told by a count.
     std::optional<std::uint16_t> countOf(std::size_t k) {
-        const auto count = whole(static_cast<double>(scan_->rangeMm[k]) / scan_->unitMm);
+        auto count = whole(static_cast<double>(scan_->rangeMm[k]) / scan_->unitMm);
+        // What is read back must be what was written, to the last bit.
+        if (count && static_cast<float>(*count * scan_->unitMm) != scan_->rangeMm[k]) count.reset();
         switch (scan_->state[k]) {
         case CellState::Valid:
             if (!count || holds(noReturnCodes_, *count) || holds(statusCodes_, *count)) return std::nullopt;
@@ -116,13 +118,19 @@ public:
             return count;
         case CellState::NoReturn:
             if (count && holds(noReturnCodes_, *count)) return count;
-            return static_cast<std::uint16_t>(noReturnCodes_.front());
+            return noReturnCount();
         default:
-            return count ? count : std::optional(static_cast<std::uint16_t>(noReturnCodes_.front())); // told by state_runs
+            return count ? count : noReturnCount(); // told by state_runs
         }
     }
 
 private:
+    /// The first code that 16 bits can hold.
+    [[nodiscard]] std::optional<std::uint16_t> noReturnCount() const {
+        const auto fits = std::find_if(noReturnCodes_.begin(), noReturnCodes_.end(), [](std::uint32_t code) { return code <= 65535; });
+        if (fits == noReturnCodes_.end()) return std::nullopt;
+        return static_cast<std::uint16_t>(*fits);
+    }
     static bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t count) {
         return std::find(codes.begin(), codes.end(), count) != codes.end();
     }
@@ -143,9 +151,14 @@ Result<Scan> readRawGridJson(const Source& source) {
     fs::path countsPath = withExtension(source.path, ".u16");
     if (grid->dataFile && fs::exists(source.path.parent_path() / *grid->dataFile, ignored))
         countsPath = source.path.parent_path() / *grid->dataFile;
+    const bool renamed = grid->dataFile && countsPath.filename() != fs::path(*grid->dataFile).filename();
     const auto counts = readWholeFile(countsPath);
     if (!counts) return counts.error();
-    return readPair(*grid, source, countsPath, *counts);
+    Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
+    if (scan && renamed) {
+        scan->warnings.push_back("The data file " + *grid->dataFile + " is missing; " + countsPath.filename().string() + " was read in its place.");
+    }
+    return scan;
 }
 
 Result<Scan> readRawGridCounts(const Source& source) {

@@ -142,9 +142,11 @@ struct Head {
 Head readHead(std::string_view text) {
     Head head;
     std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    for (std::size_t number = 1; at < text.size() && number <= kMostHeadLines; ++number) {
+    std::size_t headLines = 0; // comments do not count: our own can be long
+    for (std::size_t number = 1; at < text.size() && headLines <= kMostHeadLines; ++number) {
         const TextLine line = textLineAt(text, at);
         const auto comment = commentIn(line.text);
+        if (!comment) ++headLines;
         if (comment) {
             if (!addToDescription(*comment, head.description)) head.header = *comment;
         } else if (isRowOfNumbers(line.text)) {

@@ -3,6 +3,7 @@
 
 #include "core/files/source.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -57,7 +58,9 @@ public:
     [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
     [[nodiscard]] std::size_t lineNumber() const { return line_; } ///< of the row that next() gave
     [[nodiscard]] double fraction() const;                         ///< of the text that has been read
-    /// Of the first three columns of the rows read so far.
+    /// Which columns digits() is about; the first three unless told otherwise.
+    void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
+    /// Of the measured columns of the rows read so far.
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
 
 private:
@@ -74,6 +77,7 @@ private:
     std::size_t line_;
     std::size_t nextLine_;
     std::size_t rows_ = 0;
+    std::array<std::size_t, 3> measured_{0, 1, 2};
     PrintedDigits digits_;
     std::optional<Error> problem_;
 };

@@ -84,8 +84,8 @@ bool RowReader::readCell(std::vector<double>& numbers) {
         parsed = std::from_chars(from, rowEnd_, value);
     }
     if (parsed.ec == std::errc::result_out_of_range) {
-        const bool tiny =
-            std::search(from, parsed.ptr, "e-", "e-" + 2) != parsed.ptr || std::search(from, parsed.ptr, "E-", "E-" + 2) != parsed.ptr;
+        const std::string_view word(from, static_cast<std::size_t>(parsed.ptr - from));
+        const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
         value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
     }
     const char* end = parsed.ptr;
@@ -103,7 +103,8 @@ bool RowReader::readCell(std::vector<double>& numbers) {
         problem_ = source_->refusedAtLine(line_, "\"" + word + "\" is no number", "correct the line or export the file again");
         return false;
     }
-    if (rows_ < kRowsWithDigits && numbers.size() < 3) countDigits(from, end);
+    const bool measured = std::find(measured_.begin(), measured_.end(), numbers.size()) != measured_.end();
+    if (rows_ < kRowsWithDigits && measured) countDigits(from, end);
     numbers.push_back(value);
     at_ = end;
     return true;
