@@ -56,8 +56,9 @@ void addColumn(CloudColumns& cloud, const char* name, const std::vector<std::siz
 void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::size_t>& cells, std::vector<Eigen::Vector3d>& points) {
     const PlacedPoints placed(scan);
     const auto beams = static_cast<std::size_t>(scan.beams());
-    for (std::size_t n = 0; n < cells.size(); ++n) points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), points[n]);
-    cloud.sensorM = placed.inFrame(cloud.frame, 0, cloud.sensorM);
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams), points[n]);
+    cloud.sensorM = placed.inFrame(cloud.frame, 0, 0, cloud.sensorM);
     if (cloud.frame == CoordinateFrame::MineLocal) cloud.originM = placed.originEnhM();
 }
 

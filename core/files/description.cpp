@@ -1,6 +1,8 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/files/description.h"
 
+#include "core/frames/placement_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -155,6 +157,12 @@ void readStateRuns(Keys& keys, GridDescription& grid) {
     }
 }
 
+/// Where the scan stands; it must fit the grid.
+Result<std::shared_ptr<const Placement>> readPlacement(const Keys& keys, const GridDescription& grid, const std::string& where) {
+    if (!keys.has("placement")) return std::shared_ptr<const Placement>();
+    return placementFromJson(keys.at("placement"), grid.lines, where);
+}
+
 void readDataFile(Keys& keys, GridDescription& grid) {
     if (!keys.has("data")) return;
     const std::string name = keys.word("data");
@@ -208,6 +216,9 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
     readAxis(keys, grid);
     readStateRuns(keys, grid);
     if (keys.problem()) return *keys.problem();
+    auto placement = readPlacement(keys, grid, where);
+    if (!placement) return placement.error();
+    grid.placement = *placement;
     return grid;
 }
 
@@ -249,6 +260,7 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
         const auto& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
         object["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
+    if (scan.placement) object["placement"] = placementToJson(*scan.placement);
     for (const StateRun& run : stateRunsOf(scan)) object["state_runs"].push_back({cellStateName(run.state), run.firstCell, run.cells});
     if (!scan.note.empty()) object["note"] = scan.note;
     return object.dump(indent, ' ', false, Json::error_handler_t::replace);

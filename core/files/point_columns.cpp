@@ -23,7 +23,12 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     const auto y = named("y");
     const auto z = named("z");
     if (!x || !y || !z) return std::nullopt;
-    return PointFields{*x, *y, *z, named("range_mm"), named("state")};
+    PointFields picked{*x, *y, *z, named("range_mm"), named("state"), {}};
+    for (const char* name : {"scanner_x", "scanner_y", "scanner_z"}) {
+        if (const auto field = named(name)) picked.scanner.push_back(*field);
+    }
+    if (picked.scanner.size() != 3) picked.scanner.clear();
+    return picked;
 }
 
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
@@ -36,6 +41,7 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
         table.points.emplace_back(value(fields.x, n), value(fields.y, n), value(fields.z, n));
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(value(*fields.rangeMm, n)));
         if (fields.state) table.state.push_back(stateByte(value(*fields.state, n)));
+        if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(value(s[0], n), value(s[1], n), value(s[2], n));
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(points))) return false;
     }
     return true;
@@ -59,6 +65,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
+        if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(row[s[0].column], row[s[1].column], row[s[2].column]);
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();

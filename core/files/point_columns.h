@@ -20,10 +20,11 @@ struct RecordField {
     std::size_t stride = 0;
 };
 
-/// Fields x y z, and our own range_mm and state where present.
+/// Fields x y z, and our own range_mm, state and scanner_x scanner_y scanner_z where present.
 struct PointFields {
     RecordField x, y, z;
     std::optional<RecordField> rangeMm, state;
+    std::vector<RecordField> scanner; ///< three or none
 };
 
 /// Empty when x, y or z is missing.

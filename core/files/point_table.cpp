@@ -87,6 +87,8 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     scan.noReturnCodes = grid->noReturnCodes;
     scan.statusCodes = grid->statusCodes;
     scan.note = grid->note;
+    scan.placement = grid->placement;
+    if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
     if (grid->sensorM) {
         scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
     } else if (grid->beamDeg && grid->lineDeg && grid->axis) {

@@ -31,6 +31,7 @@ struct PointTable {
     // Our own columns; empty when the file has them not, else one per point.
     std::vector<float> rangeMm;
     std::vector<std::uint8_t> state;
+    std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
 };
 
 /// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised, or else

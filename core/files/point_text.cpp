@@ -18,6 +18,7 @@ struct Columns {
     std::array<std::size_t, 3> xyz{0, 1, 2};
     std::size_t rangeMm = kNoColumn;
     std::size_t state = kNoColumn;
+    std::array<std::size_t, 3> scanner{kNoColumn, kNoColumn, kNoColumn};
     std::size_t needed = 3; ///< columns a row must have
     std::optional<double> unitMm;
 };
@@ -48,6 +49,8 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
         std::string name = layout.names[i];
         if (name == "range_mm") columns.rangeMm = i;
         if (name == "state") columns.state = i;
+        if (name.size() == 9 && name.starts_with("scanner_") && name[8] >= 'x' && name[8] <= 'z')
+            columns.scanner[static_cast<std::size_t>(name[8] - 'x')] = i;
         const auto itsUnit = splitUnit(name);
         if (name.size() != 1 || name[0] < 'x' || name[0] > 'z') continue;
         named[static_cast<std::size_t>(name[0] - 'x')] = i;
@@ -58,7 +61,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
         columns.unitMm = unit;
     }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
-    for (const std::size_t own : {columns.rangeMm, columns.state}) {
+    for (const std::size_t own : {columns.rangeMm, columns.state, columns.scanner[0], columns.scanner[1], columns.scanner[2]}) {
         if (own != kNoColumn) columns.needed = std::max(columns.needed, own + 1);
     }
     return columns;
@@ -89,6 +92,8 @@ Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
             const double state = row[columns->state];
             table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
         }
+        if (const auto& s = columns->scanner; std::count(s.begin(), s.end(), kNoColumn) == 0)
+            table.scannerPoints.emplace_back(row[s[0]], row[s[1]], row[s[2]]);
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();

@@ -73,6 +73,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     scan.noReturnCodes = grid.noReturnCodes;
     scan.statusCodes = grid.statusCodes;
     scan.note = grid.note;
+    scan.placement = grid.placement;
     const auto states = statesByCount(grid);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
@@ -204,6 +205,7 @@ Result<Done> saveRawGrid(const Scan& scan, const fs::path& path) {
     head.noReturnCodes = counter.noReturnCodes();
     head.statusCodes = counter.statusCodes();
     head.note = scan.note;
+    head.placement = scan.placement;
     const std::string json = descriptionText(head, countsPath.filename().string(), 1) + "\n";
     return writeWholeFiles({{countsPath, counts}, {withExtension(path, ".json"), std::as_bytes(std::span(json))}});
 }

@@ -14,17 +14,23 @@ public:
     explicit PlacedPoints(const Scan& scan);
 
     /// Scanner frame -> metres east, north, up from the placement's origin. NaN stays NaN.
-    [[nodiscard]] Eigen::Vector3d local(int line, const Eigen::Vector3d& scannerPointM) const;
+    [[nodiscard]] Eigen::Vector3d local(int line, int beam, const Eigen::Vector3d& scannerPointM) const;
     /// Scanner frame -> Easting, Northing, Elevation.
-    [[nodiscard]] Eigen::Vector3d mine(int line, const Eigen::Vector3d& scannerPointM) const;
-    [[nodiscard]] Eigen::Vector3d inFrame(CoordinateFrame frame, int line, const Eigen::Vector3d& scannerPointM) const;
+    [[nodiscard]] Eigen::Vector3d mine(int line, int beam, const Eigen::Vector3d& scannerPointM) const;
+    [[nodiscard]] Eigen::Vector3d inFrame(CoordinateFrame frame, int line, int beam, const Eigen::Vector3d& scannerPointM) const;
     /// Metres from the origin -> scanner frame.
-    [[nodiscard]] Eigen::Vector3d scanner(int line, const Eigen::Vector3d& localPointM) const;
+    [[nodiscard]] Eigen::Vector3d scanner(int line, int beam, const Eigen::Vector3d& localPointM) const;
 
     [[nodiscard]] const Eigen::Vector3d& originEnhM() const { return origin_; }
 
 private:
-    std::vector<RigidTransform> lines_; // scanner frame -> pose axes, still unscaled and at the head
+    [[nodiscard]] const RigidTransform& mountOf(int beam) const {
+        return mounts_[mounts_.size() == 1 ? 0 : static_cast<std::size_t>(beam)];
+    }
+
+    std::vector<Eigen::Matrix3d> unturned_; // per line: scanner frame -> fan, the ideal stepper turned back
+    std::vector<RigidTransform> mounts_;    // fan -> mover; one, or one per beam where the stepper moves on during the line
+    std::vector<RigidTransform> lines_;     // per line: mover -> axis base -> pose axes, the translation in grid metres
     Eigen::Vector3d scale_;
     Eigen::Vector3d origin_;
 };
@@ -37,9 +43,6 @@ struct MinePoint {
 
 /// One point without tables: for a probe, not for a loop. NaN where the cell is not valid. The scan must have a placement.
 [[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
-
-/// Scanner frame -> axis base A for one line angle of the scan: the real mounting instead of the ideal one.
-[[nodiscard]] RigidTransform axisBaseFromScanner(const StepperMount& mount, const Geometry& geometry, int line);
 
 /// "boxes_edges.pcd"; without mine coordinates "boxes_edges_LOCAL.pcd", in local metres from an origin "boxes_edges_OFFSET.pcd"
 /// (OPERATOR.md S6). `extension` with the dot.

@@ -1,0 +1,228 @@
+// Checks of JSON values.
+#include "core/base/json_fields.h"
+
+#include "core/base/utc_time.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kLargest = 1e12;
+constexpr std::size_t kLargestText = 64U << 20U;
+constexpr int kDeepest = 12;
+
+std::string shortNumber(double value) {
+    std::string text = Json(value).dump();
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
+/// A key without its unit, for "did you mean".
+std::string withoutUnit(const std::string& key) {
+    static const std::vector<std::string> units{"_deg", "_mil", "_rad", "_mm", "_cm", "_m", "_s", "_ms"};
+    for (const std::string& unit : units) {
+        if (key.size() > unit.size() && key.ends_with(unit)) return key.substr(0, key.size() - unit.size());
+    }
+    return key;
+}
+
+} // namespace
+
+JsonFields::JsonFields(const Json& object, std::string where, std::string todo)
+    : object_(object), where_(std::move(where)), todo_(std::move(todo)), problem_(std::make_shared<std::optional<Error>>()) {}
+
+JsonFields::JsonFields(Json object, std::string prefix, const JsonFields& parent)
+    : object_(std::move(object)), where_(parent.where_), todo_(parent.todo_), prefix_(std::move(prefix)), problem_(parent.problem_) {}
+
+void JsonFields::refuse(const std::string& key, const std::string& what) {
+    if (!*problem_) *problem_ = Error{"\"" + prefix_ + key + "\" " + what, where_, todo_};
+}
+
+bool JsonFields::has(const char* key) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+    return object_.contains(key) && !at(key).is_null();
+}
+
+double JsonFields::checked(const Json& value, const std::string& key, NumberLimits limits) {
+    if (!value.is_number()) return refuse(key, "must hold numbers, not " + std::string(value.type_name())), 0.0;
+    const auto number = value.get<double>();
+    if (!std::isfinite(number) || std::abs(number) > kLargest) return refuse(key, "holds a number out of all reason"), 0.0;
+    if (number < limits.least || number > limits.most) {
+        const std::string range = std::isinf(limits.most)    ? shortNumber(limits.least) + " or more"
+                                  : std::isinf(limits.least) ? shortNumber(limits.most) + " or less"
+                                                             : "from " + shortNumber(limits.least) + " to " + shortNumber(limits.most);
+        return refuse(key, "is " + shortNumber(number) + " and must be " + range), limits.least;
+    }
+    return number;
+}
+
+double JsonFields::number(const char* key, double missing, NumberLimits limits) {
+    return has(key) ? checked(at(key), key, limits) : missing;
+}
+
+double JsonFields::neededNumber(const char* key, NumberLimits limits) {
+    if (!has(key)) return refuse(key, "is missing"), 0.0;
+    return checked(at(key), key, limits);
+}
+
+bool JsonFields::truth(const char* key, bool missing) {
+    if (!has(key)) return missing;
+    if (!at(key).is_boolean()) return refuse(key, "must be true or false"), missing;
+    return at(key).get<bool>();
+}
+
+std::string JsonFields::text(const char* key, const std::string& missing) {
+    if (!has(key)) return missing;
+    if (!at(key).is_string()) return refuse(key, "must be text"), missing;
+    return at(key).get<std::string>();
+}
+
+std::size_t JsonFields::choice(const char* key, const std::vector<std::string>& words) {
+    if (!has(key)) return 0;
+    const auto found = at(key).is_string() ? std::find(words.begin(), words.end(), at(key).get<std::string>()) : words.end();
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : " or ") + ("\"" + word + "\"");
+    return refuse(key, "must be " + list), 0;
+}
+
+std::vector<double> JsonFields::numbers(const char* key, std::size_t count) {
+    std::vector<double> list(count, 0.0);
+    if (!has(key)) return refuse(key, "is missing"), list;
+    if (!at(key).is_array() || at(key).size() != count) return refuse(key, "must hold " + std::to_string(count) + " numbers"), list;
+    for (std::size_t i = 0; i < count; ++i) list[i] = checked(at(key)[i], key, {});
+    return list;
+}
+
+Eigen::Vector3d JsonFields::vector(const char* key, const Eigen::Vector3d& missing, NumberLimits limits) {
+    return has(key) ? neededVector(key, limits) : missing;
+}
+
+Eigen::Vector3d JsonFields::neededVector(const char* key, NumberLimits limits) {
+    if (!has(key)) return refuse(key, "is missing"), Eigen::Vector3d::Zero();
+    if (!at(key).is_array() || at(key).size() != 3) return refuse(key, "must hold three numbers"), Eigen::Vector3d::Zero();
+    return {checked(at(key)[0], key, limits), checked(at(key)[1], key, limits), checked(at(key)[2], key, limits)};
+}
+
+Eigen::Matrix3d JsonFields::rotation(const char* key) {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+    if (!has(key)) return refuse(key, "is missing"), matrix;
+    const Json& rows = at(key);
+    const bool shaped = rows.is_array() && rows.size() == 3 &&
+                        std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row.is_array() && row.size() == 3; });
+    if (!shaped) return refuse(key, "must hold three rows of three numbers"), matrix;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) matrix(i, j) = checked(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)], key, {-2, 2});
+    }
+    const double skew = (matrix * matrix.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (skew > 1e-6) return refuse(key, "is no rotation: its rows are not perpendicular and of length 1"), Eigen::Matrix3d::Identity();
+    if (matrix.determinant() < 0) return refuse(key, "mirrors instead of turning: its determinant is -1"), Eigen::Matrix3d::Identity();
+    return matrix;
+}
+
+double JsonFields::time(const char* key) {
+    if (!has(key)) return std::numeric_limits<double>::quiet_NaN();
+    const auto seconds = at(key).is_string() ? parseUtc(at(key).get<std::string>()) : std::nullopt;
+    if (seconds) return *seconds;
+    return refuse(key, "must be a time in UTC like \"2026-11-20T10:15:30.250Z\""), std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> JsonFields::texts(const char* key) {
+    std::vector<std::string> list;
+    if (!has(key)) return list;
+    if (!at(key).is_array()) return refuse(key, "must be a list of texts"), list;
+    for (const Json& item : at(key)) {
+        if (!item.is_string()) return refuse(key, "must be a list of texts"), list;
+        list.push_back(item.get<std::string>());
+    }
+    return list;
+}
+
+JsonFields JsonFields::object(const char* key) {
+    if (!has(key)) return {Json::object(), prefix_ + key + ".", *this};
+    if (!at(key).is_object()) {
+        refuse(key, "must be an object {...}");
+        return {Json::object(), prefix_ + key + ".", *this};
+    }
+    return {at(key), prefix_ + key + ".", *this};
+}
+
+std::vector<JsonFields> JsonFields::objects(const char* key) {
+    std::vector<JsonFields> list;
+    if (!has(key)) return list;
+    if (!at(key).is_array()) return list.push_back(object(key)), list;
+    std::size_t number = 0;
+    for (const Json& item : at(key)) {
+        const std::string prefix = prefix_ + key + "[" + std::to_string(number++) + "].";
+        if (!item.is_object()) return refuse(key, "must be a list of objects {...}"), list;
+        list.push_back(JsonFields(item, prefix, *this));
+    }
+    return list;
+}
+
+void JsonFields::done() {
+    for (const auto& [key, value] : object_.items()) {
+        if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+        const auto meant = std::find_if(known_.begin(), known_.end(), [&, &name = key](const std::string& known) {
+            return withoutUnit(known) == withoutUnit(name) || withoutUnit(known) == name;
+        });
+        const std::string shown = key.substr(0, 60);
+        if (meant != known_.end()) return refuse(shown, "is not a key here, but \"" + *meant + "\" is: units belong to the name");
+        std::string list;
+        for (const std::string& known : known_) list += (list.empty() ? "" : ", ") + known;
+        return refuse(shown, "is not a key here; known are " + list);
+    }
+}
+
+namespace {
+
+/// nlohmann's parser survives any depth, but what it builds is as deep as the text says.
+bool nestedTooDeep(std::string_view json) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            inString = !inString;
+        } else if (!inString && (c == '{' || c == '[')) {
+            if (++depth > kDeepest) return true;
+        } else if (!inString && (c == '}' || c == ']')) {
+            --depth;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+Result<Json> parseJsonObject(std::string_view text, const std::string& format, const std::string& where) {
+    const std::string wanted = "\"format\": \"" + format + "\"";
+    if (text.size() > kLargestText || nestedTooDeep(text))
+        return Error{"this JSON is too large or nested too deep", where, "choose a file with " + wanted};
+    Json object;
+    try {
+        object = Json::parse(text);
+    } catch (const Json::parse_error& problem) {
+        return Error{"the JSON is damaged or cut off here", where + ": byte " + std::to_string(problem.byte), "check it around this place"};
+    } catch (const Json::exception&) {
+        return Error{"the JSON holds a number that no computer can store", where, "correct it"};
+    }
+    if (!object.is_object()) return Error{"the JSON holds no object", where, "choose a file with " + wanted};
+    const std::string found =
+        object.contains("format") && object["format"].is_string() ? object["format"].get<std::string>() : std::string();
+    if (found != format) {
+        return Error{found.empty() ? "\"format\" is missing" : "\"format\" is \"" + found.substr(0, 60) + "\"", where,
+                     "choose a file with " + wanted};
+    }
+    object.erase("format");
+    return object;
+}
+
+} // namespace edgescan

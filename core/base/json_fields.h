@@ -1,0 +1,70 @@
+// Reading a JSON object that a person wrote: every key is checked, and the first thing wrong becomes one sentence.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+struct NumberLimits {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+};
+
+/// One object. A key that is asked for is a known key; done() refuses all others. Objects inside share the first error.
+class JsonFields {
+public:
+    /// `where` is the path of the file; `todo` what to do about any error.
+    JsonFields(const nlohmann::json& object, std::string where, std::string todo);
+
+    [[nodiscard]] bool has(const char* key);
+    [[nodiscard]] double number(const char* key, double missing, NumberLimits limits = {});
+    [[nodiscard]] double neededNumber(const char* key, NumberLimits limits = {});
+    [[nodiscard]] bool truth(const char* key, bool missing);
+    [[nodiscard]] std::string text(const char* key, const std::string& missing = {});
+    /// One of the words; the index of the first word when the key is missing.
+    [[nodiscard]] std::size_t choice(const char* key, const std::vector<std::string>& words);
+    [[nodiscard]] Eigen::Vector3d vector(const char* key, const Eigen::Vector3d& missing, NumberLimits limits = {});
+    [[nodiscard]] Eigen::Vector3d neededVector(const char* key, NumberLimits limits = {});
+    /// Exactly `count` numbers in a list.
+    [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
+    /// Three rows of three numbers; refused when it is no proper rotation.
+    [[nodiscard]] Eigen::Matrix3d rotation(const char* key);
+    /// Seconds since 1970, or NaN when the key is missing.
+    [[nodiscard]] double time(const char* key);
+    [[nodiscard]] std::vector<std::string> texts(const char* key);
+    /// The object under a key; an empty one when it is missing.
+    [[nodiscard]] JsonFields object(const char* key);
+    /// The object under a key, or each object of a list of them.
+    [[nodiscard]] std::vector<JsonFields> objects(const char* key);
+
+    /// "stepper.axis must ..." unless something was wrong before.
+    void refuse(const std::string& key, const std::string& what);
+    /// Refuses keys that nobody asked for.
+    void done();
+    [[nodiscard]] const std::optional<Error>& problem() const { return *problem_; }
+
+private:
+    JsonFields(nlohmann::json object, std::string prefix, const JsonFields& parent);
+    [[nodiscard]] const nlohmann::json& at(const char* key) const { return object_[key]; }
+    [[nodiscard]] double checked(const nlohmann::json& value, const std::string& key, NumberLimits limits);
+
+    nlohmann::json object_;
+    std::string where_, todo_, prefix_;
+    std::vector<std::string> known_;
+    std::shared_ptr<std::optional<Error>> problem_;
+};
+
+/// Text as a JSON object. Error: damaged (with the byte), no object, nested too deep, another format than `format`.
+Result<nlohmann::json> parseJsonObject(std::string_view text, const std::string& format, const std::string& where);
+
+} // namespace edgescan
