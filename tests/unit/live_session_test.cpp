@@ -1,0 +1,418 @@
+// The scanner session against the emulated scanner, with every failure that can be provoked.
+#include "tests/support/live_session.h"
+
+#include <boost/asio.hpp>
+
+#include <set>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+std::uint16_t freePort() {
+    boost::asio::io_context context;
+    const boost::asio::ip::tcp::acceptor acceptor(context, {boost::asio::ip::address_v4::loopback(), 0});
+    return acceptor.local_endpoint().port();
+}
+
+std::chrono::milliseconds since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+}
+
+/// Runs a session until the scanner has sent everything.
+void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSettings& settings, SessionStatistics* statistics = nullptr) {
+    ScannerSession session(settings, listener.events());
+    EXPECT_TRUE(listener.waitFor([&](const Listener&) { return scanner.statistics().finished; }, 20s));
+    std::size_t before = ~std::size_t{0};
+    // What is still under way.
+    for (std::size_t now = session.statistics().stream.bytes; now != before; now = session.statistics().stream.bytes) {
+        before = now;
+        std::this_thread::sleep_for(60ms);
+    }
+    if (statistics != nullptr) *statistics = session.statistics();
+    session.stop();
+}
+
+} // namespace
+
+TEST(ScannerSession, FindsTheDialectAndReceivesEveryLine) {
+    const Scan scan = countingScan(40, 60);
+    for (const auto only : {std::optional<Dialect>(), std::optional(Dialect::A), std::optional(Dialect::B)}) {
+        EmulatedScannerSettings settings;
+        settings.only = only;
+        settings.linesPerSecond = 0;
+        settings.atEnd = AtEnd::Stop;
+        const auto scanner = served(scan, settings);
+        Listener listener;
+        receiveAll(*scanner, listener, settingsFor(*scanner));
+        EXPECT_EQ(listener.story(), "CONNECTING IDENTIFYING LIVE STOPPED");
+        ASSERT_EQ(listener.identities().size(), 1U);
+        const ScannerIdentity& who = listener.identities()[0];
+        EXPECT_EQ(who.dialect, only.value_or(Dialect::B));
+        EXPECT_EQ(who.firmware, "V1.80    ");
+        EXPECT_EQ(who.location, "SN 18110550");
+        EXPECT_EQ(who.deviceState, 1);
+        EXPECT_TRUE(who.refused.empty());
+        EXPECT_NE(who.words().find("LMS511 emulated"), std::string::npos) << who.words();
+        EXPECT_NE(who.words().find("25 Hz"), std::string::npos) << who.words();
+        const auto telegrams = listener.telegrams();
+        ASSERT_EQ(telegrams.size(), 40U);
+        for (std::size_t line = 0; line < telegrams.size(); ++line) {
+            EXPECT_EQ(telegrams[line].encoders.at(0).position, line);
+            const ChannelRanges ranges = rangesMm(telegrams[line].channels16.at(0));
+            const std::size_t first = line * 60;
+            EXPECT_TRUE(std::equal(ranges.rangeMm.begin(), ranges.rangeMm.end(), scan.rangeMm.cells.begin() + static_cast<long>(first)));
+            EXPECT_TRUE(std::equal(ranges.state.begin(), ranges.state.end(), scan.state.cells.begin() + static_cast<long>(first)));
+            const auto angles = beamAnglesDeg(beamGrid(telegrams[line].channels16[0]));
+            for (std::size_t beam = 0; beam < angles.size(); ++beam)
+                EXPECT_NEAR(angles[beam], std::get<PolarGeometry>(scan.geometry).beamDeg[beam], 1e-9);
+        }
+    }
+}
+
+TEST(ScannerSession, SendsNothingButReadsAndSubscriptions) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 500;
+    settings.faults.dropEvery = 20;
+    const auto scanner = served(countingScan(30, 20), settings);
+    Listener listener;
+    {
+        ScannerSession session(settingsFor(*scanner), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 3; }));
+    }
+    EXPECT_EQ(scanner->statistics().writes, 0U);
+    const auto commands = listener.sentCommands();
+    EXPECT_GE(commands.size(), 20U);
+    for (const std::string& command : commands) EXPECT_TRUE(command.starts_with("sRN ") || command == "sEN LMDscandata") << command;
+    EXPECT_TRUE(listener.steps().empty());
+}
+
+TEST(ScannerSession, HoweverTheBytesComeTheLinesAreTheSame) {
+    const Scan scan = countingScan(200, 40);
+    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+        EmulatedScannerSettings settings;
+        settings.only = dialect;
+        settings.linesPerSecond = 0;
+        settings.atEnd = AtEnd::Stop;
+        settings.faults.splitSends = true;
+        settings.faults.mergeSends = true;
+        settings.faults.garbageEvery = 3;
+        const auto scanner = served(scan, settings);
+        Listener listener;
+        SessionStatistics statistics;
+        receiveAll(*scanner, listener, settingsFor(*scanner), &statistics);
+        const Account account = accountOf(listener.telegrams());
+        EXPECT_EQ(account.received, 200);
+        EXPECT_EQ(account.lost, 0);
+        EXPECT_GT(statistics.stream.skipped, 0U);
+        EXPECT_EQ(statistics.scans, 200U);
+        EXPECT_EQ(statistics.reconnects, 0U);
+    }
+}
+
+TEST(ScannerSession, EveryLostLineIsCounted) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 0;
+    settings.atEnd = AtEnd::Stop;
+    settings.faults.loseEvery = 10;
+    settings.faults.loseBurst = 3;
+    settings.faults.duplicateEvery = 7;
+    const auto scanner = served(countingScan(306, 20), settings);
+    Listener listener;
+    receiveAll(*scanner, listener, settingsFor(*scanner));
+    const auto statistics = scanner->statistics();
+    const Account account = accountOf(listener.telegrams());
+    EXPECT_EQ(account.lost, 90);
+    EXPECT_EQ(static_cast<std::uint64_t>(account.lost), statistics.lost);
+    EXPECT_EQ(static_cast<std::uint64_t>(account.duplicates), statistics.duplicated);
+    EXPECT_EQ(account.received + account.lost, 306);
+}
+
+TEST(ScannerSession, ADroppedConnectionIsMadeAgain) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 400;
+    settings.atEnd = AtEnd::Stop;
+    settings.faults.dropEvery = 25;
+    const auto scanner = served(countingScan(101, 20), settings);
+    Listener listener;
+    SessionStatistics statistics;
+    receiveAll(*scanner, listener, settingsFor(*scanner), &statistics);
+    EXPECT_EQ(statistics.reconnects, 4U);
+    EXPECT_EQ(scanner->statistics().clients, 5U);
+    EXPECT_EQ(listener.entered(SessionPhase::Lost), 4);
+    const Account account = accountOf(listener.telegrams());
+    EXPECT_EQ(account.restarts, 0);
+    EXPECT_EQ(account.received + account.lost, 101); // a telegram may be cut off with the connection
+    for (const SessionState& state : listener.states()) EXPECT_TRUE(state.sentence.ends_with(".")) << state.sentence;
+}
+
+TEST(ScannerSession, LinesThatPassWhileReconnectingAreLostAndCounted) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 200;
+    settings.atEnd = AtEnd::Stop;
+    settings.keepTurning = true;
+    const auto scanner = served(countingScan(150, 20), settings);
+    Listener listener;
+    auto session = settingsFor(*scanner);
+    session.patience.backOff = {150ms};
+    std::thread drop([&] {
+        EXPECT_TRUE(listener.waitForScans(20));
+        scanner->dropConnections();
+    });
+    receiveAll(*scanner, listener, session);
+    drop.join();
+    const Account account = accountOf(listener.telegrams());
+    EXPECT_GE(account.lost, 20);
+    EXPECT_EQ(account.received + account.lost, account.span);
+}
+
+TEST(ScannerSession, SilenceIsStaleThenLostThenLiveAgain) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 200;
+    settings.faults.stallEvery = 40;
+    settings.faults.stallS = 0.9;
+    const auto scanner = served(countingScan(30, 20), settings);
+    Listener listener;
+    {
+        ScannerSession session(settingsFor(*scanner), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
+    }
+    EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LOST CONNECTING IDENTIFYING LIVE")) << listener.story();
+    // Watchdog: ten periods of 40 ms.
+    const auto& states = listener.states();
+    const double silent = static_cast<double>(states[4].since.monotonicNs - states[3].since.monotonicNs) / 1e9;
+    EXPECT_NEAR(silent, 0.2, 0.15);
+}
+
+TEST(ScannerSession, AShortSilenceIsStaleOnly) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 200;
+    settings.faults.stallEvery = 40;
+    settings.faults.stallS = 0.3;
+    const auto scanner = served(countingScan(30, 20), settings);
+    Listener listener;
+    auto patient = settingsFor(*scanner);
+    patient.patience.leastWatchdog = 500ms;
+    {
+        ScannerSession session(patient, listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
+    }
+    EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LIVE")) << listener.story();
+    EXPECT_EQ(listener.entered(SessionPhase::Lost), 0);
+}
+
+TEST(ScannerSession, StopsAtOnceWhateverItWaitsFor) {
+    EmulatedScannerSettings mute;
+    mute.faults.mute = true;
+    const auto silent = served(countingScan(5, 5), mute);
+    EmulatedScannerSettings plain;
+    const auto sending = served(countingScan(5, 5), plain);
+    auto detecting = settingsFor(*silent);
+    detecting.patience = {};
+    auto live = settingsFor(*sending);
+    auto backingOff = settingsFor(*sending);
+    backingOff.port = freePort();
+    backingOff.patience = {};
+    for (const auto& [settings, phase] : {std::pair(detecting, SessionPhase::Identifying), std::pair(live, SessionPhase::Live),
+                                          std::pair(backingOff, SessionPhase::Lost)}) {
+        Listener listener;
+        ScannerSession session(settings, listener.events());
+        ASSERT_TRUE(listener.waitForPhase(phase));
+        const auto start = std::chrono::steady_clock::now();
+        session.stop();
+        EXPECT_LT(since(start), 200ms);
+        EXPECT_EQ(session.state().phase, SessionPhase::Stopped);
+        EXPECT_EQ(listener.states().back().phase, SessionPhase::Stopped);
+    }
+}
+
+TEST(ScannerSession, MayBeStoppedFromWithinAnEvent) {
+    const auto scanner = served(countingScan(5, 5), {});
+    Listener listener;
+    SessionEvents events = listener.events();
+    std::atomic<ScannerSession*> self{nullptr};
+    const auto record = events.frameReceived;
+    events.frameReceived = [&](const ColaFrame& frame) {
+        record(frame);
+        if (self != nullptr && isScanTelegram(frame.payload())) self.load()->stop();
+    };
+    ScannerSession session(settingsFor(*scanner), events);
+    self = &session;
+    EXPECT_TRUE(listener.waitForPhase(SessionPhase::Stopped));
+}
+
+TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
+    EmulatedScannerSettings mute;
+    mute.faults.mute = true;
+    const auto silent = served(countingScan(5, 5), mute);
+    EmulatedScannerSettings refusing;
+    refusing.refusals["LMDscandata"] = 15;
+    const auto stubborn = served(countingScan(5, 5), refusing);
+    const auto lostSentence = [](SessionSettings settings) {
+        settings.patience.connect = 1500ms;
+        Listener listener;
+        ScannerSession session(settings, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Lost));
+        session.stop();
+        for (const SessionState& state : listener.states()) {
+            if (state.phase == SessionPhase::Lost) return state.sentence;
+        }
+        return std::string();
+    };
+    auto settings = settingsFor(*silent);
+    std::string sentence = lostSentence(settings);
+    EXPECT_EQ(sentence.find("127.0.0.1:" + std::to_string(silent->port()) + ": something accepts the connection but does not answer"), 0U)
+        << sentence;
+    settings = settingsFor(*stubborn);
+    EXPECT_NE(lostSentence(settings).find("refuses to send scans: the event is not known"), std::string::npos);
+    settings.port = freePort();
+    sentence = lostSentence(settings);
+    EXPECT_EQ(sentence.find("127.0.0.1:" + std::to_string(settings.port) + ": the connection is refused; check the port"), 0U) << sentence;
+    EXPECT_NE(sentence.find("Trying again in"), std::string::npos);
+    settings.host = "no-such-scanner.invalid";
+    sentence = lostSentence(settings);
+    EXPECT_EQ(sentence.find("no-such-scanner.invalid:"), 0U) << sentence;
+    EXPECT_NE(sentence.find("IP address"), std::string::npos) << sentence;
+    settings.host = "";
+    EXPECT_NE(lostSentence(settings).find("no scanner is given"), std::string::npos);
+}
+
+TEST(ScannerSession, HostNamesAndIpv6) {
+    for (const auto& [serve, host] : {std::pair("127.0.0.1", "localhost"), std::pair("::1", "::1"), std::pair("::1", "[::1]")}) {
+        EmulatedScannerSettings settings;
+        settings.address = serve;
+        auto telegrams = telegramsOf(countingScan(5, 5));
+        const auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(*telegrams), settings);
+        if (!scanner && std::string(serve) == "::1") GTEST_SKIP() << scanner.error().sentence();
+        ASSERT_TRUE(scanner);
+        auto session = settingsFor(**scanner);
+        session.host = host;
+        Listener listener;
+        const ScannerSession live(session, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Live)) << host;
+    }
+}
+
+TEST(ScannerSession, ConfiguresOnlyWhenAskedAndReadsBack) {
+    TelegramStyle style;
+    style.remission = true;
+    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+        EmulatedScannerSettings settings;
+        settings.only = dialect;
+        settings.linesPerSecond = 200;
+        const auto scanner = served(countingScan(20, 60), settings, style);
+        auto session = settingsFor(*scanner);
+        ScannerSetup setup;
+        setup.scan = {5000, 1, 2500, 826250, 973750};
+        setup.range = {1, 2500, 850000, 950000};
+        setup.content.remission = false;
+        setup.echoes = EchoFilter::First;
+        setup.encoder = EncoderInput{};
+        session.setup = setup;
+        Listener listener;
+        {
+            const ScannerSession live(session, listener.events());
+            EXPECT_TRUE(listener.waitForScans(3));
+        }
+        const auto telegrams = listener.telegrams();
+        ASSERT_GE(telegrams.size(), 3U);
+        EXPECT_EQ(telegrams[0].scanFrequency, 5000U);
+        EXPECT_EQ(telegrams[0].channels16[0].startAngle, 851250); // the first beam inside
+        EXPECT_EQ(telegrams[0].channels16[0].values.size(), 40U);
+        EXPECT_TRUE(telegrams[0].channels8.empty());
+        EXPECT_EQ(telegrams[0].encoders.size(), 1U);
+        ASSERT_TRUE(telegrams[0].clock);
+        for (const SetupStep& step : listener.steps()) EXPECT_FALSE(step.refused) << step.command << " -> " << step.answer;
+        const auto commands = listener.sentCommands();
+        EXPECT_EQ(std::count(commands.begin(), commands.end(), "sMN mEEwriteall"), 0);
+        EXPECT_EQ(std::count(commands.begin(), commands.end(), "sWN EIHstCola"), 0);
+        const auto sentFirst = [&](const char* name) { return std::find(commands.begin(), commands.end(), name) - commands.begin(); };
+        EXPECT_LT(sentFirst("sMN SetAccessMode"), sentFirst("sWN LMPoutputRange"));
+        EXPECT_LT(sentFirst("sWN LMPoutputRange"), sentFirst("sRN LMPoutputRange"));
+        EXPECT_LT(sentFirst("sRN FREchoFilter"), sentFirst("sMN LMCstartmeas"));
+        EXPECT_LT(sentFirst("sMN LMCstartmeas"), sentFirst("sMN Run"));
+        EXPECT_GE(listener.steps().size(), 16U);
+    }
+}
+
+TEST(ScannerSession, StoresOnlyWhenAskedInSoManyWords) {
+    EmulatedScannerSettings settings;
+    const auto scanner = served(countingScan(5, 60), settings);
+    auto session = settingsFor(*scanner);
+    ScannerSetup setup;
+    setup.scan.step = setup.range.step = 2500;
+    setup.range.startAngle = 826250;
+    setup.range.stopAngle = 973750;
+    setup.content.encoder = 1;
+    setup.storePermanently = true;
+    session.setup = setup;
+    Listener listener;
+    {
+        const ScannerSession live(session, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Live));
+    }
+    const auto commands = listener.sentCommands();
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "sMN mEEwriteall"), 1);
+}
+
+TEST(ScannerSession, ARefusedSetupEndsWithASentenceAndTheScannerRunning) {
+    EmulatedScannerSettings settings;
+    const auto scanner = served(countingScan(5, 60), settings);
+    auto session = settingsFor(*scanner);
+    session.setup = ScannerSetup{}; // 1/6 degree, which this scanner cannot do
+    session.setup->storePermanently = true;
+    Listener listener;
+    {
+        const ScannerSession live(session, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Stopped));
+        EXPECT_EQ(live.state().sentence.find("127.0.0.1:"), 0U);
+        EXPECT_NE(live.state().sentence.find("the angle step is not possible; correct the settings"), std::string::npos)
+            << live.state().sentence;
+    }
+    const auto commands = listener.sentCommands();
+    EXPECT_EQ(commands.back(), "sRN SCdevicestate");
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "sMN Run"), 1);
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "sMN mEEwriteall"), 0);
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "sWN LMPoutputRange"), 0);
+    const auto refused =
+        std::count_if(listener.steps().begin(), listener.steps().end(), [](const SetupStep& step) { return step.refused; });
+    EXPECT_EQ(refused, 1);
+}
+
+TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 0;
+    settings.only = Dialect::B; // text has no checksum: a flipped bit in it passes for a measurement
+    settings.faults = {.splitSends = true,
+                       .mergeSends = true,
+                       .loseEvery = 50,
+                       .loseBurst = 4,
+                       .duplicateEvery = 40,
+                       .garbageEvery = 20,
+                       .corruptEvery = 100,
+                       .stallEvery = 0,
+                       .stallS = 0,
+                       .dropEvery = 1500,
+                       .mute = false,
+                       .byChance = true,
+                       .seed = 9};
+    const auto scanner = served(countingScan(1000, 30), settings);
+    auto session = settingsFor(*scanner);
+    session.patience.backOff = {1ms};
+    Listener listener;
+    SessionStatistics statistics;
+    {
+        ScannerSession live(session, listener.events());
+        EXPECT_TRUE(listener.waitForScans(30000, 20s));
+        live.stop();
+        statistics = live.statistics();
+    }
+    const Account account = accountOf(listener.telegrams());
+    EXPECT_EQ(account.restarts, 0);
+    EXPECT_EQ(account.received + account.lost, account.span);
+    EXPECT_GE(account.received, 25000);
+    EXPECT_LE(account.received + account.lost, static_cast<std::int64_t>(scanner->statistics().lines));
+    EXPECT_GE(statistics.reconnects, 5U);
+    EXPECT_GE(statistics.stream.badChecksum, 100U);
+}
