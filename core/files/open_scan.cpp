@@ -10,6 +10,7 @@
 #include "core/files/source.h"
 #include "core/files/text_layout.h"
 #include "core/files/whole_file.h"
+#include "core/live/replay.h"
 
 #include <array>
 #include <new>
@@ -27,7 +28,7 @@ const char* foreignKind(std::string_view text) {
         const char* what;
     };
     using namespace std::string_view_literals;
-    static constexpr std::array<Magic, 11> kMagics{{
+    static constexpr std::array<Magic, 10> kMagics{{
         {"\x89PNG\r\n\x1a\n"sv, "a PNG picture"},
         {"\xff\xd8\xff"sv, "a JPEG picture"},
         {"II*\0"sv, "a TIFF picture"},
@@ -38,7 +39,6 @@ const char* foreignKind(std::string_view text) {
         {"\x1f\x8b"sv, "a gzip archive"},
         {"LASF"sv, "a LAS file, which this version cannot read"},
         {"ASTM-E57"sv, "an E57 file, which this version cannot read"},
-        {"\x89MCAP0\r\n"sv, "an MCAP recording, which this version cannot open as a scan"},
     }};
     for (const Magic& magic : kMagics) {
         if (text.starts_with(magic.bytes)) return magic.what;
@@ -65,6 +65,7 @@ Result<Scan> readByContent(const Source& source) {
     if (text.empty()) return source.refused("the file is empty", "copy it again or choose another");
     if (source.extension() == ".u16") return readRawGridCounts(source);
     if (const char* kind = foreignKind(text)) return source.refused(std::string("this is ") + kind + ", not a scan", "choose a scan file");
+    if (text.starts_with(kMcapMagic)) return readRecording(source);
     if (looksLikePcd(text)) return readPcd(source);
     if (looksLikePly(text)) return readPly(source);
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
@@ -115,6 +116,7 @@ const std::vector<FileKind>& readableKinds() {
         {"Raw grid", {".json", ".u16"}},    {"Point Cloud Library", {".pcd"}},
         {"Polygon file", {".ply"}},         {"Point list", {".xyz", ".txt", ".asc", ".pts"}},
         {"Range or point table", {".csv"}}, {"3DTK scan", {".3d"}},
+        {"Recording", {".mcap"}},
     };
     return kinds;
 }

@@ -4,6 +4,7 @@
 #include "core/files/cloud_columns.h"
 #include "core/files/raw_grid.h"
 #include "core/files/whole_file.h"
+#include "core/live/save_recording.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,7 @@
 namespace edgescan {
 namespace {
 
-constexpr std::array<std::pair<const char*, SaveFormat>, 8> kExtensions{{
+constexpr std::array<std::pair<const char*, SaveFormat>, 9> kExtensions{{
     {".json", SaveFormat::RawGrid},
     {".u16", SaveFormat::RawGrid},
     {".pcd", SaveFormat::Pcd},
@@ -20,6 +21,7 @@ constexpr std::array<std::pair<const char*, SaveFormat>, 8> kExtensions{{
     {".txt", SaveFormat::Xyz},
     {".asc", SaveFormat::Xyz},
     {".csv", SaveFormat::Csv},
+    {".mcap", SaveFormat::Recording},
 }};
 
 Error unknownFormat(const std::filesystem::path& path, const char* known) {
@@ -41,6 +43,7 @@ Result<std::string> bytesOf(CloudColumns columns, SaveFormat format, const std::
     case SaveFormat::Csv:
         return pointTextBytes(columns, path.string(), ',');
     case SaveFormat::RawGrid:
+    case SaveFormat::Recording:
         break;
     }
     return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
@@ -58,6 +61,9 @@ Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const s
                  path.string(), "detect the edges of this scan again"};
 }
 
+/// Not ranges and angles.
+bool holdsPoints(std::optional<SaveFormat> format) { return format && *format != SaveFormat::RawGrid && *format != SaveFormat::Recording; }
+
 } // namespace
 
 std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path) {
@@ -73,7 +79,7 @@ std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path) {
 const std::vector<FileKind>& writableScanKinds() {
     static const std::vector<FileKind> kinds{
         {"Point Cloud Library", {".pcd"}},        {"Raw grid", {".json", ".u16"}}, {"Polygon file", {".ply"}},
-        {"Point list", {".xyz", ".txt", ".asc"}}, {"Point table", {".csv"}},
+        {"Point list", {".xyz", ".txt", ".asc"}}, {"Point table", {".csv"}},       {"Recording", {".mcap"}},
     };
     return kinds;
 }
@@ -96,11 +102,12 @@ Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::stri
 
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz or .csv");
+    if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz, .csv or .mcap");
     if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
     if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return saveRawGrid(scan, path);
-    if (*format == SaveFormat::RawGrid)
-        return Error{"a raw grid holds ranges and no coordinates", path.string(),
+    if (*format == SaveFormat::Recording && options.frame == CoordinateFrame::Scanner) return saveRecording(scan, path);
+    if (!holdsPoints(format))
+        return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
                      "save it without a frame, or as .pcd, .ply, .xyz or .csv"};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     return write(bytesOf(everyCell(scan, options.frame), *format, path, options), path);
@@ -109,7 +116,7 @@ Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const
 Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
                                const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!format || *format == SaveFormat::RawGrid) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    if (!holdsPoints(format)) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
     if (edgeMask != nullptr) {
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
@@ -120,7 +127,7 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                               const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!format || *format == SaveFormat::RawGrid) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    if (!holdsPoints(format)) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     return bytesOf(edgePoints(scan, edgeMask, options.frame), *format, path, options);

@@ -16,14 +16,15 @@
 namespace edgescan {
 
 enum class SaveFormat : std::uint8_t {
-    RawGrid, ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
-    Pcd,     ///< binary unless asked otherwise
-    Ply,     ///< binary little endian unless asked otherwise
-    Xyz,     ///< text, separated by spaces
-    Csv,     ///< text, separated by commas
+    RawGrid,   ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
+    Pcd,       ///< binary unless asked otherwise
+    Ply,       ///< binary little endian unless asked otherwise
+    Xyz,       ///< text, separated by spaces
+    Csv,       ///< text, separated by commas
+    Recording, ///< MCAP, lines as scan telegrams; whole counts of unitMm up to 65535 only
 };
 
-/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv); empty when it names none of them.
+/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv, .mcap); empty when it names none of them.
 [[nodiscard]] std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path);
 
 /// What saveScan / saveCloud and saveEdges write, for dialogs.

@@ -82,6 +82,7 @@ void McapEncoder::message(const McapMessage& message) {
     chunkTime_.include(message.logNs);
     fileTime_.include(message.logNs);
     ++messageCounts_[message.channel];
+    ++openMessages_;
 }
 
 void McapEncoder::endChunk() {
@@ -122,6 +123,7 @@ void McapEncoder::endChunk() {
     chunkIndexes_.record(McapOpcode::ChunkIndex, index.bytes());
     ++chunkCount_;
     chunk_.clear();
+    openMessages_ = 0;
     chunkIndex_.clear();
     chunkTime_ = {};
 }
@@ -168,10 +170,6 @@ void McapEncoder::finish() {
     ready_.raw(summary.bytes());
     ready_.number32(crc32(summary.bytes()));
     ready_.raw(kMcapMagic);
-}
-
-std::optional<std::uint64_t> McapEncoder::openChunkSince() const {
-    return chunk_.size() > 0 ? std::optional(chunkTime_.first) : std::nullopt;
 }
 
 Bytes McapEncoder::take() {

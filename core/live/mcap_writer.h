@@ -5,7 +5,6 @@
 #include "core/live/mcap_records.h"
 
 #include <filesystem>
-#include <optional>
 
 namespace edgescan {
 
@@ -28,8 +27,8 @@ public:
     /// DataEnd, summary and footer. Nothing may follow.
     void finish();
 
-    /// Log time of the first message in the chunk that is being filled; empty when it is empty.
-    [[nodiscard]] std::optional<std::uint64_t> openChunkSince() const;
+    /// Messages in the chunk that is being filled.
+    [[nodiscard]] std::uint64_t openMessages() const { return openMessages_; }
     /// Bytes made since the last call; they belong behind those of the last call.
     Bytes take();
 
@@ -46,6 +45,7 @@ private:
     McapBytes ready_;
     std::uint64_t taken_ = 0;
     McapBytes chunk_;
+    std::uint64_t openMessages_ = 0;
     Span chunkTime_, fileTime_;
     std::map<std::uint16_t, McapBytes> chunkIndex_; // per channel: time and offset of its messages in the open chunk
     McapBytes schemas_, channels_, chunkIndexes_, metadataIndexes_;
