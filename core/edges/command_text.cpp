@@ -26,7 +26,7 @@ std::vector<std::string> differences(const Settings& from, const Settings& to) {
 
 } // namespace
 
-std::string detectCommand(const std::string& path, const Settings& settings) {
+std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
     const auto presets = builtInPresets();
     std::string nearest = presets.front().name;
     std::vector<std::string> fewest = differences(presets.front().settings, settings);
@@ -36,7 +36,7 @@ std::string detectCommand(const std::string& path, const Settings& settings) {
         nearest = preset.name;
         fewest = std::move(flags);
     }
-    std::string command = "edgescan-cli detect " + quoted(path) + " --preset " + nearest;
+    std::string command = program + " detect " + quoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " --preset " + nearest;
     for (const std::string& flag : fewest) command += " " + flag;
     return command + " --json -";
 }

@@ -7,8 +7,9 @@
 
 namespace edgescan {
 
-/// edgescan-cli detect 'PATH' --preset NAME --lower 12 ...: the nearest built-in preset and what differs from it. The path is
-/// quoted for a POSIX shell.
-[[nodiscard]] std::string detectCommand(const std::string& path, const Settings& settings);
+/// PROGRAM detect 'PATH' READFLAGS --preset NAME --lower 12 ...: the nearest built-in preset and what differs from it. The path is
+/// quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...", may be empty) are taken as they are.
+[[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,
+                                        const Settings& settings);
 
 } // namespace edgescan

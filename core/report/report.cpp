@@ -87,6 +87,8 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
     for (const StageTime& time : frame.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
     timings["total"] = tidy(loadMs + frame.totalMs, 1000);
     const GrayScale& scale = frame.gray->scale;
+    std::vector<std::string> warnings = scan.warnings;
+    if (scale.farMm <= scale.nearMm) warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
     return {
         {"input", scan.path},
         {"sha256", scan.sha256},
@@ -101,7 +103,7 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
         {"edges", frame.edges->size()},
         {"edge_mask_sha256", maskSha256(*frame.mask)},
         {"timings_ms", timings},
-        {"warnings", scan.warnings},
+        {"warnings", warnings},
         {"version", version()}};
 }
 

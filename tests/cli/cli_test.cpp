@@ -157,7 +157,7 @@ TEST_F(Cli, TheCopiedCommandComputesTheSameMask) {
     settings.farMm = 6500;
     const auto strange = (folder / "it's a $scan.json").string();
     ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), strange));
-    const std::string command = detectCommand(strange, settings);
+    const std::string command = detectCommand("edgescan-cli", strange, "--unit mm", settings);
     EXPECT_EQ(command.find("edgescan-cli detect "), 0U);
     const auto run = runCli(command.substr(std::string("edgescan-cli ").size()));
     ASSERT_EQ(run.code, 0) << command << run.err;

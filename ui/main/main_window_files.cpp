@@ -10,6 +10,7 @@
 
 #include <QBuffer>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QDate>
 #include <QDesktopServices>
 #include <QDir>
@@ -17,6 +18,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include <QStandardPaths>
 #include <QUrl>
 
 #include <span>
@@ -58,6 +60,20 @@ const char* nameTail(Session::Export what) {
         return "range";
     }
     return "";
+}
+
+// The reading flags that give these options on the command line.
+std::string readFlags(const OpenOptions& options) {
+    std::string flags;
+    const auto add = [&](const char* flag, const std::string& value) { flags += (flags.empty() ? "" : " ") + std::string(flag) + " " + value; };
+    const auto number = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
+    if (options.beamStartDeg) add("--beam-start", number(*options.beamStartDeg));
+    if (options.beamStepDeg) add("--beam-step", number(*options.beamStepDeg));
+    if (options.lineStartDeg) add("--line-start", number(*options.lineStartDeg));
+    if (options.lineStepDeg) add("--line-step", number(*options.lineStepDeg));
+    if (options.axis) add("--axis", *options.axis == Axis::Spin ? "spin" : "sweep");
+    if (options.unitMm) add("--unit", *options.unitMm == 1000.0 ? "m" : *options.unitMm == 10.0 ? "cm" : "mm");
+    return flags;
 }
 
 } // namespace
@@ -165,7 +181,11 @@ void MainWindow::copyProbe() { QGuiApplication::clipboard()->setText(status_->pr
 
 void MainWindow::copyCommand() {
     if (!shown_ || shown_->frame->scan->path.empty()) return;
-    QGuiApplication::clipboard()->setText(QString::fromStdString(detectCommand(shown_->frame->scan->path, shown_->frame->settings)));
+    const QString path = QFileInfo(QString::fromStdString(shown_->frame->scan->path)).absoluteFilePath();
+    // Beside this program where it is not on the PATH.
+    const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
+    const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
+    QGuiApplication::clipboard()->setText(QString::fromStdString(detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->frame->settings)));
     notice_->showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

@@ -1,0 +1,180 @@
+// The record of an export: everything OPERATOR.md S7 lists, or null and the reason.
+#include "core/report/provenance.h"
+
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "core/edges/parameters.h"
+#include "core/files/description.h"
+#include "core/frames/placement_json.h"
+#include "core/report/record_parts.h"
+#include "core/report/report.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/utility.hpp>
+#include <png.h>
+#include <zlib.h>
+
+#include <span>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kNotInFile = "the scan file does not say";
+
+Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+/// Null for each key, and why.
+Json unknown(std::initializer_list<const char*> keys) {
+    Json object = Json::object();
+    for (const char* key : keys) object[key] = nullptr;
+    object["reason"] = kNotInFile;
+    return object;
+}
+
+Json scanJson(const Scan& scan) {
+    const Json opened = Json::parse(scan.openedWith, nullptr, false);
+    Json object{{"input", std::filesystem::path(scan.path).filename().string()},
+                {"format", scan.format},
+                {"sha256", textOrNull(scan.sha256)},
+                {"grid_sha256", gridSha256(scan)},
+                {"opened_with", opened.is_object() ? opened : Json::object()},
+                {"lines", scan.lines()},
+                {"beams", scan.beams()},
+                {"unit_mm", scan.unitMm}};
+    const Json whole = infoReport(scan);
+    for (const char* key : {"geometry", "axis", "line_direction", "beam_deg", "line_deg", "sensor_m", "note"}) {
+        if (whole.contains(key)) object[key] = whole[key];
+    }
+    return object;
+}
+
+/// Lines of which nothing arrived, as runs: [first, count].
+Json acquisitionJson(const Scan& scan) {
+    Json gaps = Json::array();
+    int received = 0;
+    for (int i = 0; i < scan.lines(); ++i) {
+        const CellState* states = scan.state.line(i);
+        const bool lost = std::all_of(states, states + scan.beams(), [](CellState s) { return s == CellState::Lost; });
+        received += lost ? 0 : 1;
+        if (!lost) continue;
+        if (!gaps.empty() && gaps.back()[0].get<int>() + gaps.back()[1].get<int>() == i)
+            gaps.back()[1] = gaps.back()[1].get<int>() + 1;
+        else
+            gaps.push_back({i, 1});
+    }
+    Json object{{"lines_expected", scan.lines()}, {"lines_received", received}, {"gaps", gaps}};
+    object.update(unknown({"start_utc", "end_utc", "clock_source", "contamination", "echo_filter"}));
+    return object;
+}
+
+Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame frame) {
+    if (!isCloud(content))
+        return {{"frame", "image"},
+                {"axis_order", {"line (row)", "beam (column)"}},
+                {"unit", content == ExportContent::RangeImage ? Json("mm") : Json()}};
+    Json object{{"frame", frameName(frame)}, {"unit", "m"}};
+    if (frame == CoordinateFrame::Scanner) object["axis_order"] = {"x", "y", "z"};
+    if (frame == CoordinateFrame::MineLocal) object["axis_order"] = {"east", "north", "up"};
+    if (frame == CoordinateFrame::Mine) object["axis_order"] = {"easting", "northing", "elevation"};
+    object["origin_enh_m"] = nullptr;
+    if (frame == CoordinateFrame::MineLocal && scan.placement) {
+        const Eigen::Vector3d& origin = scan.placement->originEnhM;
+        object["origin_enh_m"] = {origin.x(), origin.y(), origin.z()};
+    }
+    return object;
+}
+
+Json programJson() {
+    const std::string eigen =
+        std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION);
+    return {{"name", "EdgeScan"},
+            {"version", version()},
+            {"commit", commit()},
+            {"libraries",
+             {{"OpenCV", cv::getVersionString()}, {"Eigen", eigen}, {"libpng", png_get_libpng_ver(nullptr)}, {"zlib", zlibVersion()}}}};
+}
+
+std::string ascii(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
+
+} // namespace
+
+const char* exportContentName(ExportContent content) {
+    static constexpr const char* kNames[]{"edge cloud", "full cloud", "edge image", "gray image", "range image"};
+    return kNames[static_cast<std::size_t>(content)];
+}
+
+bool isCloud(ExportContent content) { return content == ExportContent::EdgeCloud || content == ExportContent::FullCloud; }
+
+std::optional<ExportContent> exportContentNamed(std::string_view name) {
+    for (int i = 0; i <= static_cast<int>(ExportContent::RangeImage); ++i) {
+        if (name == exportContentName(static_cast<ExportContent>(i))) return static_cast<ExportContent>(i);
+    }
+    return std::nullopt;
+}
+
+const char* frameName(CoordinateFrame frame) {
+    return frame == CoordinateFrame::Scanner ? "scanner"
+           : frame == CoordinateFrame::Mine  ? "mine grid"
+                                             : "local metres from the mine grid origin";
+}
+
+std::optional<CoordinateFrame> frameNamed(std::string_view name) {
+    for (const CoordinateFrame frame : {CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}) {
+        if (name == frameName(frame)) return frame;
+    }
+    return std::nullopt;
+}
+
+std::string gridSha256(const Scan& scan) {
+    Scan head = scan;
+    head.placement.reset();
+    head.note.clear();
+    std::string all = descriptionText(head, "", -1);
+    const auto append = [&](const auto& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+    append(scan.rangeMm.cells);
+    append(scan.state.cells);
+    if (const auto* points = std::get_if<PointGeometry>(&scan.geometry)) append(points->pointsM.cells);
+    return sha256Hex(std::as_bytes(std::span(all)));
+}
+
+std::string sealed(Json record) {
+    record.erase("record_sha256");
+    const std::string rest = ascii(record);
+    record["record_sha256"] = sha256Hex(std::as_bytes(std::span(rest)));
+    return ascii(record);
+}
+
+bool recordIsWhole(const Json& record) { return record.is_object() && record.contains("record_sha256") && sealed(record) == ascii(record); }
+
+std::string exportRecord(ExportContent content, const Frame& frame, const ExportOptions& options) {
+    const Scan& scan = *frame.scan;
+    Json warnings = scan.warnings;
+    if (scan.placement) {
+        for (const std::string& warning : scan.placement->warnings) warnings.push_back(warning);
+    }
+    Json record{{"format", kRecordFormat},
+                {"content", exportContentName(content)},
+                {"text", options.ascii},
+                {"scan", scanJson(scan)},
+                {"cells", cellsReport(scan)},
+                {"scanner", unknown({"vendor", "model", "serial", "firmware"})},
+                {"acquisition", acquisitionJson(scan)},
+                {"coordinates", coordinatesJson(content, scan, options.frame)},
+                {"pose", scan.placement ? placementToJson(*scan.placement) : Json()}};
+    if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
+    record["settings"] = settingsToJson(frame.settings);
+    record["edges"] = frame.edges->size();
+    record["edge_mask_sha256"] = maskSha256(*frame.mask);
+    record["program"] = programJson();
+    record["warnings"] = warnings;
+    record["operator"] = textOrNull(options.operatorName);
+    record["role"] = textOrNull(options.role);
+    return sealed(record);
+}
+
+} // namespace edgescan

@@ -1,0 +1,139 @@
+// Writing exports with their records.
+#include "core/report/provenance.h"
+
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/files/cloud_columns.h"
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "core/files/text_layout.h"
+#include "core/files/whole_file.h"
+#include "core/report/record_parts.h"
+#include "core/scan/range_picture.h"
+
+#include <algorithm>
+#include <span>
+#include <system_error>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kToleranceM = 5e-4; // far above what any format rounds, and half of what must survive (OPERATOR.md S9)
+constexpr std::size_t kMostHeaderLines = 4096;
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+bool isDevice(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// What has to hold of the file besides its bytes.
+struct Expected {
+    std::size_t count = 0; ///< points or cells
+    std::optional<PointBounds> bounds;
+};
+
+Result<Expected> expectedOf(ExportContent content, const Frame& frame, const ExportOptions& options) {
+    if (!isCloud(content)) return Expected{frame.scan->cells(), std::nullopt};
+    const auto bounds = pointsToWrite(content, frame, options.frame);
+    if (!bounds) return bounds.error();
+    return Expected{bounds->count, *bounds};
+}
+
+std::string sidecarText(const fs::path& path, const std::string& bytes, const std::string& record, const Expected& expected) {
+    Json about{{"file", path.filename().string()},
+               {"sha256", sha256Hex(bytesOf(bytes))},
+               {"bytes", bytes.size()},
+               {"written_utc", utcText(utcNow())},
+               {expected.bounds ? "points" : "cells", expected.count}};
+    if (expected.bounds && expected.count > 0)
+        about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
+    const Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", Json::parse(record)}};
+    return sidecar.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+Error differs(const fs::path& path, const std::string& what) {
+    return {"what was read back is not what was written: " + what, path.string(), "check the disk and export again"};
+}
+
+Result<Done> readBack(const fs::path& path, const std::string& bytes, const Expected& expected) {
+    const auto found = readWholeFile(path);
+    if (!found) return found.error();
+    if (!std::ranges::equal(*found, bytesOf(bytes))) return differs(path, "the bytes differ");
+    if (!expected.bounds || expected.count == 0) return Done{};
+    const auto written = pointsWritten(bytes, path);
+    if (!written) return differs(path, written.error().what);
+    if (!*written) return Done{};
+    const PointBounds& points = **written;
+    if (points.count != expected.count)
+        return differs(path, "it holds " + std::to_string(points.count) + " points instead of " + std::to_string(expected.count));
+    const double off = std::max((points.leastM - expected.bounds->leastM).cwiseAbs().maxCoeff(),
+                                (points.mostM - expected.bounds->mostM).cwiseAbs().maxCoeff());
+    if (!(off < kToleranceM)) return differs(path, "its bounds are off by " + std::to_string(off) + " m");
+    return Done{};
+}
+
+} // namespace
+
+Result<std::string> exportBytes(ExportContent content, const Frame& frame, const fs::path& path, const std::string& record,
+                                const ExportOptions& options) {
+    const Scan& scan = *frame.scan;
+    const SaveOptions save{options.ascii, options.frame, record};
+    switch (content) {
+    case ExportContent::EdgeCloud:
+        return edgeBytes(scan, *frame.mask, path, save);
+    case ExportContent::FullCloud:
+        return cloudBytes(scan, path, frame.mask.get(), save);
+    case ExportContent::EdgeImage:
+        return png8Bytes(*frame.mask, path.string(), record);
+    case ExportContent::GrayImage:
+        return png8Bytes(frame.gray->levels, path.string(), record);
+    case ExportContent::RangeImage:
+        break;
+    }
+    return png16Bytes(rangePicture(scan), path.string(), record);
+}
+
+std::string embeddedRecord(std::string_view bytes) {
+    if (std::string record = pngRecord(bytes); !record.empty()) return record;
+    std::string record;
+    const std::string_view mark = kRecordMark;
+    std::size_t at = 0;
+    for (std::size_t line = 0; at < bytes.size() && (line < kMostHeaderLines || !record.empty()); ++line) {
+        TextLine text = textLineAt(bytes, at);
+        at = text.next;
+        const std::size_t found =
+            text.text.substr(0, 16).find(mark.substr(0, 8)) == std::string_view::npos ? std::string_view::npos : text.text.find(mark);
+        if (found == std::string_view::npos && !record.empty()) break;
+        if (found != std::string_view::npos) record += text.text.substr(found + mark.size());
+    }
+    return record;
+}
+
+fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }
+
+Result<std::size_t> exportWithProvenance(ExportContent content, const Frame& frame, const fs::path& path, const ExportOptions& options) {
+    const std::string record = exportRecord(content, frame, options);
+    const auto bytes = exportBytes(content, frame, path, record, options);
+    if (!bytes) return bytes.error();
+    const auto expected = expectedOf(content, frame, options);
+    if (!expected) return expected.error();
+    if (isDevice(path)) {
+        if (auto written = writeWholeFile(path, *bytes); !written) return written.error();
+        return expected->count;
+    }
+    const std::string sidecar = sidecarText(path, *bytes, record, *expected);
+    const auto written = writeWholeFiles({{path, bytesOf(*bytes)}, {sidecarPath(path), bytesOf(sidecar)}});
+    if (!written) return written.error();
+    if (auto same = readBack(path, *bytes, *expected); !same) return same.error();
+    return expected->count;
+}
+
+} // namespace edgescan

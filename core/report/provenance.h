@@ -1,0 +1,60 @@
+// Provenance: every export says inside and beside itself what it was made of, so that anybody can make it again (OPERATOR.md S7, S8).
+#pragma once
+
+#include "core/base/result.h"
+#include "core/edges/frame.h"
+#include "core/scan/placement.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace edgescan {
+
+enum class ExportContent : std::uint8_t {
+    EdgeCloud,
+    FullCloud,  ///< all valid points, with a field for edges
+    EdgeImage,  ///< 8-bit PNG, 255 = edge
+    GrayImage,  ///< 8-bit PNG
+    RangeImage, ///< 16-bit PNG, millimetres
+};
+
+/// "edge cloud", "full cloud", "edge image", "gray image", "range image".
+[[nodiscard]] const char* exportContentName(ExportContent content);
+[[nodiscard]] bool isCloud(ExportContent content);
+
+struct ExportOptions {
+    CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
+    bool ascii = false;                               ///< PCD and PLY as text
+    std::string operatorName{};                       ///< who exports; empty = not said
+    std::string role{};
+};
+
+/// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and
+/// the folder. It ends with a SHA-256 of itself.
+[[nodiscard]] std::string exportRecord(ExportContent content, const Frame& frame, const ExportOptions& options);
+
+/// True when a record's own SHA-256 is that of the rest of it.
+[[nodiscard]] bool recordIsWhole(const nlohmann::ordered_json& record);
+
+/// The bytes of an export. `path` chooses the format of a cloud; the record stands inside where the format has room.
+Result<std::string> exportBytes(ExportContent content, const Frame& frame, const std::filesystem::path& path, const std::string& record,
+                                const ExportOptions& options);
+
+/// The record inside an export's bytes; empty when there is none.
+[[nodiscard]] std::string embeddedRecord(std::string_view bytes);
+
+/// NAME.EXT.provenance.json beside the export.
+[[nodiscard]] std::filesystem::path sidecarPath(const std::filesystem::path& exported);
+
+/// Writes the export and its sidecar, both whole or neither, reads the export back and compares bytes, count and bounds. Gives the
+/// number of points or cells written. A device or pipe gets the export only. Error: no pose for the frame asked for, cannot be
+/// written, or what was read back is not what was written.
+Result<std::size_t> exportWithProvenance(ExportContent content, const Frame& frame, const std::filesystem::path& path,
+                                         const ExportOptions& options = {});
+
+} // namespace edgescan

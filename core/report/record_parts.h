@@ -1,0 +1,40 @@
+// What writing and verifying of exports share.
+#pragma once
+
+#include "core/report/provenance.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace edgescan {
+
+inline constexpr const char* kRecordFormat = "edgescan-record/1";
+inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
+
+[[nodiscard]] std::optional<ExportContent> exportContentNamed(std::string_view name);
+[[nodiscard]] const char* frameName(CoordinateFrame frame);
+[[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
+
+/// SHA-256 of what a scan is to the method: shape, angles, ranges, states, points. The same file opened otherwise gives another.
+[[nodiscard]] std::string gridSha256(const Scan& scan);
+
+/// The record as text, with the SHA-256 of the rest of it at its end.
+[[nodiscard]] std::string sealed(nlohmann::ordered_json record);
+
+/// How many points, and between which corners.
+struct PointBounds {
+    std::size_t count = 0;
+    Eigen::Vector3d leastM = Eigen::Vector3d::Zero();
+    Eigen::Vector3d mostM = Eigen::Vector3d::Zero();
+};
+
+/// What a cloud should hold. Error as in exportBytes.
+Result<PointBounds> pointsToWrite(ExportContent content, const Frame& frame, CoordinateFrame coordinates);
+
+/// What a file of points holds, by the reader of its format; empty when no reader gives the bare points of that format.
+Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path);
+
+} // namespace edgescan

@@ -1,0 +1,176 @@
+// Verifying: record, scan, method, bytes.
+#include "core/report/verify.h"
+
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "core/edges/parameters.h"
+#include "core/edges/pipeline.h"
+#include "core/files/open_options_json.h"
+#include "core/files/png.h"
+#include "core/files/whole_file.h"
+#include "core/frames/placement_json.h"
+#include "core/report/find_scan.h"
+#include "core/report/record_parts.h"
+#include "core/report/report.h"
+
+#include <algorithm>
+#include <span>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string textOf(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
+
+Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
+
+/// A value of the record by its way, or null.
+Json at(const Json& record, const std::string& pointer) {
+    const Json::json_pointer way(pointer);
+    return record.contains(way) ? record.at(way) : Json();
+}
+std::string wordAt(const Json& record, const std::string& pointer) {
+    const Json value = at(record, pointer);
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// The record and where it was found; what is wrong with either place goes into the findings.
+Result<Json> recordOf(const std::string& bytes, Verification& v) {
+    Json fromSidecar;
+    if (const auto sidecar = readWholeFile(sidecarPath(v.exported))) {
+        const Json whole = parsed(textOf(*sidecar));
+        const std::string hash = wordAt(whole, "/export/sha256");
+        if (wordAt(whole, "/format") == kSidecarFormat) fromSidecar = at(whole, "/record");
+        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
+        if (hash != v.foundSha256)
+            v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+    }
+    const std::string embedded = embeddedRecord(bytes);
+    const Json inside = parsed(embedded);
+    if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
+    if (recordIsWhole(fromSidecar)) return fromSidecar;
+    if (recordIsWhole(inside)) return inside;
+    const bool none = embedded.empty() && v.findings.empty();
+    return Error{none ? "there is no record in the export and none beside it" : "no record of the export is left unaltered",
+                 v.exported.string(),
+                 none ? "copy " + sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
+}
+
+Error notUnderstood(const Verification& v, const std::string& what) {
+    return {"the record's " + what + " is not understood", v.exported.string(), "verify with the version that made the export"};
+}
+
+/// The scan as it was when the export was made.
+Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::optional<fs::path>& scansFolder, Verification& v) {
+    const std::string hash = wordAt(record, "/scan/sha256");
+    if (hash.empty())
+        return Error{"the export was made from a scan that was in no file", v.exported.string(), "save the scan first and export it again"};
+    const auto path = findScan(hash, wordAt(record, "/scan/input"), v.exported, scansFolder);
+    if (!path) return path.error();
+    v.scan = *path;
+    const Json openedWith = at(record, "/scan/opened_with");
+    const auto options = parseOpenOptions(openedWith.empty() ? std::string() : openedWith.dump(), v.exported.string());
+    if (!options) return options.error();
+    auto opened = openScan(*path, *options);
+    if (!opened) return opened.error();
+    if (gridSha256(*opened) != wordAt(record, "/scan/grid_sha256"))
+        v.findings.emplace_back(
+            "The scan's file is the same but opens as another grid here: another version of the program reads it otherwise.");
+    opened->placement.reset();
+    if (const Json pose = at(record, "/pose"); pose.is_object()) {
+        const auto placement = placementFromJson(nlohmann::json(pose), static_cast<std::uint64_t>(opened->lines()), v.exported.string());
+        if (!placement) return placement.error();
+        opened->placement = *placement;
+    }
+    return std::make_shared<const Scan>(std::move(*opened));
+}
+
+void compareResults(const Json& record, const Frame& frame, Verification& v) {
+    const std::string recorded = wordAt(record, "/edge_mask_sha256");
+    if (maskSha256(*frame.mask) != recorded) v.findings.emplace_back("The method finds other edges here than the record says.");
+    const Json cells = cellsReport(*frame.scan);
+    if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
+}
+
+/// What may explain a difference.
+void compareProgram(const Json& record, const Frame& frame, Verification& v) {
+    const Json now = parsed(exportRecord(ExportContent::EdgeImage, frame, {}));
+    const std::string then = wordAt(record, "/program/version") + " (" + wordAt(record, "/program/commit") + ")";
+    const std::string here = std::string(version()) + " (" + commit() + ")";
+    if (then != here) v.findings.push_back("The export was made by version " + then + ", this is " + here + ".");
+    for (const auto& [library, number] : at(now, "/program/libraries").items()) {
+        const std::string used = wordAt(record, "/program/libraries/" + library);
+        if (used != number)
+            v.findings.push_back("It was made with " + library + " " + used + ", this is " + number.get<std::string>() + ".");
+    }
+}
+
+void compareBytes(const std::string& found, const std::string& expected, Verification& v) {
+    v.expectedSha256 = sha256Of(expected);
+    if (found == expected) return;
+    const auto [a, b] = std::mismatch(found.begin(), found.end(), expected.begin(), expected.end());
+    const auto byte = static_cast<std::uint64_t>(a - found.begin());
+    v.firstDifference = byte;
+    std::string text = "Byte " + std::to_string(byte) + " is the first that differs";
+    if (b == expected.end()) text = "The export goes on after byte " + std::to_string(byte) + ", where it should end";
+    if (a == found.end()) text = "The export ends at byte " + std::to_string(byte) + " of " + std::to_string(expected.size());
+    v.findings.insert(v.findings.begin(), text + ".");
+}
+
+} // namespace
+
+Result<Verification> verifyExport(const fs::path& exported, const std::optional<fs::path>& scansFolder) {
+    Verification v;
+    v.exported = exported;
+    const auto bytes = readWholeFile(exported);
+    if (!bytes) return bytes.error();
+    const std::string found = textOf(*bytes);
+    v.foundSha256 = sha256Of(found);
+    const auto record = recordOf(found, v);
+    if (!record) return record.error();
+    const auto content = exportContentNamed(wordAt(*record, "/content"));
+    if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
+    ExportOptions options;
+    options.ascii = at(*record, "/text") == true;
+    if (isCloud(*content)) {
+        const auto frame = frameNamed(wordAt(*record, "/coordinates/frame"));
+        if (!frame) return notUnderstood(v, "frame");
+        options.frame = *frame;
+    }
+    const auto settings = settingsFromJson(nlohmann::json(at(*record, "/settings")), Settings{}, exported.string());
+    if (!settings) return settings.error();
+    const auto scan = scanOf(*record, scansFolder, v);
+    if (!scan) return scan.error();
+    const auto frame = detectEdges(*scan, *settings);
+    compareResults(*record, *frame, v);
+    const auto again = exportBytes(*content, *frame, exported, sealed(*record), options);
+    if (!again) return again.error();
+    compareBytes(found, *again, v);
+    v.identical = v.findings.empty();
+    if (!v.identical) compareProgram(*record, *frame, v);
+    return v;
+}
+
+std::string verificationText(const Verification& v) {
+    std::string text = v.exported.string() + ": ";
+    if (v.identical) return text + "identical to what " + v.scan.string() + " gives.";
+    text += "NOT identical to what " + v.scan.string() + " gives.";
+    for (const std::string& finding : v.findings) text += " " + finding;
+    return text;
+}
+
+Json verificationReport(const Verification& v) {
+    return {{"export", v.exported.string()},
+            {"identical", v.identical},
+            {"scan", v.scan.string()},
+            {"first_difference", v.firstDifference ? Json(*v.firstDifference) : Json()},
+            {"expected_sha256", v.expectedSha256},
+            {"found_sha256", v.foundSha256},
+            {"findings", v.findings}};
+}
+
+} // namespace edgescan
