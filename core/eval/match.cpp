@@ -20,7 +20,8 @@ std::vector<std::array<int, 2>> stepsWithin(double tolerance) {
             if (i * i + j * j <= tolerance * tolerance + 1e-9) steps.push_back({i, j});
         }
     }
-    std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a[0] * a[0] + a[1] * a[1] < b[0] * b[0] + b[1] * b[1]; });
+    std::stable_sort(steps.begin(), steps.end(),
+                     [](const auto& a, const auto& b) { return a[0] * a[0] + a[1] * a[1] < b[0] * b[0] + b[1] * b[1]; });
     return steps;
 }
 
@@ -123,8 +124,10 @@ private:
                 flip(path);
                 return true;
             }
-            if (level_[other] != kNone && level_[other] == level_[d] + 1) path.push_back(other);
-            else ++next_[d];
+            if (level_[other] != kNone && level_[other] == level_[d] + 1)
+                path.push_back(other);
+            else
+                ++next_[d];
         }
         return false;
     }

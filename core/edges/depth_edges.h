@@ -1,0 +1,34 @@
+// EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (METHOD.md, "EdgeScan+").
+#pragma once
+
+#include "core/edges/inverse_range.h"
+
+namespace edgescan {
+
+/// METHOD.md's sliders. Automatic values follow the noise of the scan (step 6).
+struct DepthEdgeSettings {
+    double jumpMm = -1.0;       ///< J0; below 0: 30 mm x q^0.8
+    double jumpGrowth = 0.01;   ///< p: share of the range
+    double creaseDeg = 40.0;    ///< C0
+    double sensitivity = 1.0;   ///< high threshold of the hysteresis
+    double hysteresisLow = 0.5; ///< share of the high one
+    int minimumLength = 4;      ///< cells
+    double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
+    double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
+    bool jumps = true;
+    bool convex = true;
+    bool concave = true;
+};
+
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3 };
+
+struct DepthEdges {
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
+    Grid<DepthEdge> kind;    ///< lines x beams
+    Grid<float> strength;    ///< suppressed response, 1 = at the threshold
+    RangeNoise noise;        ///< used
+};
+
+[[nodiscard]] DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings);
+
+} // namespace edgescan

@@ -1,0 +1,49 @@
+// The sweep in inverse range u = 1 / r, in which a plane is a straight line along every scan line (METHOD.md, "EdgeScan+").
+#pragma once
+
+#include "core/scan/scan.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan {
+
+/// What a cell's inverse range stands for.
+enum class Support : std::uint8_t {
+    Void,     ///< nothing came back: u is that of 60 m
+    Measured, ///< a range that its neighbours agree with
+    Filled,   ///< a short gap, filled linearly in u; never an edge
+};
+
+struct InverseRange {
+    Grid<float> u;         ///< lines x beams, 1/m
+    Grid<Support> support; ///< lines x beams
+};
+
+/// Angular size of one index step, radians: along the fan per beam, across the lines per cell (line step x sine of the angle from
+/// the rotation axis).
+struct AngularSteps {
+    std::vector<float> beam; ///< beams values
+    Grid<float> line;        ///< lines x beams
+};
+
+/// Step 1 of METHOD.md: cells that stand alone are dropped, gaps of up to 4 cells with both sides present are filled.
+[[nodiscard]] InverseRange inverseRange(const Scan& scan);
+
+/// For an organised cloud the steps are the angles between neighbouring points as seen from the sensor, their median where missing.
+[[nodiscard]] AngularSteps angularSteps(const Scan& scan);
+
+/// Range noise sigma(r) = offsetMm + perMetreMm * r[m], from the 40 % quantile of |second differences of u| along the lines in range
+/// bins (METHOD.md step 6). Zero where there is too little to tell.
+struct RangeNoise {
+    double offsetMm = 0.0;
+    double perMetreMm = 0.0;
+    [[nodiscard]] double at(double rangeM) const { return offsetMm + perMetreMm * rangeM; }
+};
+[[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
+
+/// Step 2: a mixed pixel strictly between the straight continuations of its two sides, and farther than thresholdMm + growth x range
+/// from both, snaps to the closer one.
+[[nodiscard]] InverseRange withoutVeil(InverseRange inverse, double thresholdMm, double growth);
+
+} // namespace edgescan

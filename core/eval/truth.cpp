@@ -1,0 +1,161 @@
+// Ground truth of edges.
+#include "core/eval/truth.h"
+
+#include "core/eval/thin.h"
+#include "core/scan/cartesian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kJumpMm = 50.0;       // from here on an occluding edge
+constexpr double kUnsureJumpMm = 20.0; // from here on not scored
+constexpr double kContactDeg = 15.0;
+constexpr double kCreaseDeg = 30.0;
+constexpr double kUnsureCreaseDeg = 15.0;
+constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
+constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
+constexpr int kFirstRock = 2;             // object numbers below are void and wall
+
+enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
+
+struct Judge {
+    const SimulationTruth& truth;
+    CartesianTables tables;
+
+    Judge(const Scan& scan, const SimulationTruth& of) : truth(of), tables(scan) {}
+
+    // Range at which the tangent plane of cell a is met along the ray of cell b, mm; negative or infinite when it is not.
+    [[nodiscard]] double planeAt(std::size_t a, const Vector3d& rayA, const Vector3d& rayB) const {
+        const Vector3d normal = truth.normal[a].cast<double>();
+        return truth.cleanMm[a] * normal.dot(rayA) / normal.dot(rayB);
+    }
+
+    // What lies between two neighbouring cells that both hit something; `nearer` gets the cell that carries it.
+    [[nodiscard]] PairKind between(int lineA, int beamA, int lineB, int beamB, std::size_t& nearer) const {
+        const std::size_t a = truth.cleanMm.index(lineA, beamA);
+        const std::size_t b = truth.cleanMm.index(lineB, beamB);
+        const Vector3d rayA = tables.direction(lineA, beamA);
+        const Vector3d rayB = tables.direction(lineB, beamB);
+        nearer = truth.cleanMm[a] <= truth.cleanMm[b] ? a : b;
+        const bool otherObject = truth.object[a] != truth.object[b];
+        const bool sameFace = !otherObject && truth.face[a] == truth.face[b];
+        if (sameFace && truth.object[a] >= kFirstRock) return PairKind::Nothing;
+        // How far b's surface lies behind a's, on either ray; of one sign: the planes do not meet between the rays.
+        const double gapAtA = planeAt(b, rayB, rayA) - truth.cleanMm[a];
+        const double gapAtB = truth.cleanMm[b] - planeAt(a, rayA, rayB);
+        const bool apart = gapAtA * gapAtB > 0 && std::isfinite(gapAtA) && std::isfinite(gapAtB);
+        const double gap = apart ? std::min(std::abs(gapAtA), std::abs(gapAtB)) : 0.0;
+        if (gap > kJumpMm) return PairKind::Occluding;
+        if (gap > kUnsureJumpMm) return PairKind::Unsure;
+        if (sameFace) return PairKind::Nothing; // the facets of a wall's mesh are no creases
+        const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
+        const double fold = std::acos(cosine) * 180.0 / std::numbers::pi;
+        if (otherObject) return fold > kContactDeg ? PairKind::Contact : PairKind::Nothing;
+        if (fold > kCreaseDeg) return PairKind::Crease;
+        return fold > kUnsureCreaseDeg ? PairKind::Unsure : PairKind::Nothing;
+    }
+};
+
+void dilate(Grid<std::uint8_t>& mask, int reach) {
+    const Grid<std::uint8_t> before = mask;
+    for (int i = 0; i < mask.lines; ++i) {
+        for (int j = 0; j < mask.beams; ++j) {
+            if (before.at(i, j) == 0) continue;
+            for (int di = -reach; di <= reach; ++di) {
+                for (int dj = -reach; dj <= reach; ++dj) {
+                    if (mask.contains(i + di, j + dj)) mask.at(i + di, j + dj) = 255;
+                }
+            }
+        }
+    }
+}
+
+// Rocks too small to be seen, and what lies round absorbing patches.
+Grid<std::uint8_t> notScored(const SimulationTruth& truth) {
+    Grid<std::uint8_t> ignore(truth.object.lines, truth.object.beams);
+    for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] = truth.absorbed[k] != 0 ? 255 : 0;
+    dilate(ignore, kRoundPatches);
+    std::vector<std::size_t> cells(65536);
+    for (const std::uint16_t object : truth.object.cells) ++cells[object];
+    Grid<std::uint8_t> small(ignore.lines, ignore.beams);
+    for (std::size_t k = 0; k < small.size(); ++k) {
+        if (truth.object[k] >= kFirstRock && cells[truth.object[k]] < kSmallestRock) small[k] = 255;
+    }
+    dilate(small, 1);
+    for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] |= small[k];
+    return ignore;
+}
+
+struct Marks {
+    Grid<std::uint8_t> edgeClass;
+    Grid<std::uint8_t> unsure;
+
+    // The stronger class wins a cell: a jump before a contact before a crease.
+    void mark(std::size_t k, EdgeClass wanted) {
+        const auto rank = [](std::uint8_t c) { return c == 0 ? 0 : c == 4 ? 4 : 4 - c; };
+        if (rank(static_cast<std::uint8_t>(wanted)) > rank(edgeClass[k])) edgeClass[k] = static_cast<std::uint8_t>(wanted);
+    }
+};
+
+void judgePair(const Judge& judge, Marks& marks, int lineA, int beamA, int lineB, int beamB) {
+    const std::size_t a = marks.edgeClass.index(lineA, beamA);
+    const std::size_t b = marks.edgeClass.index(lineB, beamB);
+    const bool hitA = judge.truth.object[a] != 0;
+    const bool hitB = judge.truth.object[b] != 0;
+    if (!hitA && !hitB) return;
+    if (hitA != hitB) {
+        marks.mark(hitA ? a : b, EdgeClass::Void);
+        return;
+    }
+    std::size_t nearer = a;
+    switch (judge.between(lineA, beamA, lineB, beamB, nearer)) {
+    case PairKind::Nothing:
+        return;
+    case PairKind::Occluding:
+        marks.mark(nearer, EdgeClass::Occluding);
+        return;
+    case PairKind::Contact:
+        marks.mark(nearer, EdgeClass::Contact);
+        return;
+    case PairKind::Crease:
+        marks.mark(nearer, EdgeClass::Crease);
+        return;
+    case PairKind::Unsure:
+        marks.unsure[a] = marks.unsure[b] = 255;
+        return;
+    }
+}
+
+} // namespace
+
+EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth) {
+    const Judge judge(scan, truth);
+    const int lines = scan.lines();
+    const int beams = scan.beams();
+    Marks marks{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams)};
+    for (int i = 0; i < lines; ++i) {
+        for (int j = 0; j < beams; ++j) {
+            if (j + 1 < beams) judgePair(judge, marks, i, j, i, j + 1);
+            if (i + 1 < lines) judgePair(judge, marks, i, j, i + 1, j);
+        }
+    }
+    EdgeTruth result{std::move(marks.edgeClass), notScored(truth)};
+    dilate(marks.unsure, 1);
+    for (std::size_t k = 0; k < marks.unsure.size(); ++k) result.ignore[k] |= marks.unsure[k];
+    Grid<std::uint8_t> all(lines, beams);
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = result.edgeClass[k] != 0 ? 255 : 0;
+    const Grid<std::uint8_t> thin = thinned(all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (thin[k] == 0) result.edgeClass[k] = 0;
+    }
+    return result;
+}
+
+} // namespace edgescan

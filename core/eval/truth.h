@@ -1,0 +1,27 @@
+// Ground truth of edges from what the simulator knows (METHOD.md, "Truth and score").
+#pragma once
+
+#include "core/sim/simulate.h"
+
+#include <cstdint>
+
+namespace edgescan {
+
+/// Values of EdgeTruth::edgeClass and of gt_class.png.
+enum class EdgeClass : std::uint8_t {
+    None = 0,
+    Occluding = 1, ///< nearer cell of a pair whose tangent planes do not meet between the rays and are over 50 mm apart
+    Contact = 2,   ///< another object, no jump, dihedral over 15 degrees
+    Crease = 3,    ///< same object, dihedral over 30 degrees
+    Void = 4,      ///< last hit before an open void
+};
+
+struct EdgeTruth {
+    Grid<std::uint8_t> edgeClass; ///< lines x beams, EdgeClass, thinned to one cell
+    Grid<std::uint8_t> ignore;    ///< 255: not scored
+};
+
+/// `truth` must belong to `scan` (same shape, polar geometry).
+[[nodiscard]] EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth);
+
+} // namespace edgescan
