@@ -13,5 +13,8 @@ void addInfo(CLI::App& app, int& code);
 void addDetect(CLI::App& app, int& code);
 void addConvert(CLI::App& app, int& code);
 void addSimulate(CLI::App& app, int& code);
+void addServe(CLI::App& app, int& code);
+void addRecord(CLI::App& app, int& code);
+void addReplay(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

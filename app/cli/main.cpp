@@ -16,6 +16,9 @@ int main(int argc, char** argv) {
     cli::addDetect(app, code);
     cli::addConvert(app, code);
     cli::addSimulate(app, code);
+    cli::addServe(app, code);
+    cli::addRecord(app, code);
+    cli::addReplay(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

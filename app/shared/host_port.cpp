@@ -1,0 +1,38 @@
+// HOST[:PORT] as typed.
+#include "app/shared/host_port.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace edgescan::cli {
+
+Result<HostPort> hostPort(const std::string& typed) {
+    HostPort result;
+    std::string port;
+    const std::size_t bracket = typed.find(']');
+    const auto colons = std::count(typed.begin(), typed.end(), ':');
+    if (typed.starts_with('[') && bracket != std::string::npos) {
+        result.host = typed.substr(1, bracket - 1);
+        if (bracket + 1 < typed.size() && typed[bracket + 1] == ':')
+            port = typed.substr(bracket + 2);
+        else if (bracket + 1 < typed.size())
+            return Error{"there is something behind the bracket that is no port", typed, "write [ADDRESS]:PORT"};
+    } else if (colons == 1) {
+        result.host = typed.substr(0, typed.find(':'));
+        port = typed.substr(typed.find(':') + 1);
+        if (port.empty()) return Error{"there is no port behind the colon", typed, "write HOST:PORT, or HOST alone"};
+    } else {
+        result.host = typed;
+    }
+    if (result.host.empty()) return Error{"there is no host", typed, "write HOST or HOST:PORT"};
+    if (port.empty()) return result;
+    unsigned number = 0;
+    const auto [end, code] = std::from_chars(port.data(), port.data() + port.size(), number);
+    if (code != std::errc{} || end != port.data() + port.size() || number == 0 || number > 65535) {
+        return Error{"\"" + port + "\" is no port", typed, "give a number from 1 to 65535"};
+    }
+    result.port = static_cast<std::uint16_t>(number);
+    return result;
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,22 @@
+// Ctrl+C as a question.
+#include "app/shared/interrupt.h"
+
+#include <csignal>
+
+namespace edgescan::cli {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void note(int /*signal*/) { caught = 1; }
+
+} // namespace
+
+void catchInterrupt() {
+    std::signal(SIGINT, note);
+    std::signal(SIGTERM, note);
+}
+
+bool interrupted() { return caught != 0; }
+
+} // namespace edgescan::cli

@@ -1,0 +1,10 @@
+// Ctrl+C as a question, so that a command can end in good order.
+#pragma once
+
+namespace edgescan::cli {
+
+/// From now on Ctrl+C and SIGTERM only set what interrupted() tells.
+void catchInterrupt();
+[[nodiscard]] bool interrupted();
+
+} // namespace edgescan::cli

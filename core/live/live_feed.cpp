@@ -1,0 +1,106 @@
+// A scanner from its socket to a growing scan.
+#include "core/live/live_feed.h"
+
+#include <utility>
+
+namespace edgescan {
+
+LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed)
+    : changed_(std::move(changed)), sweepSettings_(sweep), feed_(sweep) {
+    SessionEvents events;
+    events.stateChanged = [this](const SessionState& state) {
+        {
+            const std::lock_guard lock(mutex_);
+            state_ = state;
+            if (state.phase == SessionPhase::Lost) feed_.assembler().reconnected();
+        }
+        changed_();
+    };
+    events.identified = [this](const ScannerIdentity& identity) {
+        {
+            const std::lock_guard lock(mutex_);
+            identity_ = identity;
+        }
+        changed_();
+    };
+    events.frameReceived = [this](const ColaFrame& frame) { received(frame); };
+    events.frameSent = [this](const ColaFrame& frame) { record(sentMessage(frame, clock_)); };
+    session_ = std::make_unique<ScannerSession>(std::move(scanner), std::move(events));
+}
+
+LiveFeed::~LiveFeed() { session_->stop(); }
+
+void LiveFeed::record(RecordingMessagePtr message) {
+    recent_.push(message);
+    const std::lock_guard lock(mutex_);
+    if (recorder_) recorder_->post(std::move(message));
+}
+
+void LiveFeed::received(const ColaFrame& frame) {
+    record(receivedMessage(frame, clock_)); // before anything looks into it
+    bool line = false;
+    {
+        const std::lock_guard lock(mutex_);
+        line = feed_.frame(frame, clock_.ns(frame.received));
+        if (line) {
+            ++lines_;
+            lastLineNs_ = frame.received.monotonicNs;
+        }
+    }
+    if (line) changed_();
+}
+
+std::shared_ptr<const Scan> LiveFeed::snapshot() {
+    const std::lock_guard lock(mutex_);
+    return feed_.assembler().snapshot();
+}
+
+LiveStatus LiveFeed::status() const {
+    LiveStatus status;
+    status.statistics = session_->statistics();
+    const std::lock_guard lock(mutex_);
+    status.session = state_;
+    status.scanner = identity_;
+    status.sweep = feed_.assembler().progress();
+    status.lines = lines_;
+    status.undecodable = feed_.undecodable();
+    if (lastLineNs_) status.secondsSinceLine = static_cast<double>(hostNow().monotonicNs - *lastLineNs_) * 1e-9;
+    if (recorder_) status.recording = recorder_->state();
+    return status;
+}
+
+std::vector<FinishedSweep> LiveFeed::takeFinished() {
+    const std::lock_guard lock(mutex_);
+    return feed_.assembler().takeFinished();
+}
+
+Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
+    const std::lock_guard lock(mutex_);
+    if (recorder_) return Error{"a recording is being written already", path.string(), "stop it first"};
+    auto writer = RecordingWriter::start(path, metadataOf(sweepSettings_));
+    if (!writer) return writer.error();
+    recorder_ = std::move(*writer);
+    return Done{};
+}
+
+Result<Done> LiveFeed::stopRecording() {
+    std::unique_ptr<RecordingWriter> recorder;
+    {
+        const std::lock_guard lock(mutex_);
+        recorder = std::move(recorder_);
+    }
+    if (!recorder) return Done{};
+    return recorder->close();
+}
+
+Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
+    return saveMessages(path, metadataOf(sweepSettings_), recent_.messages());
+}
+
+void LiveFeed::stop() {
+    session_->stop();
+    const std::lock_guard lock(mutex_);
+    feed_.assembler().finish();
+}
+
+} // namespace edgescan

@@ -1,0 +1,71 @@
+// A scanner from its socket to a growing scan, recorded before anything is parsed: the live end of the one path for file, replay and live.
+#pragma once
+
+#include "core/live/recording.h"
+#include "core/live/replay.h"
+#include "core/live/scanner_session.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace edgescan {
+
+/// Everything the health of a live scan is told by (OPERATOR.md S2, S4, S5). A copy, true at the moment it was asked for.
+struct LiveStatus {
+    SessionState session;
+    std::optional<ScannerIdentity> scanner;
+    SessionStatistics statistics;
+    SweepProgress sweep;
+    std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
+    std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
+    std::optional<double> secondsSinceLine;  ///< empty before the first
+    std::optional<RecordingState> recording; ///< while one is written
+};
+
+/// From any thread. Destroying it stops scanner and recording.
+class LiveFeed {
+public:
+    /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
+    /// into the feed.
+    LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed);
+    ~LiveFeed();
+    LiveFeed(const LiveFeed&) = delete;
+    LiveFeed& operator=(const LiveFeed&) = delete;
+
+    /// The sweep so far; the same pointer while nothing changed, null before the first line.
+    [[nodiscard]] std::shared_ptr<const Scan> snapshot();
+    [[nodiscard]] LiveStatus status() const;
+    /// Sweeps finished since the last call.
+    [[nodiscard]] std::vector<FinishedSweep> takeFinished();
+
+    /// Error: a recording is being written already, or the file cannot be made.
+    Result<Done> startRecording(const std::filesystem::path& path);
+    /// Closes the recording. Error: what could not be written since its start.
+    Result<Done> stopRecording();
+    /// Writes the last minute as a recording of its own.
+    [[nodiscard]] Result<Done> keepRecent(const std::filesystem::path& path) const;
+
+    /// Ends the session; the sweep is finished as it is.
+    void stop();
+
+private:
+    void received(const ColaFrame& frame);
+    void record(RecordingMessagePtr message);
+
+    const std::function<void()> changed_;
+    const SweepSettings sweepSettings_;
+    RecordingClock clock_;
+    RecentMessages recent_;
+    mutable std::mutex mutex_; // of all that follows, but not of the session
+    SweepFeed feed_;
+    SessionState state_;
+    std::optional<ScannerIdentity> identity_;
+    std::unique_ptr<RecordingWriter> recorder_;
+    std::int64_t lines_ = 0;
+    std::optional<std::int64_t> lastLineNs_;  // monotonic
+    std::unique_ptr<ScannerSession> session_; // last: its thread uses all of the above
+};
+
+} // namespace edgescan
