@@ -72,6 +72,23 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
     command.add_option("--unit", flags.unit, "Unit of the numbers in the file, where it does not say")
         ->check(CLI::IsMember({"mm", "cm", "m"}))
         ->group(group);
+    command.add_option("--sensor", flags.sensor, "Where a cloud without a grid was taken from, as X,Y,Z [m]")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(kFinite)
+        ->group(group);
+    command
+        .add_option("--grid-step", flags.options.gridStepDeg,
+                    "Cells of a cloud that is projected [degrees]; else from the spacing of its points")
+        ->check(kFinite)
+        ->group(group);
+    command
+        .add_option("--project", flags.project,
+                    "Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), "
+                    "or refuse them (never)")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->group(group);
+    command.add_option("--scan", flags.options.scanIndex, "Which scan of a file that holds several, from 0")->group(group);
     command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group(group);
 }
 
@@ -79,6 +96,8 @@ OpenOptions openOptions(const ReadFlags& flags) {
     OpenOptions options = flags.options;
     if (!flags.axis.empty()) options.axis = flags.axis == "spin" ? Axis::Spin : Axis::Sweep;
     if (!flags.unit.empty()) options.unitMm = flags.unit == "m" ? 1000.0 : flags.unit == "cm" ? 10.0 : 1.0;
+    if (flags.sensor.size() == 3) options.sensorM = Eigen::Vector3d(flags.sensor[0], flags.sensor[1], flags.sensor[2]);
+    options.projection = flags.project == "always" ? Projection::Always : flags.project == "never" ? Projection::Never : Projection::Auto;
     if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellProgress;
     return options;
 }

@@ -9,14 +9,17 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace edgescan::cli {
 
-/// --beam-start --beam-step --line-start --line-step --axis --unit --progress.
+/// --beam-start --beam-step --line-start --line-step --axis --unit --sensor --grid-step --project --scan --progress.
 struct ReadFlags {
     OpenOptions options;
     std::string axis;
     std::string unit;
+    std::vector<double> sensor; ///< x, y, z, metres
+    std::string project = "auto";
     bool progress = false;
 };
 void addReadFlags(CLI::App& command, ReadFlags& flags);

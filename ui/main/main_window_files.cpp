@@ -65,13 +65,22 @@ const char* nameTail(Session::Export what) {
 // The reading flags that give these options on the command line.
 std::string readFlags(const OpenOptions& options) {
     std::string flags;
-    const auto add = [&](const char* flag, const std::string& value) { flags += (flags.empty() ? "" : " ") + std::string(flag) + " " + value; };
+    const auto add = [&](const char* flag, const std::string& value) {
+        flags += (flags.empty() ? "" : " ") + std::string(flag) + " " + value;
+    };
     const auto number = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
     if (options.beamStartDeg) add("--beam-start", number(*options.beamStartDeg));
     if (options.beamStepDeg) add("--beam-step", number(*options.beamStepDeg));
     if (options.lineStartDeg) add("--line-start", number(*options.lineStartDeg));
     if (options.lineStepDeg) add("--line-step", number(*options.lineStepDeg));
     if (options.axis) add("--axis", *options.axis == Axis::Spin ? "spin" : "sweep");
+    if (options.sensorM) {
+        const Eigen::Vector3d& at = *options.sensorM;
+        add("--sensor", number(at.x()) + "," + number(at.y()) + "," + number(at.z()));
+    }
+    if (options.gridStepDeg) add("--grid-step", number(*options.gridStepDeg));
+    if (options.projection != Projection::Auto) add("--project", options.projection == Projection::Always ? "always" : "never");
+    if (options.scanIndex > 0) add("--scan", std::to_string(options.scanIndex));
     if (options.unitMm) add("--unit", *options.unitMm == 1000.0 ? "m" : *options.unitMm == 10.0 ? "cm" : "mm");
     return flags;
 }
@@ -86,7 +95,8 @@ void MainWindow::askOpen() {
 void MainWindow::stepInSeries(int step) {
     const int place = seriesPlace_ + step;
     if (place < 0 || place >= series_.size()) {
-        notice_->showNotice(NoticeBar::Kind::Warning, step > 0 ? tr("This is the last file of the series.") : tr("This is the first file of the series."));
+        notice_->showNotice(NoticeBar::Kind::Warning,
+                            step > 0 ? tr("This is the last file of the series.") : tr("This is the first file of the series."));
         return;
     }
     seriesPlace_ = place;
@@ -185,7 +195,8 @@ void MainWindow::copyCommand() {
     // Beside this program where it is not on the PATH.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
-    QGuiApplication::clipboard()->setText(QString::fromStdString(detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->frame->settings)));
+    QGuiApplication::clipboard()->setText(
+        QString::fromStdString(detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->frame->settings)));
     notice_->showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 
