@@ -1,0 +1,402 @@
+// Sweep assembly: every telegram is in its row, every lost one is told, nothing is made up.
+#include "tests/support/live_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <set>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+SweepAssembler assembled(const SweepSettings& settings, int lines, const std::set<int>& dropped, const LineStyle& style = {}) {
+    SweepAssembler assembler(settings);
+    for (int n = 0; n < lines; ++n) {
+        if (!dropped.contains(n)) assembler.push(telegramOfLine(n, style), hostNsOfLine(n));
+    }
+    return assembler;
+}
+
+void expectRows(SweepAssembler& assembler, const std::set<int>& dropped) {
+    const auto scan = assembler.snapshot();
+    const SweepProgress progress = assembler.progress();
+    ASSERT_TRUE(scan);
+    EXPECT_TRUE(addsUp(*scan, progress));
+    for (int row = 0; row < scan->lines(); ++row)
+        EXPECT_TRUE(dropped.contains(row) ? rowIsLost(*scan, row) : rowHolds(*scan, row, row)) << row;
+    EXPECT_EQ(std::set<int>(progress.lost.begin(), progress.lost.end()), dropped);
+}
+
+bool warns(const Scan& scan, const std::string& words) {
+    return std::any_of(scan.warnings.begin(), scan.warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+const PolarGeometry& polarOf(const Scan& scan) { return std::get<PolarGeometry>(scan.geometry); }
+
+} // namespace
+
+TEST(Sweep, LinesAndStepsFromTheConfiguredStart) {
+    SweepSettings settings;
+    settings.firstLineDeg = -20;
+    settings.expectedLines = 50;
+    SweepAssembler assembler = assembled(settings, 50, {});
+    expectRows(assembler, {});
+    const auto scan = assembler.snapshot();
+    EXPECT_EQ(assembler.progress().text(), "50/50 lines");
+    EXPECT_TRUE(scan->warnings.empty());
+    for (int row = 0; row < 50; ++row) EXPECT_DOUBLE_EQ(polarOf(*scan).lineDeg[std::size_t(row)], -20 + 0.18 * row);
+    EXPECT_DOUBLE_EQ(polarOf(*scan).beamDeg.back(), -5 + 60.0 / 6);
+    EXPECT_EQ(assembler.snapshot(), scan) << "nothing changed, so it is the same";
+}
+
+TEST(Sweep, EveryFiftiethABurstAndTheLastHundredAreTold) {
+    std::set<int> dropped;
+    for (int n = 49; n < 500; n += 50) dropped.insert(n);
+    for (int n = 210; n < 240; ++n) dropped.insert(n);
+    SweepSettings settings;
+    settings.expectedLines = 600;
+    SweepAssembler assembler = assembled(settings, 500, dropped, {.beams = 21}); // the last hundred never come
+    std::set<int> told = dropped;
+    told.erase(499); // no telegram came behind it: nobody can know
+    expectRows(assembler, told);
+    const SweepProgress progress = assembler.progress();
+    EXPECT_EQ(progress.lines, 499);
+    EXPECT_EQ(progress.text(), "INCOMPLETE 460/600 lines");
+    EXPECT_TRUE(warns(*assembler.snapshot(), "INCOMPLETE 460/600 lines"));
+    EXPECT_TRUE(warns(*assembler.snapshot(), "49, 99, 149, 199, 210 to 239"));
+}
+
+TEST(Sweep, CountersWrapWithoutFalseGaps) {
+    for (const LineStyle style : {LineStyle{.beams = 11, .firstTelegram = 65400, .firstScan = 65500},
+                                  LineStyle{.beams = 11, .firstTelegram = 65535, .firstUs = 4'294'000'000U}}) {
+        SweepAssembler assembler = assembled({}, 300, {}, style);
+        expectRows(assembler, {});
+        EXPECT_EQ(assembler.progress().restarts, 0);
+    }
+}
+
+TEST(Sweep, DuplicatesAreDroppedAndCounted) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 40; ++n) {
+        for (int copy = 0; copy <= n % 3; ++copy) assembler.push(telegramOfLine(n), hostNsOfLine(n) + copy * 1000);
+    }
+    expectRows(assembler, {});
+    EXPECT_EQ(assembler.progress().duplicates, 13 * 3);
+}
+
+TEST(Sweep, RandomLossesAndDuplicatesAlwaysAddUp) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 60; ++round) {
+        SweepAssembler assembler;
+        std::set<int> dropped;
+        int last = 0;
+        for (int n = 0; n < 120; ++n) {
+            if (n > 0 && random() % 4 == 0) continue;
+            for (int row = last + 1; row < n; ++row) dropped.insert(row);
+            last = n;
+            assembler.push(telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
+            if (random() % 5 == 0) assembler.push(telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
+            if (n % 17 == 0) {
+                ASSERT_TRUE(addsUp(*assembler.snapshot(), assembler.progress()));
+            }
+        }
+        expectRows(assembler, dropped);
+    }
+}
+
+TEST(Sweep, InterlacedLinesAreWovenIntoOneGrid) {
+    for (const int firstHalf : {0, 1}) {
+        SweepSettings settings;
+        SweepAssembler assembler(settings);
+        const auto half = [&](int n) {
+            const bool odd = n % 2 == 1;
+            return telegramOfLine(n, {.beams = odd ? 570 : 571, .startAngle = odd ? -48333 : -50000, .step = 3333, .frequency = 5000});
+        };
+        for (int n = firstHalf; n < 41; ++n) assembler.push(half(n), kEpochNs + n * kPeriodNs / 2);
+        assembler.finish();
+        const auto scan = assembler.snapshot();
+        ASSERT_EQ(scan->beams(), 1141);
+        // A first line of the second kind belongs to a row that nobody saw the beginning of.
+        ASSERT_EQ(scan->lines(), firstHalf == 0 ? 21 : 20);
+        const int offset = firstHalf == 0 ? 0 : 2;
+        for (int row = 0; row < 20; ++row) {
+            for (int beam = 0; beam < 1141; ++beam) {
+                if (firstHalf == 1 && row == 19 && beam % 2 == 1) continue; // cut off
+                ASSERT_EQ(scan->rangeMm.at(row, beam), rawOf(row * 2 + offset + beam % 2, beam / 2)) << row << ' ' << beam;
+            }
+        }
+        EXPECT_NEAR(polarOf(*scan).beamDeg[1], -29.0 / 6, 1e-12);
+        EXPECT_NEAR(polarOf(*scan).beamDeg.back(), 185.0, 1e-9);
+        EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+        EXPECT_EQ(assembler.progress().lost, std::vector<int>{scan->lines() - 1}) << "half of it never came";
+        // The second half of a line is measured one turn later.
+        const auto& skew = polarOf(*scan).lineSkewDeg;
+        ASSERT_EQ(skew.size(), 1141U);
+        const double perTurn = 0.18 / 2;
+        EXPECT_NEAR(skew[0], perTurn * 139.0 / 360, 1e-6);
+        EXPECT_NEAR(skew[1], perTurn * (1 + (-29.0 / 6 + 144) / 360), 1e-6);
+    }
+}
+
+TEST(Sweep, ALostHalfOfAnInterlacedLineIsLostAlone) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 40; ++n) {
+        if (n == 21) continue;
+        const bool odd = n % 2 == 1;
+        assembler.push(telegramOfLine(n, {.beams = odd ? 30 : 31, .startAngle = odd ? -48333 : -50000, .step = 3333, .frequency = 5000}),
+                       kEpochNs + n * kPeriodNs / 2);
+    }
+    const auto scan = assembler.snapshot();
+    ASSERT_EQ(scan->lines(), 20);
+    EXPECT_EQ(assembler.progress().lost, std::vector<int>{10});
+    for (int beam = 0; beam < 61; ++beam) EXPECT_EQ(scan->state.at(10, beam), beam % 2 == 1 ? CellState::Lost : CellState::Valid);
+    EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+}
+
+TEST(Sweep, FourfoldInterlacing) {
+    SweepAssembler assembler;
+    constexpr int kOrder[] = {0, 2, 1, 3}; // as the device may like it
+    for (int n = 0; n < 48; ++n) {
+        const int part = kOrder[n % 4];
+        const int start = static_cast<int>(std::lround(-50000 + part * 10000.0 / 6));
+        assembler.push(telegramOfLine(n, {.beams = part == 0 ? 21 : 20, .startAngle = start, .step = 6667, .frequency = 10000}),
+                       kEpochNs + n * kPeriodNs / 4);
+    }
+    const auto scan = assembler.snapshot();
+    ASSERT_EQ(scan->beams(), 81);
+    ASSERT_EQ(scan->lines(), 12);
+    constexpr int kWhen[] = {0, 2, 1, 3};
+    for (int row = 0; row < 12; ++row) {
+        for (int beam = 0; beam < 81; ++beam) ASSERT_EQ(scan->rangeMm.at(row, beam), rawOf(row * 4 + kWhen[beam % 4], beam / 4));
+    }
+}
+
+TEST(Sweep, EncoderCountsBecomeAnglesAndAReversalStartsTheNextSweep) {
+    SweepSettings settings;
+    settings.ticksPerDeg = 1000.0 / 0.18;
+    settings.firstLineDeg = 3;
+    SweepAssembler assembler(settings);
+    const auto angleOf = [](int n) { return n < 100 ? n : 99 - (n - 99); }; // forward, then back
+    for (int n = 0; n < 180; ++n) {
+        ScanTelegram telegram = telegramOfLine(n);
+        telegram.encoders = {{static_cast<std::uint32_t>(4'294'950'000U + static_cast<unsigned>(angleOf(n) * 1000)), 0}}; // wraps
+        assembler.push(telegram, hostNsOfLine(n));
+    }
+    assembler.finish();
+    const auto sweeps = assembler.takeFinished();
+    ASSERT_EQ(sweeps.size(), 2U);
+    ASSERT_EQ(sweeps[0].scan->lines(), 100);
+    ASSERT_EQ(sweeps[1].scan->lines(), 80);
+    for (int row = 0; row < 100; ++row) {
+        EXPECT_TRUE(rowHolds(*sweeps[0].scan, row, row));
+        EXPECT_NEAR(polarOf(*sweeps[0].scan).lineDeg[std::size_t(row)], 3 + 0.18 * row, 1e-9);
+    }
+    for (int row = 0; row < 80; ++row) {
+        EXPECT_TRUE(rowHolds(*sweeps[1].scan, row, row + 100));
+        EXPECT_NEAR(polarOf(*sweeps[1].scan).lineDeg[std::size_t(row)], 3 + 0.18 * (98 - row), 1e-9);
+    }
+    for (const FinishedSweep& sweep : sweeps) EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
+    // Moving back, the beams of a line lie the other way.
+    EXPECT_NEAR(polarOf(*sweeps[0].scan).lineSkewDeg[0], 0.18 * 139 / 360, 1e-6);
+    EXPECT_NEAR(polarOf(*sweeps[1].scan).lineSkewDeg[0], -0.18 * 139 / 360, 1e-6);
+}
+
+TEST(Sweep, EncoderWithoutScaleIsToldAndNotUsed) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 10; ++n) {
+        ScanTelegram telegram = telegramOfLine(n);
+        telegram.encoders = {{static_cast<std::uint32_t>(n * 77), 0}};
+        assembler.push(telegram, hostNsOfLine(n));
+    }
+    EXPECT_EQ(assembler.progress().angleSource, AngleSource::Steps);
+    EXPECT_TRUE(warns(*assembler.snapshot(), "encoder"));
+}
+
+TEST(Sweep, StepperReadingsLatchedWithTheirLines) {
+    SweepAssembler assembler;
+    std::mt19937 random(8);
+    for (int n = 0; n < 60; ++n) {
+        const StepperReading reading{n, 7 + 0.2 * n, 5.0, true, hostNsOfLine(n)};
+        const bool before = random() % 2 == 0;
+        if (before) assembler.push(reading);
+        if (n != 30) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+        if (!before) assembler.push(reading);
+    }
+    const auto scan = assembler.snapshot();
+    for (int row = 0; row < 60; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], 7 + 0.2 * row, 1e-9);
+    EXPECT_NEAR(polarOf(*scan).lineSkewDeg[0], 5.0 * 0.04 * 139 / 360, 1e-9);
+    EXPECT_EQ(assembler.progress().angleSource, AngleSource::Stepper);
+    EXPECT_TRUE(rowIsLost(*scan, 30));
+}
+
+TEST(Sweep, StepperReadingsAtTheirOwnTimes) {
+    SweepAssembler assembler;
+    const auto phiAt = [](std::int64_t ns) { return 4.5 * static_cast<double>(ns - kEpochNs) / 1e9; };
+    std::int64_t nextReading = kEpochNs + 3'000'001;
+    for (int n = 0; n < 100; ++n) {
+        for (; nextReading < hostNsOfLine(n); nextReading += 17'000'000)
+            assembler.push(StepperReading{0, phiAt(nextReading), 4.5, true, nextReading});
+        assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    }
+    const auto scan = assembler.snapshot();
+    // A line's stamp lies its transmission (40.6 ms) before its arrival.
+    for (int row = 0; row < 100; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], phiAt(hostNsOfLine(row) - 40'600'000), 1e-6);
+}
+
+TEST(Sweep, TimeAloneIsAVisibleWarning) {
+    SweepSettings settings;
+    settings.degPerLine.reset();
+    settings.degPerSecond = 9;
+    SweepAssembler assembler = assembled(settings, 20, {7});
+    const auto scan = assembler.snapshot();
+    EXPECT_TRUE(warns(*scan, "time alone"));
+    for (int row = 0; row < 20; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], 9 * 0.04 * row, 1e-9);
+}
+
+TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
+    SweepSettings settings;
+    settings.expectedLines = 25;
+    SweepAssembler assembler = assembled(settings, 70, {22, 23, 24, 25, 26});
+    assembler.finish();
+    const auto sweeps = assembler.takeFinished();
+    ASSERT_EQ(sweeps.size(), 3U);
+    EXPECT_EQ(sweeps[0].progress.text(), "INCOMPLETE 22/25 lines");
+    EXPECT_EQ(sweeps[0].progress.lost, (std::vector<int>{22, 23, 24}));
+    EXPECT_EQ(sweeps[1].progress.text(), "25/25 lines");
+    EXPECT_TRUE(rowHolds(*sweeps[1].scan, 0, 27));
+    EXPECT_EQ(sweeps[2].progress.text(), "INCOMPLETE 18/25 lines");
+}
+
+TEST(Sweep, ScannerStartedAnewAfterAReconnect) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 20; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    assembler.reconnected();
+    for (int n = 0; n < 20; ++n) { // ten lines were missed meanwhile
+        ScanTelegram telegram = telegramOfLine(n, {.firstTelegram = 1, .firstScan = 1, .firstUs = 900'000});
+        telegram.channels16[0].values = telegramOfLine(n + 30).channels16[0].values;
+        assembler.push(telegram, hostNsOfLine(n + 30));
+    }
+    std::set<int> lost;
+    for (int row = 20; row < 30; ++row) lost.insert(row);
+    expectRows(assembler, lost);
+    EXPECT_EQ(assembler.progress().restarts, 1);
+}
+
+TEST(Sweep, ReconnectWithoutARestartKeepsCounting) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 20; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    assembler.reconnected();
+    for (int n = 45; n < 60; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    std::set<int> lost;
+    for (int row = 20; row < 45; ++row) lost.insert(row);
+    expectRows(assembler, lost);
+    EXPECT_EQ(assembler.progress().restarts, 0);
+}
+
+TEST(Sweep, OneOddLineIsLostTwoAreAnotherScan) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 40; ++n) assembler.push(telegramOfLine(n, {.step = n == 25 ? 5000 : 1667}), hostNsOfLine(n));
+    expectRows(assembler, {25});
+    EXPECT_EQ(assembler.progress().misfits, 1);
+    for (int n = 40; n < 50; ++n) assembler.push(telegramOfLine(n, {.beams = 31, .step = 3333}), hostNsOfLine(n));
+    EXPECT_EQ(assembler.snapshot()->beams(), 31);
+    EXPECT_EQ(assembler.snapshot()->lines(), 10);
+    EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 40));
+    ASSERT_EQ(assembler.takeFinished().size(), 1U);
+}
+
+TEST(Sweep, StatusCodesScaleAndDeviceFlags) {
+    SweepAssembler assembler;
+    for (int n = 0; n < 6; ++n) {
+        ScanTelegram telegram = telegramOfLine(n, {.beams = 21});
+        telegram.channels16[0].scale = 2.0F;
+        for (int beam = 0; beam < 17; ++beam) telegram.channels16[0].values[std::size_t(beam)] = static_cast<std::uint16_t>(beam);
+        if (n == 3) telegram.status[0] = 2;
+        assembler.push(telegram, hostNsOfLine(n));
+    }
+    const auto scan = assembler.snapshot();
+    EXPECT_EQ(scan->unitMm, 2.0);
+    EXPECT_EQ(scan->state.at(0, 0), CellState::NoReturn);
+    for (int beam = 1; beam < 16; ++beam) EXPECT_EQ(scan->state.at(2, beam), CellState::DeviceStatus);
+    EXPECT_EQ(scan->rangeMm.at(2, 16), 32.0F);
+    EXPECT_EQ(scan->statusCodes.size(), 15U);
+    EXPECT_TRUE(assembler.progress().deviceEver.contaminationWarning);
+    EXPECT_FALSE(assembler.progress().device.contaminationWarning);
+    EXPECT_TRUE(warns(*scan, "dirty window (from line 3 on)"));
+    EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+}
+
+TEST(Sweep, LastEchoIsTheFarthest) {
+    ScanTelegram telegram = telegramOfLine(0, {.beams = 3});
+    ScanChannel second = telegram.channels16[0];
+    second.content = "DIST2";
+    telegram.channels16[0].values = {1000, 1000, 0};
+    second.values = {5000, 0, 0};
+    telegram.channels16.push_back(second);
+    SweepSettings settings;
+    settings.echo = Echo::Last;
+    SweepAssembler assembler(settings);
+    assembler.push(telegram, hostNsOfLine(0));
+    EXPECT_EQ(assembler.snapshot()->rangeMm.cells, (std::vector<float>{5000, 1000, 0}));
+}
+
+TEST(Sweep, ACopyGoesItsOwnWay) {
+    SweepAssembler first = assembled({}, 10, {});
+    const auto before = first.snapshot();
+    const Scan kept = *before;
+    SweepAssembler second = first;
+    for (int n = 10; n < 20; ++n) first.push(telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 30; n < 35; ++n) second.push(telegramOfLine(n), hostNsOfLine(n));
+    EXPECT_EQ(first.snapshot()->lines(), 20);
+    EXPECT_EQ(second.snapshot()->lines(), 35);
+    EXPECT_TRUE(rowIsLost(*second.snapshot(), 15));
+    EXPECT_TRUE(rowHolds(*first.snapshot(), 15, 15));
+    EXPECT_TRUE(sameScan(*before, kept)) << "a snapshot never changes";
+}
+
+TEST(Sweep, SettingsSurviveTheMetadata) {
+    SweepSettings settings;
+    settings.axis = Axis::Sweep;
+    settings.lineDirection = -1;
+    settings.firstLineDeg = -12.345678901234;
+    settings.ticksPerDeg = -5555.5;
+    settings.encoderZero = 4'000'000'000U;
+    settings.degPerLine = -0.09;
+    settings.continuous = false;
+    settings.indexDeg = -140.25;
+    settings.expectedLines = 777;
+    settings.outputInterval = 2;
+    settings.echo = Echo::Last;
+    EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
+    settings.degPerLine.reset();
+    settings.degPerSecond = 3.25;
+    EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
+    const SettingsFound odd = settingsOf({{"stepper.deg_per_step", "much"}, {"stepper.axis", "[0,1,0]"}});
+    EXPECT_EQ(odd.warnings.size(), 2U);
+    EXPECT_EQ(odd.settings, SweepSettings{});
+}
+
+TEST(Sweep, RealInterlacedTelegrams) {
+    const std::string path = std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/derived/interlaced.colab.bin";
+    std::ifstream file(path, std::ios::binary);
+    if (!file) GTEST_SKIP() << "no reference vectors at " << path;
+    const std::vector<char> content{std::istreambuf_iterator<char>(file), {}};
+    ColaStream stream;
+    SweepAssembler assembler;
+    int telegrams = 0;
+    const Bytes bytes(content.begin(), content.end());
+    for (const ColaFrame& frame : stream.push(bytes)) {
+        const auto telegram = decodeScanTelegram(frame);
+        ASSERT_TRUE(telegram);
+        assembler.push(*telegram, kEpochNs + telegrams++ * 20'000'000LL);
+    }
+    assembler.finish();
+    const auto scan = assembler.snapshot();
+    EXPECT_EQ(scan->beams(), 1141);
+    EXPECT_EQ(scan->lines(), (telegrams + 1) / 2);
+    EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+}
