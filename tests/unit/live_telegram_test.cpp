@@ -227,12 +227,13 @@ TEST(ScanTelegramDecode, RealTelegramsCutAnywhereNeverPassForWhole) {
             const ColaFrame frame = scanFramesOf(vectorsFolder() / "derived" / (std::string(name) + extension)).at(0);
             const auto whole = decodeScanTelegram(frame);
             ASSERT_TRUE(whole);
-            for (std::size_t length = 0; length < frame.bytes.size(); ++length) {
+            for (std::size_t length = 0; length<frame.bytes.size(); length += frame.bytes.size()> 10000 ? 17 : 1) {
                 ColaStream stream;
                 EXPECT_TRUE(stream.push(ByteView(frame.bytes).first(length)).empty());
             }
             int passed = 0;
-            for (std::size_t length = 0; length < frame.payload().size(); length += length + 200 < frame.payload().size() ? 17 : 1) {
+            for (std::size_t length = 0;
+                 length<frame.payload().size(); length += frame.payload().size()> 10000 && length + 200 < frame.payload().size() ? 17 : 1) {
                 if (decodeScanTelegram(frame.payload().first(length), frame.dialect)) ++passed;
             }
             // Cut exactly before the event flag, or in the text's last token.
