@@ -2,17 +2,18 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/edges/pipeline.h"
-#include "core/files/png.h"
 #include "core/files/save_scan.h"
 #include "core/files/whole_file.h"
+#include "core/frames/placed_points.h"
+#include "core/report/provenance.h"
 #include "core/report/report.h"
-#include "core/scan/range_picture.h"
 
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace edgescan::cli {
@@ -49,16 +50,20 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
 }
 
 Result<Done> writeOutputs(const Outputs& out, const Frame& frame, double loadMs, bool several) {
-    const Scan& scan = *frame.scan;
-    std::vector<Result<Done>> results;
-    if (!out.mask.empty()) results.push_back(savePng8(*frame.mask, out.mask));
-    if (!out.gray.empty()) results.push_back(savePng8(frame.gray->levels, out.gray));
-    if (!out.range.empty()) results.push_back(savePng16(rangePicture(scan), out.range));
-    if (!out.edges.empty()) results.push_back(saveEdges(scan, *frame.mask, out.edges));
-    if (!out.cloud.empty()) results.push_back(saveCloud(scan, out.cloud, frame.mask.get()));
-    for (const Result<Done>& result : results) {
-        if (!result) return result.error();
+    ExportOptions options;
+    options.frame = usualFrame(*frame.scan);
+    const std::vector<std::pair<ExportContent, std::string>> exports{{ExportContent::EdgeImage, out.mask},
+                                                                     {ExportContent::GrayImage, out.gray},
+                                                                     {ExportContent::RangeImage, out.range},
+                                                                     {ExportContent::EdgeCloud, out.edges},
+                                                                     {ExportContent::FullCloud, out.cloud}};
+    std::optional<Error> failure; // the others are still written
+    for (const auto& [content, path] : exports) {
+        if (path.empty()) continue;
+        const auto written = exportWithProvenance(content, frame, path, options);
+        if (!written && !failure) failure = written.error();
     }
+    if (failure) return *failure;
     if (out.json.empty()) return Done{};
     const nlohmann::ordered_json report = detectReport(frame, loadMs);
     if (out.json != "-") return writeWholeFile(out.json, reportText(report, true) + "\n");

@@ -5,4 +5,12 @@ namespace edgescan {
 
 const char* version() { return EDGESCAN_VERSION; }
 
+const char* commit() {
+#ifdef EDGESCAN_COMMIT
+    return EDGESCAN_COMMIT;
+#else
+    return "unknown";
+#endif
+}
+
 } // namespace edgescan

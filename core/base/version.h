@@ -6,4 +6,7 @@ namespace edgescan {
 /// "0.1.0".
 [[nodiscard]] const char* version();
 
+/// The commit it was built from, "unknown" where nobody said.
+[[nodiscard]] const char* commit();
+
 } // namespace edgescan

@@ -5,6 +5,7 @@
 #include "core/files/pcd.h"
 #include "core/files/ply.h"
 #include "core/files/point_text.h"
+#include "core/files/open_options_json.h"
 #include "core/files/range_csv.h"
 #include "core/files/raw_grid.h"
 #include "core/files/source.h"
@@ -99,6 +100,7 @@ Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
         auto scan = readByContent({path, *bytes, &options});
         if (!scan) return scan;
         applyOptions(*scan, options);
+        scan->openedWith = openOptionsText(options);
         scan->path = path.string();
         scan->name = path.stem().string();
         if (scan->sha256.empty()) scan->sha256 = sha256Hex(*bytes);

@@ -221,7 +221,7 @@ bool looksLikePcd(std::string_view text) {
     return false;
 }
 
-Result<Scan> readPcd(const Source& source) {
+Result<PointTable> readPcdPoints(const Source& source) {
     auto header = readHeader(source);
     if (!header) return header.error();
     const auto layout = layoutOf(*header, source);
@@ -237,7 +237,13 @@ Result<Scan> readPcd(const Source& source) {
         !enough)
         return enough.error();
     if (auto read = readPoints(table, *header, *layout, source); !read) return read.error();
-    return scanFromPoints(std::move(table), source);
+    return table;
+}
+
+Result<Scan> readPcd(const Source& source) {
+    auto table = readPcdPoints(source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
 }
 
 } // namespace edgescan

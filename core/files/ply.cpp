@@ -141,7 +141,7 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
 
 bool looksLikePly(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r\n"); }
 
-Result<Scan> readPly(const Source& source) {
+Result<PointTable> readPlyPoints(const Source& source) {
     auto header = readHeader(source);
     if (!header) return header.error();
     const auto vertex = vertexElement(*header, source);
@@ -153,7 +153,13 @@ Result<Scan> readPly(const Source& source) {
     table.description = header->description;
     if (auto read = readVertices(table, *header, **vertex, *fields, source); !read) return read.error();
     table.width = table.points.size();
-    return scanFromPoints(std::move(table), source);
+    return table;
+}
+
+Result<Scan> readPly(const Source& source) {
+    auto table = readPlyPoints(source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
 }
 
 } // namespace edgescan

@@ -6,8 +6,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace edgescan {
+
+/// Keyword of the text chunk that carries provenance.
+inline constexpr const char* kPngRecordKeyword = "edgescan-record";
+
+/// The bytes of the pictures below. `record`: provenance as ASCII for a text chunk; empty = none. `where` goes into errors.
+Result<std::string> png8Bytes(const Grid<std::uint8_t>& gray, const std::string& where, const std::string& record = {});
+Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::string& where, const std::string& record = {});
+
+/// The record in a picture's bytes; empty when there is none.
+[[nodiscard]] std::string pngRecord(std::string_view bytes);
 
 /// 8-bit gray, one byte per cell unchanged. Error: the grid is empty or the file cannot be written.
 Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::path& path);

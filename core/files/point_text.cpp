@@ -69,7 +69,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
 
 } // namespace
 
-Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
+Result<PointTable> readTextPoints(const Source& source, const TextLayout& layout) {
     const auto columns = columnsOf(layout, source);
     if (!columns) return columns.error();
     // A point takes six bytes of text at least and 24 in memory, a little more while it grows and is recognised.
@@ -111,7 +111,13 @@ Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
         table.unitMm = 10.0; // 3DTK: centimetres, left-handed
         table.leftHanded = true;
     }
-    return scanFromPoints(std::move(table), source);
+    return table;
+}
+
+Result<Scan> readPointText(const Source& source, const TextLayout& layout) {
+    auto table = readTextPoints(source, layout);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
 }
 
 } // namespace edgescan

@@ -57,6 +57,13 @@ void appendComments(std::string& text, const CloudColumns& cloud, const std::str
     for (const std::string& line : commentLines(cloud.record, kRecordMark)) text += word + line + "\n";
 }
 
+/// Lists are read line by line whatever their length: the record takes one line, and whoever counts rows is hardly off.
+void appendListComments(std::string& text, const CloudColumns& cloud) {
+    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
+    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
+    if (!cloud.record.empty()) text += "# " + (kRecordMark + cloud.record) + "\n";
+}
+
 /// Records one after the other, each column's values as they are in memory.
 void appendRecords(std::string& bytes, const CloudColumns& cloud) {
     std::size_t record = 0;
@@ -146,8 +153,7 @@ Result<std::string> plyBytes(const CloudColumns& cloud, const std::string& where
 Result<std::string> pointTextBytes(const CloudColumns& cloud, const std::string& where, char separator) {
     if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
     std::string text;
-    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
-    appendComments(text, cloud, "# ");
+    appendListComments(text, cloud);
     if (separator == ' ') text += "# "; // many readers of .xyz take no header line
     for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
         if (i > 0) text += separator;

@@ -86,16 +86,6 @@ Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame fr
     return object;
 }
 
-Json programJson() {
-    const std::string eigen =
-        std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION);
-    return {{"name", "EdgeScan"},
-            {"version", version()},
-            {"commit", commit()},
-            {"libraries",
-             {{"OpenCV", cv::getVersionString()}, {"Eigen", eigen}, {"libpng", png_get_libpng_ver(nullptr)}, {"zlib", zlibVersion()}}}};
-}
-
 std::string ascii(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 } // namespace
@@ -142,6 +132,16 @@ std::string gridSha256(const Scan& scan) {
     return sha256Hex(std::as_bytes(std::span(all)));
 }
 
+Json programOfRecords() {
+    const std::string eigen =
+        std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION);
+    return {{"name", "EdgeScan"},
+            {"version", version()},
+            {"commit", commit()},
+            {"libraries",
+             {{"OpenCV", cv::getVersionString()}, {"Eigen", eigen}, {"libpng", png_get_libpng_ver(nullptr)}, {"zlib", zlibVersion()}}}};
+}
+
 std::string sealed(Json record) {
     record.erase("record_sha256");
     const std::string rest = ascii(record);
@@ -170,7 +170,7 @@ std::string exportRecord(ExportContent content, const Frame& frame, const Export
     record["settings"] = settingsToJson(frame.settings);
     record["edges"] = frame.edges->size();
     record["edge_mask_sha256"] = maskSha256(*frame.mask);
-    record["program"] = programJson();
+    record["program"] = programOfRecords();
     record["warnings"] = warnings;
     record["operator"] = textOrNull(options.operatorName);
     record["role"] = textOrNull(options.role);

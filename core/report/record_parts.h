@@ -21,6 +21,9 @@ inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 /// SHA-256 of what a scan is to the method: shape, angles, ranges, states, points. The same file opened otherwise gives another.
 [[nodiscard]] std::string gridSha256(const Scan& scan);
 
+/// The program and its libraries, with versions: what a record says of who made it.
+[[nodiscard]] nlohmann::ordered_json programOfRecords();
+
 /// The record as text, with the SHA-256 of the rest of it at its end.
 [[nodiscard]] std::string sealed(nlohmann::ordered_json record);
 

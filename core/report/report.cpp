@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/edges/parameters.h"
+#include "core/frames/placement_json.h"
 
 #include <cmath>
 #include <span>
@@ -44,6 +45,15 @@ json rangeReport(const Scan& scan) {
     return {{"min", limits.minMm}, {"max", limits.maxMm}};
 }
 
+/// Where the scan stands, without the matrices.
+json poseReport(const Scan& scan) {
+    if (!scan.placement) return nullptr;
+    json report = placementToJson(*scan.placement);
+    report.erase("stepper");
+    report["poses"] = scan.placement->poses.size();
+    return report;
+}
+
 } // namespace
 
 nlohmann::ordered_json cellsReport(const Scan& scan) {
@@ -63,8 +73,8 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
                 {"cells", cellsReport(scan)},
                 {"range_mm", rangeReport(scan)},
                 {"unit_mm", scan.unitMm},
-                {"frame", "scanner"},
-                {"pose", nullptr},
+                {"frame", scan.placement ? "mine grid" : "scanner"},
+                {"pose", poseReport(scan)},
                 {"warnings", scan.warnings}};
     if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
         report["geometry"] = "beam x line angles";

@@ -69,6 +69,7 @@ struct Scan {
     std::string path;   ///< file it was opened from, empty when made in memory
     std::string format; ///< "raw grid", "range CSV", "PCD", "point list", ...
     std::string sha256; ///< of the bytes of the file that holds the ranges, lower-case hex
+    std::string openedWith; ///< JSON of what the user said on opening it, by flag name; empty = nothing
 
     /// lines x beams, millimetres, exact up to 2^24. Only meaningful as a range where state is Valid; a DeviceStatus
     /// cell keeps its code times unitMm, so that nothing that was read is lost.

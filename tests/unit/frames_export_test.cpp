@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 using namespace edgescan;
@@ -53,40 +55,36 @@ std::vector<std::vector<double>> rowsOf(const std::string& text) {
 
 TEST(MineExport, APlacedScanComesBackTheSameFromEveryFormatAndFrame) {
     const Folder folder;
-    for (unsigned seed = 1; seed <= 8; ++seed) {
-        for (const bool points : {false, true}) {
-            const Scan scan = points ? asPoints(placedScan(seed)) : placedScan(seed);
-            for (const char* extension : {".pcd", ".ply", ".xyz", ".csv"}) {
-                for (const auto frame : {CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}) {
-                    for (const bool ascii : {false, true}) {
-                        SCOPED_TRACE(std::string(extension) + (points ? " points " : " polar ") + std::to_string(static_cast<int>(frame)) +
-                                     (ascii ? " ascii " : " ") + std::to_string(seed));
-                        const auto path = folder / (std::string("scan") + extension);
-                        const auto saved = saveScan(scan, path, {ascii, frame});
-                        ASSERT_TRUE(saved) << saved.error().sentence();
-                        const auto back = openScan(path);
-                        ASSERT_TRUE(back) << back.error().sentence();
-                        EXPECT_EQ(back->rangeMm, scan.rangeMm);
-                        EXPECT_EQ(back->state, scan.state);
-                        ASSERT_TRUE(back->placement);
-                        EXPECT_EQ(placementToJson(*back->placement).dump(), placementToJson(*scan.placement).dump());
-                        const CartesianTables before(scan);
-                        const CartesianTables after(*back);
-                        for (std::size_t k = 0; k < scan.cells(); ++k) {
-                            if (scan.state[k] != CellState::Valid) continue;
-                            EXPECT_EQ(before.point(k), after.point(k));
-                            EXPECT_EQ(minePoint(scan, k).enhM, minePoint(*back, k).enhM);
-                        }
-                    }
-                }
-            }
+    for (unsigned round = 0; round < 96; ++round) {
+        // Every combination of the first four, each with a place of its own.
+        const char* extension = std::array{".pcd", ".ply", ".xyz", ".csv"}[round % 4];
+        const auto frame = std::array{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}[round / 4 % 3];
+        const bool ascii = round / 12 % 2 == 0;
+        const bool points = round / 24 % 2 == 0;
+        SCOPED_TRACE(std::string(extension) + (points ? " points " : " polar ") + (ascii ? "ascii " : "") + std::to_string(round));
+        const Scan scan = points ? asPoints(placedScan(round)) : placedScan(round);
+        const auto path = folder / (std::string("scan") + extension);
+        const auto saved = saveScan(scan, path, {ascii, frame});
+        ASSERT_TRUE(saved) << saved.error().sentence();
+        const auto back = openScan(path);
+        ASSERT_TRUE(back) << back.error().sentence();
+        EXPECT_EQ(back->rangeMm, scan.rangeMm);
+        EXPECT_EQ(back->state, scan.state);
+        ASSERT_TRUE(back->placement);
+        EXPECT_EQ(placementToJson(*back->placement).dump(), placementToJson(*scan.placement).dump());
+        const CartesianTables before(scan);
+        const CartesianTables after(*back);
+        for (std::size_t k = 0; k < scan.cells(); ++k) {
+            if (scan.state[k] != CellState::Valid) continue;
+            EXPECT_EQ(before.point(k), after.point(k));
+            EXPECT_EQ(minePoint(scan, k).enhM, minePoint(*back, k).enhM);
         }
     }
 }
 
 TEST(MineExport, TheNumbersInTheFileAreTheMineCoordinatesToAMillimetre) {
     const Folder folder;
-    for (unsigned seed = 1; seed <= 12; ++seed) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
         const Scan scan = placedScan(seed);
         std::vector<Eigen::Vector3d> expected;
         for (std::size_t k = 0; k < scan.cells(); ++k) {
@@ -138,7 +136,7 @@ TEST(MineExport, WithoutAPoseItIsRefusedWithTheReason) {
     Scan scan = placedScan(1);
     const auto raw = saveScan(placedScan(2), folder / "scan.json", {false, CoordinateFrame::Mine});
     ASSERT_FALSE(raw);
-    EXPECT_NE(raw.error().sentence().find("a raw grid holds ranges and no coordinates"), std::string::npos);
+    EXPECT_NE(raw.error().sentence().find("holds ranges and no coordinates"), std::string::npos);
     scan.placement.reset();
     const Grid<std::uint8_t> mask(scan.lines(), scan.beams(), 255);
     for (const auto frame : {CoordinateFrame::Mine, CoordinateFrame::MineLocal}) {

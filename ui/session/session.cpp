@@ -1,9 +1,8 @@
 // The one bridge between the window and the core's threads.
 #include "ui/session/session.h"
 
-#include "core/files/png.h"
-#include "core/files/save_scan.h"
-#include "core/scan/range_picture.h"
+#include "core/frames/placed_points.h"
+#include "core/report/provenance.h"
 #include "ui/session/demo_scan.h"
 
 #include <QFileInfo>
@@ -42,21 +41,28 @@ struct Saving {
     std::size_t count = 0;
 };
 
-Saving write(Session::Export what, const Frame& frame, const std::string& path) {
-    const Scan& scan = *frame.scan;
+ExportContent contentOf(Session::Export what) {
     switch (what) {
     case Session::Export::EdgeCloud:
-        return {saveEdges(scan, *frame.mask, path), frame.edges->size()};
+        return ExportContent::EdgeCloud;
     case Session::Export::FullCloud:
-        return {saveCloud(scan, path, frame.mask.get()), countCells(scan)[0]};
+        return ExportContent::FullCloud;
     case Session::Export::EdgeImage:
-        return {savePng8(*frame.mask, path), scan.cells()};
+        return ExportContent::EdgeImage;
     case Session::Export::GrayImage:
-        return {savePng8(frame.gray->levels, path), scan.cells()};
+        return ExportContent::GrayImage;
     case Session::Export::RangeImage:
-        return {savePng16(rangePicture(scan), path), scan.cells()};
+        break;
     }
-    return {Done{}, 0};
+    return ExportContent::RangeImage;
+}
+
+Saving write(Session::Export what, const Frame& frame, const std::string& path) {
+    ExportOptions options;
+    options.frame = usualFrame(*frame.scan);
+    const Result<std::size_t> written = exportWithProvenance(contentOf(what), frame, path, options);
+    if (!written) return {written.error(), 0};
+    return {Done{}, *written};
 }
 
 } // namespace

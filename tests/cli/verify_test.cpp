@@ -1,0 +1,73 @@
+// edgescan-cli verify from outside, on what detect wrote.
+#include "core/files/save_scan.h"
+#include "tests/support/placements.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+using test::runCli;
+
+TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
+    const test::TemporaryFolder folder;
+    Scan scan = test::boxesScan(40, 60, 3, 0.05);
+    scan.placement = test::randomPlacement(3, 1, true);
+    const std::string scanPath = (folder / "boxes.json").string();
+    ASSERT_TRUE(saveScan(scan, scanPath));
+    const auto path = [&](const char* name) { return (folder / name).string(); };
+    const auto detect = runCli("detect " + scanPath + " --lower 11 --mask " + path("m.png") + " --gray " + path("g.png") + " --range " +
+                               path("r.png") + " --edges " + path("e.ply") + " --cloud " + path("c.csv"));
+    ASSERT_EQ(detect.code, 0) << detect.err;
+    const std::string all = path("m.png") + " " + path("g.png") + " " + path("r.png") + " " + path("e.ply") + " " + path("c.csv");
+    const auto verify = runCli("verify " + all);
+    EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
+    EXPECT_EQ(std::count(verify.out.begin(), verify.out.end(), '\n'), 5);
+    EXPECT_EQ(verify.out.find("NOT identical"), std::string::npos) << verify.out;
+    EXPECT_EQ(verify.err, "");
+    // The scan has a place, so the clouds are in mine coordinates.
+    const std::string cloud = test::fileText(folder / "c.csv");
+    EXPECT_NE(cloud.find("mine grid in metres"), std::string::npos);
+    std::string bytes = test::fileText(folder / "e.ply");
+    bytes[bytes.size() - 5] = static_cast<char>(bytes[bytes.size() - 5] ^ 4);
+    std::ofstream(folder / "e.ply", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    const auto bad = runCli("verify --json " + path("e.ply"));
+    EXPECT_EQ(bad.code, 1);
+    const json report = json::parse(bad.out);
+    EXPECT_EQ(report["identical"], false);
+    EXPECT_EQ(report["first_difference"], bytes.size() - 5);
+    // Away from the scan, and back to it by --scans.
+    const test::TemporaryFolder away;
+    std::filesystem::copy(folder / "m.png", away / "m.png");
+    const auto lost = runCli("verify " + (away / "m.png").string());
+    EXPECT_EQ(lost.code, 1);
+    EXPECT_NE(lost.err.find("--scans"), std::string::npos) << lost.err;
+    EXPECT_EQ(runCli("verify " + (away / "m.png").string() + " --scans " + folder.path().string()).code, 0);
+    EXPECT_EQ(runCli("verify").code, 2);
+    EXPECT_EQ(json::parse(runCli("info " + scanPath).out)["pose"]["origin_enh_m"], json({620000.0, 6200000.0, 250.0}));
+}
+
+TEST(CliVerify, ARealScanInEveryFormat) {
+    const std::string corridor = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/";
+    if (!std::filesystem::exists(corridor)) GTEST_SKIP() << "../shared is absent: the corridor scan cannot be opened";
+    const test::TemporaryFolder folder;
+    std::string all;
+    for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz"}) {
+        const std::string path = (folder / name).string();
+        ASSERT_EQ(
+            runCli("detect " + corridor + "scan000.3d --edges " + path + " --cloud " + (folder / (std::string("c") + name)).string()).code,
+            0);
+        all += path + " " + (folder / (std::string("c") + name)).string() + " ";
+    }
+    const auto verify = runCli("verify --scans " + corridor + " " + all);
+    EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
+}
+
+} // namespace
+} // namespace edgescan
