@@ -65,7 +65,8 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
-        if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(row[s[0].column], row[s[1].column], row[s[2].column]);
+        if (const auto& s = fields.scanner; !s.empty())
+            table.scannerPoints.emplace_back(row[s[0].column], row[s[1].column], row[s[2].column]);
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();

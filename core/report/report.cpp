@@ -64,18 +64,12 @@ nlohmann::ordered_json cellsReport(const Scan& scan) {
 }
 
 nlohmann::ordered_json infoReport(const Scan& scan) {
-    json report{{"input", scan.path},
-                {"name", scan.name},
-                {"format", scan.format},
-                {"sha256", scan.sha256},
-                {"lines", scan.lines()},
-                {"beams", scan.beams()},
-                {"cells", cellsReport(scan)},
-                {"range_mm", rangeReport(scan)},
-                {"unit_mm", scan.unitMm},
-                {"frame", scan.placement ? "mine grid" : "scanner"},
-                {"pose", poseReport(scan)},
-                {"warnings", scan.warnings}};
+    json report{{"input", scan.path},         {"name", scan.name},
+                {"format", scan.format},      {"sha256", scan.sha256},
+                {"lines", scan.lines()},      {"beams", scan.beams()},
+                {"cells", cellsReport(scan)}, {"range_mm", rangeReport(scan)},
+                {"unit_mm", scan.unitMm},     {"frame", scan.placement ? "mine grid" : "scanner"},
+                {"pose", poseReport(scan)},   {"warnings", scan.warnings}};
     if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
         report["geometry"] = "beam x line angles";
         report["axis"] = polar->axis == Axis::Spin ? "spin" : "sweep";
@@ -98,7 +92,8 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
     timings["total"] = tidy(loadMs + frame.totalMs, 1000);
     const GrayScale& scale = frame.gray->scale;
     std::vector<std::string> warnings = scan.warnings;
-    if (scale.farMm <= scale.nearMm) warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
+    if (scale.farMm <= scale.nearMm)
+        warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
     return {
         {"input", scan.path},
         {"sha256", scan.sha256},
