@@ -92,6 +92,10 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
+    if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo) {
+        std::cerr << "edgescan: --screenshot: there is no scan to show; give a file or --demo.\n";
+        return 2;
+    }
     std::optional<Settings> settings;
     if (cli::anyTyped(wanted.method, app)) {
         const Result<Settings> typed = cli::settingsOf(wanted.method);
