@@ -99,7 +99,7 @@ bool operator==(const Calibration& a, const Calibration& b) { return calibration
 Result<Calibration> parseCalibration(std::string_view json, const std::string& where) {
     const auto object = parseJsonObject(json, kFormat, where);
     if (!object) return object.error();
-    JsonFields fields(*object, where, "compare it with the example calibration");
+    JsonFields fields(*object, where, "compare it with the example in docs/coordinates.md");
     Calibration c;
     c.robot = fields.text("robot");
     readStepper(fields.object("stepper"), c);

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "edgescan-pose/1";
-constexpr const char* kTodo = "compare it with the example of a pose file in the user guide";
+constexpr const char* kTodo = "compare it with the example in docs/coordinates.md";
 constexpr NumberLimits kAngle{-360, 360};
 constexpr NumberLimits kTilt{-90, 90};
 constexpr NumberLimits kPlace{-1e8, 1e8};

@@ -149,6 +149,40 @@ TEST(Poses, SaysWhatIsWrong) {
     expectSentence(parsePoses(object.dump(), "pose.json"), "needs a \"time\" in every reading");
 }
 
+TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
+    const std::string text = readText(std::filesystem::path(EDGESCAN_SOURCE_DIR) / "docs/coordinates.md");
+    std::vector<std::string> blocks;
+    for (std::size_t at = 0; (at = text.find("```json\n", at)) != std::string::npos;) {
+        const std::size_t end = text.find("```", at + 8);
+        blocks.push_back(text.substr(at + 8, end - at - 8));
+        at = end;
+    }
+    ASSERT_EQ(blocks.size(), 2U);
+    const auto robot = parseCalibration(blocks[0], "docs");
+    ASSERT_TRUE(robot) << robot.error().sentence();
+    EXPECT_EQ(*robot, exampleCalibration());
+    const auto poses = parsePoses(blocks[1], "docs");
+    ASSERT_TRUE(poses) << poses.error().sentence();
+    const auto placed = placeScan(spinScan(), *robot, *poses);
+    ASSERT_TRUE(placed) << placed.error().sentence();
+    EXPECT_TRUE((*placed)->warnings.empty());
+}
+
+TEST(Poses, TwoFilesPlaceAScanAndAreNamedWithTheirHashes) {
+    const Folder folder;
+    writeText(folder / "robot.json", calibrationText(exampleCalibration()));
+    writeText(folder / "pose.json", poseJson().dump());
+    const auto placed = openPlacement(folder / "pose.json", folder / "robot.json", spinScan());
+    ASSERT_TRUE(placed) << placed.error().sentence();
+    EXPECT_TRUE((*placed)->source.starts_with("pose.json (SHA-256 ")) << (*placed)->source;
+    EXPECT_NE((*placed)->source.find("robot.json (SHA-256 "), std::string::npos);
+    EXPECT_EQ((*placed)->originEnhM, Eigen::Vector3d(498700, 5150100, 280));
+    expectSentence(openPlacement(folder / "robot.json", folder / "pose.json", spinScan()), "choose a file with");
+    expectSentence(openPlacement(folder / "none.json", folder / "robot.json", spinScan()), "none.json: there is no such file");
+    const Scan sweep = makeScan({.axis = Axis::Sweep, .lines = 10, .beams = 8});
+    expectSentence(openPlacement(folder / "pose.json", folder / "robot.json", sweep), (folder / "pose.json").string());
+}
+
 TEST(Poses, AgeAndTiltOutOfSpecAreSaid) {
     Calibration robot = exampleCalibration();
     const auto placed = [&](const json& object) {
