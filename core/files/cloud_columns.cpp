@@ -5,6 +5,7 @@
 #include "core/frames/placed_points.h"
 #include "core/scan/cartesian.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -62,16 +63,34 @@ void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::s
     if (cloud.frame == CoordinateFrame::MineLocal) cloud.originM = placed.originEnhM();
 }
 
-CloudColumns columnsFor(const Scan& scan, const std::vector<std::size_t>& cells, bool every, CoordinateFrame frame) {
+/// The cells of a cloud, one per point; the last `attached.size()` are those of the points attached to them.
+struct Chosen {
+    std::vector<std::size_t> cells;
+    std::vector<const AttachedPoint*> attached;
+};
+
+CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame) {
+    const std::vector<std::size_t>& cells = chosen.cells;
+    const std::size_t ownPoints = cells.size() - chosen.attached.size();
     CloudColumns cloud;
     cloud.width = cells.size();
+    cloud.lines = static_cast<std::size_t>(scan.lines());
+    cloud.beams = static_cast<std::size_t>(scan.beams());
     cloud.frame = frame;
     const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
     std::vector<Eigen::Vector3d> points;
     points.reserve(cells.size());
     const auto* given = std::get_if<PointGeometry>(&scan.geometry);
-    for (const std::size_t k : cells) points.push_back(every && given != nullptr ? given->pointsM[k] : tables.point(k));
+    for (std::size_t n = 0; n < ownPoints; ++n)
+        points.push_back(every && given != nullptr ? given->pointsM[cells[n]] : tables.point(cells[n]));
+    std::vector<float> ranges;
+    ranges.reserve(cells.size());
+    for (std::size_t n = 0; n < ownPoints; ++n) ranges.push_back(scan.rangeMm[cells[n]]);
+    for (const AttachedPoint* extra : chosen.attached) {
+        points.push_back(extra->pointM);
+        ranges.push_back(static_cast<float>((extra->pointM - tables.sensor()).norm() * 1000.0));
+    }
     const bool placed = frame != CoordinateFrame::Scanner;
     std::vector<Eigen::Vector3d> asRead;
     if (placed && every && given != nullptr) asRead = points;
@@ -80,42 +99,54 @@ CloudColumns columnsFor(const Scan& scan, const std::vector<std::size_t>& cells,
     const auto beams = static_cast<std::size_t>(scan.beams());
     addColumn<std::uint32_t>(cloud, "line", cells, [&](std::size_t k) { return k / beams; });
     addColumn<std::uint32_t>(cloud, "beam", cells, [&](std::size_t k) { return k % beams; });
-    addColumn<float>(cloud, "range_mm", cells, [&](std::size_t k) { return scan.rangeMm[k]; });
+    cloud.columns.push_back({"range_mm", std::move(ranges)});
     if (!asRead.empty()) addPoints(cloud, asRead, false, "scanner_");
+    if (!chosen.attached.empty()) {
+        std::vector<std::uint8_t> attached(cells.size(), 0);
+        std::fill(attached.begin() + static_cast<std::ptrdiff_t>(ownPoints), attached.end(), std::uint8_t{1});
+        cloud.columns.push_back({"attached", std::move(attached)});
+    }
     return cloud;
 }
 
-template <class Chosen>
-std::vector<std::size_t> cellsWhere(const Scan& scan, Chosen chosen) {
-    std::vector<std::size_t> cells;
+template <class Wanted>
+Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
+    Chosen chosen;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (chosen(k)) cells.push_back(k);
+        if (wanted(k)) chosen.cells.push_back(k);
     }
-    return cells;
+    if (!withAttached) return chosen;
+    for (const AttachedPoint& point : scan.attached) {
+        if (!wanted(point.cell)) continue;
+        chosen.cells.push_back(point.cell);
+        chosen.attached.push_back(&point);
+    }
+    return chosen;
 }
 
 } // namespace
 
 CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
-    const auto cells = cellsWhere(scan, [](std::size_t) { return true; });
-    CloudColumns cloud = columnsFor(scan, cells, true, frame);
-    addColumn<std::uint8_t>(cloud, "state", cells, [&](std::size_t k) { return scan.state[k]; });
+    const Chosen every = cellsWhere(scan, false, [](std::size_t) { return true; });
+    CloudColumns cloud = columnsFor(scan, every, true, frame);
+    addColumn<std::uint8_t>(cloud, "state", every.cells, [&](std::size_t k) { return scan.state[k]; });
     cloud.width = static_cast<std::size_t>(scan.beams());
     cloud.height = static_cast<std::size_t>(scan.lines());
     cloud.description = descriptionText(scan, "", -1);
     return cloud;
 }
 
-CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame) {
-    const auto cells = cellsWhere(scan, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
-    CloudColumns cloud = columnsFor(scan, cells, false, frame);
-    addColumn<std::uint8_t>(cloud, "edge", cells, [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
+CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
+    const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
+    CloudColumns cloud = columnsFor(scan, valid, false, frame);
+    addColumn<std::uint8_t>(cloud, "edge", valid.cells, [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
     return cloud;
 }
 
-CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame) {
-    const auto cells = cellsWhere(scan, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
-    return columnsFor(scan, cells, false, frame);
+CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached) {
+    const Chosen edges =
+        cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
+    return columnsFor(scan, edges, false, frame);
 }
 
 std::string frameText(const CloudColumns& cloud) {

@@ -22,6 +22,8 @@ struct CloudColumn {
 struct CloudColumns {
     std::size_t width = 0;  ///< points per row
     std::size_t height = 1; ///< more than 1: organised, every cell is there
+    std::size_t lines = 0;  ///< of the scan that the cells are of
+    std::size_t beams = 0;
     std::vector<CloudColumn> columns;
     std::string description; ///< JSON for the comment lines; empty = none
     std::string record;      ///< provenance as JSON for the comment lines; empty = none
@@ -34,13 +36,14 @@ struct CloudColumns {
 /// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, edge. `edgeMask` may be null.
+/// Valid cells: x y z, line, beam, range_mm, edge. `edgeMask` may be null. With `withAttached` the points that are attached to these
+/// cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
-                                       CoordinateFrame frame = CoordinateFrame::Scanner);
+                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false);
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
-                                      CoordinateFrame frame = CoordinateFrame::Scanner);
+                                      CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false);
 
 /// A writer is a function from columns to the bytes of the file. `where` is the path, for errors.
 Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where, bool ascii);

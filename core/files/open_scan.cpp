@@ -2,11 +2,15 @@
 #include "core/files/open_scan.h"
 
 #include "core/base/sha256.h"
+#include "core/files/las.h"
+#include "core/files/obj.h"
+#include "core/files/open_options_json.h"
 #include "core/files/pcd.h"
 #include "core/files/ply.h"
 #include "core/files/point_text.h"
-#include "core/files/open_options_json.h"
+#include "core/files/ptx.h"
 #include "core/files/range_csv.h"
+#include "core/files/range_image.h"
 #include "core/files/raw_grid.h"
 #include "core/files/source.h"
 #include "core/files/text_layout.h"
@@ -29,16 +33,12 @@ const char* foreignKind(std::string_view text) {
         const char* what;
     };
     using namespace std::string_view_literals;
-    static constexpr std::array<Magic, 10> kMagics{{
-        {"\x89PNG\r\n\x1a\n"sv, "a PNG picture"},
+    static constexpr std::array<Magic, 6> kMagics{{
         {"\xff\xd8\xff"sv, "a JPEG picture"},
-        {"II*\0"sv, "a TIFF picture"},
-        {"MM\0*"sv, "a TIFF picture"},
         {"\x7f\x45LF"sv, "a program"},
         {"%PDF"sv, "a PDF document"},
         {"PK\x03\x04"sv, "a ZIP archive"},
         {"\x1f\x8b"sv, "a gzip archive"},
-        {"LASF"sv, "a LAS file, which this version cannot read"},
         {"ASTM-E57"sv, "an E57 file, which this version cannot read"},
     }};
     for (const Magic& magic : kMagics) {
@@ -52,6 +52,8 @@ Result<Scan> readText(const Source& source) {
         return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
                                     "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
     }
+    if (looksLikePtx(source.text())) return readPtx(source);
+    if (looksLikeObj(source.text())) return readObj(source);
     const auto layout = textLayoutOf(source);
     if (!layout) return layout.error();
     Result<Scan> scan = looksLikeRangeCsv(*layout, source) ? readRangeCsv(source, *layout) : readPointText(source, *layout);
@@ -69,6 +71,9 @@ Result<Scan> readByContent(const Source& source) {
     if (text.starts_with(kMcapMagic)) return readRecording(source);
     if (looksLikePcd(text)) return readPcd(source);
     if (looksLikePly(text)) return readPly(source);
+    if (looksLikeLas(text)) return readLas(source);
+    if (looksLikePng(text)) return readRangePng(source);
+    if (looksLikeTiff(text)) return readRangeTiff(source);
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     if (first != std::string_view::npos && text[first] == '{') return readRawGridJson(source);
     return readText(source);
@@ -92,20 +97,24 @@ void applyOptions(Scan& scan, const OpenOptions& options) {
 
 } // namespace
 
-Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
+namespace {
+
+Result<Scan> readWhole(const Source& source) {
+    auto scan = readByContent(source);
+    if (!scan) return scan;
+    applyOptions(*scan, *source.options);
+    scan->openedWith = openOptionsText(*source.options);
+    scan->name = source.path.stem().string();
+    if (scan->sha256.empty()) scan->sha256 = sha256Hex(source.bytes);
+    if (!source.goOn("opened", 1.0)) return source.cancelled();
+    return scan;
+}
+
+/// Memory that runs out on the way is one sentence like everything else.
+template <class Read>
+Result<Scan> withinMemory(const fs::path& path, Read read) {
     try {
-        if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
-        const auto bytes = readWholeFile(path);
-        if (!bytes) return bytes.error();
-        auto scan = readByContent({path, *bytes, &options});
-        if (!scan) return scan;
-        applyOptions(*scan, options);
-        scan->openedWith = openOptionsText(options);
-        scan->path = path.string();
-        scan->name = path.stem().string();
-        if (scan->sha256.empty()) scan->sha256 = sha256Hex(*bytes);
-        if (options.progress && !options.progress("opened", 1.0)) return Error{"cancelled", path.string(), ""};
-        return scan;
+        return read();
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for this file", path.string(), "close other programs or open a smaller file"};
     } catch (const std::length_error&) {
@@ -113,11 +122,36 @@ Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
     }
 }
 
+} // namespace
+
+Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
+    return withinMemory(path, [&]() -> Result<Scan> {
+        if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
+        const auto bytes = readWholeFile(path);
+        if (!bytes) return bytes.error();
+        auto scan = readWhole({path, *bytes, &options});
+        if (scan) scan->path = path.string();
+        return scan;
+    });
+}
+
+Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const OpenOptions& options) {
+    const fs::path path("memory" + extension);
+    return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}); });
+}
+
 const std::vector<FileKind>& readableKinds() {
     static const std::vector<FileKind> kinds{
-        {"Raw grid", {".json", ".u16"}},    {"Point Cloud Library", {".pcd"}},
-        {"Polygon file", {".ply"}},         {"Point list", {".xyz", ".txt", ".asc", ".pts"}},
-        {"Range or point table", {".csv"}}, {"3DTK scan", {".3d"}},
+        {"Raw grid", {".json", ".u16"}},
+        {"Point Cloud Library", {".pcd"}},
+        {"Polygon file", {".ply"}},
+        {"Point list", {".xyz", ".txt", ".asc", ".pts"}},
+        {"Range or point table", {".csv"}},
+        {"Leica PTX", {".ptx"}},
+        {"LAS point cloud", {".las"}},
+        {"Wavefront OBJ", {".obj"}},
+        {"Range picture", {".png", ".tif", ".tiff"}},
+        {"3DTK scan", {".3d"}},
         {"Recording", {".mcap"}},
     };
     return kinds;

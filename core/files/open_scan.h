@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ struct OpenOptions {
 
 /// The file as a scan of lines x beams cells. Error: one sentence; nothing is loaded by halves.
 Result<Scan> openScan(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// The same from bytes in memory; `extension` (".pcd") is the hint that a file's name would be. No file is touched: a raw grid is its
+/// description, a NUL byte and its counts.
+Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const OpenOptions& options = {});
 
 /// A kind of file, for dialogs and for looking up by extension.
 struct FileKind {

@@ -2,6 +2,7 @@
 #include "core/files/range_csv.h"
 
 #include "core/base/memory.h"
+#include "core/files/range_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,34 +11,7 @@ namespace edgescan {
 namespace {
 
 constexpr std::size_t kFewestRangeColumns = 16; // point lists have x y z and a few attributes
-constexpr std::size_t kLms511Columns = 1141;
 constexpr double kLongestRange = 1e9;
-
-struct CsvGeometry {
-    double beamStart, beamStep, lineStart, lineStep;
-    Axis axis;
-    bool assumed = false;
-};
-
-Result<CsvGeometry> geometryFor(std::size_t columns, const Source& source) {
-    const OpenOptions& options = *source.options;
-    const bool lms511 = columns == kLms511Columns;
-    std::string missing;
-    const auto need = [&](bool given, const char* flag) {
-        if (!given && !lms511) missing += std::string(missing.empty() ? "" : " ") + flag;
-    };
-    need(options.beamStartDeg.has_value(), "--beam-start");
-    need(options.beamStepDeg.has_value(), "--beam-step");
-    need(options.lineStartDeg.has_value(), "--line-start");
-    need(options.lineStepDeg.has_value(), "--line-step");
-    need(options.axis.has_value(), "--axis");
-    if (!missing.empty()) {
-        return source.refused("a table of " + std::to_string(columns) + " ranges per line does not say its angles", "give " + missing);
-    }
-    const bool allGiven = options.beamStartDeg && options.beamStepDeg && options.lineStartDeg && options.lineStepDeg && options.axis;
-    return CsvGeometry{options.beamStartDeg.value_or(-5.0), options.beamStepDeg.value_or(1.0 / 6.0), options.lineStartDeg.value_or(0.0),
-                       options.lineStepDeg.value_or(0.18),  options.axis.value_or(Axis::Spin),       !allGiven};
-}
 
 struct Ranges {
     std::vector<float> mm;
@@ -84,8 +58,7 @@ bool looksLikeRangeCsv(const TextLayout& layout, const Source& source) {
 }
 
 Result<Scan> readRangeCsv(const Source& source, const TextLayout& layout) {
-    const auto geometry = geometryFor(layout.columns, source);
-    if (!geometry) return geometry.error();
+    if (auto known = checkAnglesKnown(layout.columns, "table", source); !known) return known.error();
     // A range takes two bytes of text at least, and five in memory that may double while growing.
     if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 6, source.path.string()); !enough) return enough.error();
     Scan scan;
@@ -96,17 +69,11 @@ Result<Scan> readRangeCsv(const Source& source, const TextLayout& layout) {
     const int beams = static_cast<int>(layout.columns);
     scan.rangeMm = Grid<float>(lines, beams, std::move(ranges->mm));
     scan.state = Grid<CellState>(lines, beams, std::move(ranges->states));
-    PolarGeometry polar;
-    for (int j = 0; j < beams; ++j) polar.beamDeg.push_back(geometry->beamStart + j * geometry->beamStep);
-    for (int i = 0; i < lines; ++i) polar.lineDeg.push_back(geometry->lineStart + i * geometry->lineStep);
-    polar.axis = geometry->axis;
-    scan.geometry = std::move(polar);
+    auto angles = assumedAngles(ranges->lines, layout.columns, "table", source);
+    if (!angles) return angles.error();
+    scan.geometry = std::move(angles->polar);
     scan.format = "range CSV";
-    if (geometry->assumed) {
-        scan.warnings.push_back(
-            "The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by "
-            "1/6 degree, lines from 0 by 0.18 degree, axis spin).");
-    }
+    if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
     if (ranges->infinite > 0) scan.warnings.push_back(std::to_string(ranges->infinite) + " infinite ranges were taken as no return.");
     return scan;
 }

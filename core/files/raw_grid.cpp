@@ -90,6 +90,15 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     return scan;
 }
 
+/// In memory: the description, a NUL byte, the counts.
+Result<Scan> readBothInOne(const Source& source) {
+    const std::string_view text = source.text();
+    const std::size_t end = std::min(text.find('\0'), text.size());
+    const auto grid = parseDescription(text.substr(0, end), source.path.string());
+    if (!grid) return grid.error();
+    return readPair(*grid, source, source.path, source.bytes.subspan(std::min(end + 1, text.size())));
+}
+
 fs::path withExtension(const fs::path& path, const char* extension) {
     fs::path other = path;
     return other.replace_extension(extension);
@@ -146,6 +155,7 @@ private:
 } // namespace
 
 Result<Scan> readRawGridJson(const Source& source) {
+    if (source.inMemory) return readBothInOne(source);
     const auto grid = parseDescription(source.text(), source.path.string());
     if (!grid) return grid.error();
     std::error_code ignored;
@@ -163,6 +173,7 @@ Result<Scan> readRawGridJson(const Source& source) {
 }
 
 Result<Scan> readRawGridCounts(const Source& source) {
+    if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
     const fs::path describedIn = withExtension(source.path, ".json");
     const auto json = readWholeFile(describedIn);
     if (!json) {

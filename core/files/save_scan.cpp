@@ -3,6 +3,7 @@
 
 #include "core/files/cloud_columns.h"
 #include "core/files/raw_grid.h"
+#include "core/files/save_formats.h"
 #include "core/files/whole_file.h"
 #include "core/live/save_recording.h"
 
@@ -12,7 +13,7 @@
 namespace edgescan {
 namespace {
 
-constexpr std::array<std::pair<const char*, SaveFormat>, 9> kExtensions{{
+constexpr std::array<std::pair<const char*, SaveFormat>, 13> kExtensions{{
     {".json", SaveFormat::RawGrid},
     {".u16", SaveFormat::RawGrid},
     {".pcd", SaveFormat::Pcd},
@@ -21,8 +22,14 @@ constexpr std::array<std::pair<const char*, SaveFormat>, 9> kExtensions{{
     {".txt", SaveFormat::Xyz},
     {".asc", SaveFormat::Xyz},
     {".csv", SaveFormat::Csv},
+    {".las", SaveFormat::Las},
+    {".dxf", SaveFormat::Dxf},
+    {".ptx", SaveFormat::Ptx},
+    {".obj", SaveFormat::Obj},
     {".mcap", SaveFormat::Recording},
 }};
+
+constexpr const char* kPointFormats = ".pcd, .ply, .xyz, .csv, .las, .dxf, .ptx or .obj";
 
 Error unknownFormat(const std::filesystem::path& path, const char* known) {
     const std::string extension = path.extension().string();
@@ -42,11 +49,19 @@ Result<std::string> bytesOf(CloudColumns columns, SaveFormat format, const std::
         return pointTextBytes(columns, path.string(), ' ');
     case SaveFormat::Csv:
         return pointTextBytes(columns, path.string(), ',');
+    case SaveFormat::Las:
+        return lasBytes(columns, path.string());
+    case SaveFormat::Dxf:
+        return dxfBytes(columns, path.string());
+    case SaveFormat::Ptx:
+        return ptxBytes(columns, path.string());
+    case SaveFormat::Obj:
+        return objBytes(columns, path.string());
     case SaveFormat::RawGrid:
     case SaveFormat::Recording:
         break;
     }
-    return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    return unknownFormat(path, kPointFormats);
 }
 
 Result<Done> write(const Result<std::string>& bytes, const std::filesystem::path& path) {
@@ -80,6 +95,7 @@ const std::vector<FileKind>& writableScanKinds() {
     static const std::vector<FileKind> kinds{
         {"Point Cloud Library", {".pcd"}},        {"Raw grid", {".json", ".u16"}}, {"Polygon file", {".ply"}},
         {"Point list", {".xyz", ".txt", ".asc"}}, {"Point table", {".csv"}},       {"Recording", {".mcap"}},
+        {"Leica PTX", {".ptx"}}, {"LAS point cloud", {".las"}}, {"Wavefront OBJ", {".obj"}}, {"Drawing", {".dxf"}},
     };
     return kinds;
 }
@@ -90,6 +106,10 @@ const std::vector<FileKind>& writableCloudKinds() {
         {"Polygon file", {".ply"}},
         {"Point list", {".xyz", ".txt", ".asc"}},
         {"Point table", {".csv"}},
+        {"LAS point cloud", {".las"}},
+        {"Drawing with edge lines", {".dxf"}},
+        {"Leica PTX", {".ptx"}},
+        {"Wavefront OBJ", {".obj"}},
     };
     return kinds;
 }
@@ -102,13 +122,13 @@ Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::stri
 
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz, .csv or .mcap");
+    if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz, .csv, .las, .ptx, .obj, .dxf or .mcap");
     if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
     if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return saveRawGrid(scan, path);
     if (*format == SaveFormat::Recording && options.frame == CoordinateFrame::Scanner) return saveRecording(scan, path);
     if (!holdsPoints(format))
         return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
-                     "save it without a frame, or as .pcd, .ply, .xyz or .csv"};
+                     std::string("save it without a frame, or as ") + kPointFormats};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     return write(bytesOf(everyCell(scan, options.frame), *format, path, options), path);
 }
@@ -116,21 +136,21 @@ Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const
 Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
                                const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!holdsPoints(format)) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    if (!holdsPoints(format)) return unknownFormat(path, kPointFormats);
     if (edgeMask != nullptr) {
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(validPoints(scan, edgeMask, options.frame), *format, path, options);
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached), *format, path, options);
 }
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                               const SaveOptions& options) {
     const auto format = saveFormatOf(path);
-    if (!holdsPoints(format)) return unknownFormat(path, ".pcd, .ply, .xyz or .csv");
+    if (!holdsPoints(format)) return unknownFormat(path, kPointFormats);
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(edgePoints(scan, edgeMask, options.frame), *format, path, options);
+    return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached), *format, path, options);
 }
 
 Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,

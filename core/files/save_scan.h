@@ -21,10 +21,14 @@ enum class SaveFormat : std::uint8_t {
     Ply,       ///< binary little endian unless asked otherwise
     Xyz,       ///< text, separated by spaces
     Csv,       ///< text, separated by commas
+    Las,       ///< 1.4, whole millimetres
+    Dxf,       ///< points, and edges as polylines
+    Ptx,       ///< the grid; states other than valid become no return
+    Obj,       ///< vertices
     Recording, ///< MCAP, lines as scan telegrams; whole counts of unitMm up to 65535 only
 };
 
-/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv, .mcap); empty when it names none of them.
+/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv, .las, .dxf, .ptx, .obj, .mcap); empty when it names none of them.
 [[nodiscard]] std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path);
 
 /// What saveScan / saveCloud and saveEdges write, for dialogs.
@@ -34,7 +38,8 @@ enum class SaveFormat : std::uint8_t {
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    std::string record{}; ///< provenance JSON for the comment lines; empty = none
+    std::string record{};         ///< provenance JSON for the comment lines; empty = none
+    bool includeAttached = false; ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.

@@ -16,6 +16,7 @@ using recognition::Ring;
 constexpr double kShareOnLines = 0.99;
 constexpr std::size_t kFewestLines = 4;
 constexpr std::size_t kPointsPerLine = 12; // on average, at least
+constexpr std::size_t kSample = 60000;     // lines that do not stand out among as many points do not at all
 
 std::vector<AxisPoint> seenAlong(const LooseCloud& cloud, int axis) {
     std::vector<AxisPoint> seen;
@@ -30,12 +31,12 @@ std::vector<AxisPoint> seenAlong(const LooseCloud& cloud, int axis) {
     return seen;
 }
 
-/// The clearest ring of groups that holds nearly all angles.
+/// The clearest ring of groups that holds nearly all angles, among every `stride`-th point.
 template <class Angle>
-std::optional<Ring> linesIn(const std::vector<AxisPoint>& points, double period, Angle angleOf) {
+std::optional<Ring> linesAmong(const std::vector<AxisPoint>& points, std::size_t stride, double period, Angle angleOf) {
     std::vector<double> angles;
-    for (const AxisPoint& p : points) {
-        if (!p.missing()) angles.push_back(angleOf(p));
+    for (std::size_t k = 0; k < points.size(); k += stride) {
+        if (!points[k].missing()) angles.push_back(angleOf(points[k]));
     }
     for (Ring& ring : recognition::ringsIn(angles, period)) {
         if (ring.centres.size() < kFewestLines || angles.size() < ring.centres.size() * kPointsPerLine) continue;
@@ -46,6 +47,13 @@ std::optional<Ring> linesIn(const std::vector<AxisPoint>& points, double period,
         if (static_cast<double>(on) >= kShareOnLines * static_cast<double>(angles.size())) return std::move(ring);
     }
     return std::nullopt;
+}
+
+template <class Angle>
+std::optional<Ring> linesIn(const std::vector<AxisPoint>& points, double period, Angle angleOf) {
+    const std::size_t stride = points.size() / kSample | 1U; // odd: pairs and even row lengths are met at every place
+    if (stride > 1 && !linesAmong(points, stride, period, angleOf)) return std::nullopt;
+    return linesAmong(points, 1, period, angleOf);
 }
 
 /// Rings about the upright axis: cones of one elevation each, as a spinning scanner with several beams leaves them.

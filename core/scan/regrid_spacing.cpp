@@ -12,6 +12,8 @@ namespace {
 // A raster of the points' own spacing, laid over them askew, closes to about 0.8; random points two to a cell to 0.86. At 0.91
 // surfaces no longer let through what is behind them, and rocks keep their outlines (seen on river boulders and a Livox cloud).
 constexpr double kClosed = 0.91;
+constexpr double kClosedEnough = 0.85; // when true holes keep the rest open, as many points to a cell as these tell:
+constexpr double kPlentyPerCell = 5;
 constexpr double kNearlyBest = 0.95; // where strewn points never close that far
 constexpr double kFinest = 64;       // cells per point of the whole window to begin with: clouds fill small parts of their windows
 constexpr double kMostCells = 5e8;
@@ -60,8 +62,9 @@ double spacingOf(const std::vector<Sight>& sights, const Window& window, double 
     while (cellCount(step) > kMostCells) step *= 2;
     std::vector<std::pair<double, double>> tried; // step, closed
     for (; step < longest / 8; step *= std::numbers::sqrt2) {
-        const double closed = coverOf(sights, window, step, fan ? lineStep : step, fan).closed;
+        const auto [filled, closed] = coverOf(sights, window, step, fan ? lineStep : step, fan);
         if (closed < kClosed) {
+            if (closed >= kClosedEnough && static_cast<double>(sights.size()) >= kPlentyPerCell * static_cast<double>(filled)) return step;
             tried.emplace_back(step, closed);
             continue;
         }
