@@ -63,23 +63,28 @@ public:
         std::size_t at = kMcapMagic.size();
         while (at < bytes_.size()) {
             const auto record = recordAt(bytes_.subspan(at));
-            if (!record) {
-                const std::size_t next = soundChunkAfter(at);
-                if (next == bytes_.size()) {
-                    salvage(at);
-                    break;
-                }
-                warn("bytes " + std::to_string(at) + " to " + std::to_string(next) + " are damaged and were left out");
-                damagedBetween_ = true;
-                at = next;
-                continue;
-            }
-            if (record->opcode == static_cast<std::uint8_t>(McapOpcode::DataEnd) && record->content.size() <= kLongestDataEnd) {
+            if (record && record->opcode == static_cast<std::uint8_t>(McapOpcode::DataEnd) && record->content.size() <= kLongestDataEnd) {
+                if (damagedBetween_) mendFromSummary(at + record->length);
                 content_.clean = !damagedBetween_ && footerIsSound(at + record->length) && everythingWasRead(at + record->length);
                 break;
             }
-            take(*record, at);
-            at += record->length;
+            const std::size_t behind = record ? behindRecord(*record, at) : at;
+            const bool fits = record && lengthsAgree(*record) && recordCanBeAt(behind);
+            const bool checked = record && isSoundChunk(*record);
+            if (fits || checked) take(*record, at);
+            if (fits) {
+                at = behind;
+                continue;
+            }
+            const std::size_t next = soundChunkAfter(checked ? behind - 1 : at);
+            if (next == bytes_.size()) {
+                if (checked) at = behind;
+                salvage(at);
+                break;
+            }
+            warn("bytes " + std::to_string(checked ? behind : at) + " to " + std::to_string(next) + " are damaged and were left out");
+            damagedBetween_ = true;
+            at = next;
         }
         content_.end = at;
         return std::move(content_);
@@ -88,6 +93,62 @@ public:
 private:
     void warn(std::string sentence) {
         if (content_.warnings.size() < kWarnings) content_.warnings.push_back(std::move(sentence));
+    }
+
+    /// A record may begin here: one that the specification knows, or a private one that fits; or the file ends.
+    bool recordCanBeAt(std::size_t at) const {
+        if (bytes_.size() - at < kMcapRecordHead) return true;
+        constexpr std::uint8_t kLastKnown = 0x0F;
+        constexpr std::uint8_t kFirstPrivate = 0x80;
+        const std::uint8_t opcode = bytes_[at];
+        const bool known = opcode >= 1 && opcode <= kLastKnown;
+        return known || (opcode >= kFirstPrivate && recordAt(bytes_.subspan(at)).has_value());
+    }
+
+    /// Records other than messages and chunks say inside how long they are, give or take fields that are still to be invented.
+    static bool lengthsAgree(const Record& record) {
+        constexpr std::size_t kNewFields = 256;
+        McapCursor cursor(record.content);
+        switch (static_cast<McapOpcode>(record.opcode)) {
+        case McapOpcode::MessageIndex:
+            cursor.number16(); // channel
+            cursor.raw(cursor.number32());
+            break;
+        case McapOpcode::Channel:
+            cursor.number16(); // channel
+            [[fallthrough]];
+        case McapOpcode::Schema:
+            cursor.number16(); // schema
+            [[fallthrough]];
+        case McapOpcode::Header:
+            cursor.string();
+            cursor.string();
+            if (record.opcode != static_cast<std::uint8_t>(McapOpcode::Header)) cursor.raw(cursor.number32());
+            break;
+        case McapOpcode::Metadata:
+            cursor.string();
+            cursor.map();
+            break;
+        default:
+            return true;
+        }
+        return !cursor.bad() && cursor.rest().size() <= kNewFields;
+    }
+
+    /// The byte after a record. Where the length of a chunk was damaged its inner lengths tell more.
+    std::size_t behindRecord(const Record& record, std::size_t at) const {
+        const std::size_t behind = at + record.length;
+        if (record.opcode != static_cast<std::uint8_t>(McapOpcode::Chunk)) return behind;
+        const ChunkHead chunk = chunkHead(record.content);
+        if (!chunk.sound) return behind;
+        const std::size_t inner = static_cast<std::size_t>(chunk.records.data() + chunk.records.size() - bytes_.data());
+        return inner < behind && recordCanBeAt(inner) ? inner : behind;
+    }
+
+    static bool isSoundChunk(const Record& record) {
+        if (record.opcode != static_cast<std::uint8_t>(McapOpcode::Chunk)) return false;
+        const ChunkHead chunk = chunkHead(record.content);
+        return chunk.sound && chunk.compression.empty() && chunk.crc != 0 && crc32(chunk.records) == chunk.crc;
     }
 
     void take(const Record& record, std::size_t at) {
@@ -220,6 +281,25 @@ private:
         const std::size_t covered = at + kFooter - 4;
         const std::size_t from = start == 0 ? at : static_cast<std::size_t>(std::min<std::uint64_t>(start, covered));
         return crc32(bytes_.subspan(from, covered - from)) == crc;
+    }
+
+    /// The summary repeats schemas and channels and knows where the metadata are.
+    void mendFromSummary(std::size_t summary) {
+        while (const auto record = recordAt(bytes_.subspan(summary))) {
+            summary += record->length;
+            const auto opcode = static_cast<McapOpcode>(record->opcode);
+            if (opcode == McapOpcode::Schema || opcode == McapOpcode::Channel) takeInner(*record);
+            if (opcode != McapOpcode::MetadataIndex) continue;
+            McapCursor cursor(record->content);
+            const std::uint64_t at = cursor.number64();
+            cursor.number64(); // length
+            const std::string name = cursor.string();
+            const bool known =
+                std::any_of(content_.metadata.begin(), content_.metadata.end(), [&](const McapMetadata& m) { return m.name == name; });
+            const auto metadata = known || at > bytes_.size() ? std::nullopt : recordAt(bytes_.subspan(static_cast<std::size_t>(at)));
+            if (metadata && metadata->opcode == static_cast<std::uint8_t>(McapOpcode::Metadata))
+                take(*metadata, static_cast<std::size_t>(at));
+        }
     }
 
     /// As many messages were read as the summary counts.

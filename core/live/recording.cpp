@@ -77,7 +77,9 @@ void RecordingWriter::post(RecordingMessagePtr message) {
 
 RecordingState RecordingWriter::state() const {
     const std::lock_guard lock(mutex_);
-    return state_;
+    RecordingState now = state_;
+    now.dropped += unwritten_;
+    return now;
 }
 
 void RecordingWriter::loop() {
@@ -101,7 +103,8 @@ void RecordingWriter::loop() {
         const auto longest = std::chrono::nanoseconds(options_.limits.chunkNs);
         if (chunkSince_ && SteadyClock::now() - *chunkSince_ >= longest) encoder_.endChunk();
         if (last) encoder_.finish();
-        if (!write() && !std::exchange(told, true) && options_.onProblem) options_.onProblem(*state().problem);
+        static_cast<void>(write());
+        if (const auto now = state(); now.ended && !std::exchange(told, true) && options_.onProblem) options_.onProblem(*now.problem);
         if (encoder_.openMessages() == 0) chunkSince_.reset();
     }
 }
@@ -113,10 +116,11 @@ void RecordingWriter::encode(const std::vector<RecordingMessagePtr>& messages) {
         size += sizeOf(*message);
         ++encoded_;
         if (!chunkSince_ || encoder_.openMessages() == 1) chunkSince_ = SteadyClock::now();
+        if (encoder_.openMessages() == 1) static_cast<void>(write()); // the chunk before this message; a failure is told by the loop
     }
     const std::lock_guard lock(mutex_);
     state_.waiting -= size;
-    if (state_.ended) state_.dropped += messages.size();
+    if (state_.ended) unwritten_ = encoded_ - state_.messages;
 }
 
 /// What the encoder has ready goes to the disk. False: it cannot.
@@ -132,7 +136,7 @@ bool RecordingWriter::write() {
     if (!written) {
         if (!state_.problem) state_.problem = written.error();
         state_.ended = true;
-        state_.dropped += encoded_ - state_.messages;
+        unwritten_ = encoded_ - state_.messages;
         return false;
     }
     state_.bytes = file_.size();

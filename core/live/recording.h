@@ -69,7 +69,6 @@ private:
     void loop();
     void encode(const std::vector<RecordingMessagePtr>& messages);
     bool write();
-    void fail(const Error& error, bool ends);
 
     // Used by the writing thread alone.
     GrowingFile file_;
@@ -82,6 +81,7 @@ private:
     std::condition_variable wake_;
     std::vector<RecordingMessagePtr> queue_;
     RecordingState state_;
+    std::uint64_t unwritten_ = 0; // taken from the queue after the disk was full
     bool closing_ = false;
     std::thread thread_; // last: starts when all the rest is there
 };

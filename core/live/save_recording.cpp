@@ -58,16 +58,34 @@ ScanTelegram emptyTelegram(const Scan& scan, const PolarGeometry& polar) {
     return telegram;
 }
 
-/// The count of a cell; a cell without a range counts 0 when its own number is none.
+bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t count) {
+    return std::find(codes.begin(), codes.end(), count) != codes.end();
+}
+
+/// The count of a cell. A cell without a range counts as its own number when that says so, else as the first code for it.
 Result<std::uint16_t> countOf(const Scan& scan, std::size_t k, const std::string& where) {
     const double raw = static_cast<double>(scan.rangeMm[k]) / scan.unitMm;
     const bool whole = raw > -0.5 && raw < 65535.5 && std::abs(raw - std::round(raw)) <= 1e-3;
-    if (whole) return static_cast<std::uint16_t>(std::lround(raw));
-    if (scan.state[k] != CellState::Valid && scan.state[k] != CellState::DeviceStatus) return std::uint16_t{0};
+    const auto count = static_cast<std::uint16_t>(whole ? std::lround(raw) : 0);
+    const CellState state = scan.state[k];
+    if (state == CellState::NoReturn && !(whole && holds(scan.noReturnCodes, count)))
+        return static_cast<std::uint16_t>(scan.noReturnCodes.empty() ? 0 : scan.noReturnCodes.front());
+    if (whole || (state != CellState::Valid && state != CellState::DeviceStatus)) return count;
     const auto beams = static_cast<std::size_t>(scan.beams());
     return Error{"a recording holds whole counts of its unit up to 65535, and the range at line " + std::to_string(k / beams) + ", beam " +
                      std::to_string(k % beams) + " is none",
                  where, kUsePcd};
+}
+
+/// The description with every status code that occurs.
+std::string gridDescription(const Scan& scan) {
+    Scan complete = scan;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::DeviceStatus) continue;
+        const auto count = static_cast<std::uint32_t>(std::lround(static_cast<double>(scan.rangeMm[k]) / scan.unitMm));
+        if (!holds(complete.statusCodes, count)) complete.statusCodes.push_back(count);
+    }
+    return descriptionText(complete, "", -1);
 }
 
 Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const PolarGeometry& polar, const std::string& where) {
@@ -128,7 +146,7 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     if (!messages) return messages.error();
     // What telegrams cannot say (uneven beams, masked cells ...) is described beside them.
     for (const bool described : {false, true}) {
-        if (described) metadata[kRecordedGridKey] = descriptionText(scan, "", -1);
+        if (described) metadata[kRecordedGridKey] = gridDescription(scan);
         Bytes bytes = recordingBytes(metadata, *messages);
         const auto recording = Recording::fromBytes(bytes, where);
         if (!recording) return recording.error();
