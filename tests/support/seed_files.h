@@ -1,0 +1,109 @@
+// One small whole file per reader and kind, made in memory: seeds for the fuzzers and for the test that damages them.
+#pragma once
+
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "core/scan/range_picture.h"
+#include "tests/support/bytes.h"
+#include "tests/support/point_lists.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace edgescan::test {
+
+struct SeedFile {
+    std::string reader;    ///< "pcd": the fuzzer is reader + "_fuzz"
+    std::string extension; ///< ".pcd"
+    std::string bytes;
+};
+
+/// Pictures and tables of ranges have no angles of their own.
+inline OpenOptions seedOptions() {
+    OpenOptions options;
+    options.beamStartDeg = 0;
+    options.beamStepDeg = 0.5;
+    options.lineStartDeg = 0;
+    options.lineStepDeg = 0.5;
+    options.axis = Axis::Sweep;
+    return options;
+}
+
+/// 16-bit gray TIFF, one strip, not compressed.
+inline std::string smallTiff(const Scan& scan) {
+    const auto width = static_cast<std::uint32_t>(scan.beams());
+    const auto height = static_cast<std::uint32_t>(scan.lines());
+    std::string tiff("II*\0\x08\0\0\0", 8);
+    const std::vector<std::array<std::uint32_t, 3>> entries{{256, 4, width}, {257, 4, height}, {258, 3, 16},
+                                                            {259, 3, 1},     {262, 3, 1},      {273, 4, 8 + 2 + 10 * 12 + 4},
+                                                            {277, 3, 1},     {278, 4, height}, {279, 4, width * height * 2},
+                                                            {339, 3, 1}};
+    putAt(tiff, tiff.size(), static_cast<std::uint16_t>(entries.size()));
+    for (const auto& [tag, type, value] : entries) {
+        putAt(tiff, tiff.size(), static_cast<std::uint16_t>(tag));
+        putAt(tiff, tiff.size(), static_cast<std::uint16_t>(type));
+        putAt(tiff, tiff.size(), std::uint32_t{1});
+        putAt(tiff, tiff.size(), value);
+    }
+    putAt(tiff, tiff.size(), std::uint32_t{0});
+    for (const float mm : scan.rangeMm.cells) putAt(tiff, tiff.size(), static_cast<std::uint16_t>(mm));
+    return tiff;
+}
+
+/// A LAS 1.2 file of point format 0, as old programs write it.
+inline std::string smallLas(const std::vector<Eigen::Vector3d>& points) {
+    std::string las(227, '\0');
+    las.replace(0, 4, "LASF");
+    las[24] = 1;
+    las[25] = 2;
+    putAt(las, 94, std::uint16_t{227});
+    putAt(las, 96, std::uint32_t{227});
+    putAt(las, 105, std::uint16_t{20});
+    putAt(las, 107, static_cast<std::uint32_t>(points.size()));
+    for (std::size_t axis = 0; axis < 3; ++axis) putAt(las, 131 + 8 * axis, 0.001);
+    for (const auto& p : points) {
+        for (int axis = 0; axis < 3; ++axis) putAt(las, las.size(), static_cast<std::int32_t>(std::lround(p[axis] * 1000)));
+        las.resize(las.size() + 8, '\0');
+    }
+    return las;
+}
+
+inline std::vector<SeedFile> seedFiles() {
+    const Scan scan = makeScan({.lines = 6, .beams = 11, .beamStart = 20});
+    const Grid<std::uint8_t> mask(scan.lines(), scan.beams(), 255);
+    std::vector<SeedFile> seeds;
+    const Folder folder;
+    const auto saved = [&](const char* reader, const char* extension, bool ascii = false) {
+        SaveOptions options;
+        options.ascii = ascii;
+        const auto path = folder / (std::string("seed") + extension);
+        if (saveScan(scan, path, options)) seeds.push_back({reader, extension, readText(path)});
+        if (const auto cloud = cloudBytes(scan, path, &mask, options)) seeds.push_back({reader, extension, *cloud});
+    };
+    for (const bool ascii : {false, true}) {
+        saved("pcd", ".pcd", ascii);
+        saved("ply", ".ply", ascii);
+    }
+    saved("text", ".xyz");
+    saved("text", ".csv");
+    saved("ptx", ".ptx");
+    saved("las", ".las");
+    saved("obj", ".obj");
+    seeds.push_back({"las", ".las", smallLas(listOf(scan, {}))});
+    seeds.push_back({"text", ".3d", textOf(listOf(scan, {.perMetre = 100}), {})});
+    seeds.push_back({"text", ".pts", std::to_string(scan.cells()) + "\n" + textOf(listOf(scan, {}), {})});
+    std::string cloud;
+    for (int n = 0; n < 300; ++n)
+        cloud += numberText("%.3f", 3 + n % 7 * 0.1) + " " + numberText("%.3f", n * 0.013 - 2) + " " +
+                 numberText("%.3f", n * 37 % 300 * 0.011) + "\n";
+    seeds.push_back({"text", ".xyz", cloud}); // no grid: projected
+    seeds.push_back({"range_csv", ".csv", "1200,1300,1400,0,1500,1600\n1210,1310,,0,1510,1610\n1205,1305,1400,7,1505,1605\n"});
+    if (saveScan(scan, folder / "grid.json"))
+        seeds.push_back({"raw_grid", ".json", readText(folder / "grid.json") + '\0' + readText(folder / "grid.u16")});
+    if (savePng16(rangePicture(scan), folder / "range.png")) seeds.push_back({"picture", ".png", readText(folder / "range.png")});
+    seeds.push_back({"picture", ".tif", smallTiff(scan)});
+    return seeds;
+}
+
+} // namespace edgescan::test
