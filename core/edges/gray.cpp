@@ -71,7 +71,8 @@ void fillLogLevels(GrayImage& gray, const Scan& scan) {
     for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
     fillLevels(gray, scan, [&](double range) {
         const double floor = std::floor(range);
-        return range == floor && floor >= 0 && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)] : search(range);
+        return range == floor && floor >= 0 && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)]
+                                                                                         : search(range);
     });
 }
 

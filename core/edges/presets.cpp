@@ -32,7 +32,8 @@ std::span<const Preset> builtInPresets() {
     static const std::vector<Preset> presets{
         {"default",
          "Logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.",
-         Settings{}, {}},
+         Settings{},
+         {}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
     };

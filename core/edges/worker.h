@@ -13,7 +13,8 @@ namespace edgescan {
 
 class Worker {
 public:
-    /// `frameReady` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it returns.
+    /// `frameReady` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it
+    /// returns.
     explicit Worker(std::function<void()> frameReady);
     ~Worker();
     Worker(const Worker&) = delete;

@@ -139,7 +139,8 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
     const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
-    addColumn<std::uint8_t>(cloud, "edge", valid.cells, [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
+    addColumn<std::uint8_t>(cloud, "edge", valid.cells,
+                            [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
     return cloud;
 }
 

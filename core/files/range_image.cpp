@@ -89,7 +89,9 @@ bool looksLikePng(std::string_view text) { return text.starts_with("\x89PNG\r\n\
 Result<Scan> readRangePng(const Source& source) {
     Reading reading{source.bytes.data(), source.bytes.size()};
     const PngReader reader(&reading);
-    const auto damaged = [&] { return source.refused(std::string("this is a PNG picture that cannot be read: ") + reading.problem, "copy it again"); };
+    const auto damaged = [&] {
+        return source.refused(std::string("this is a PNG picture that cannot be read: ") + reading.problem, "copy it again");
+    };
     if (reader.head == nullptr) return Error{"there is not enough memory for this file", source.path.string(), "close other programs"};
     Header header;
     if (!readHeader(reader.png, reader.head, &reading, &header)) return damaged();

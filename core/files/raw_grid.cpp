@@ -167,7 +167,8 @@ Result<Scan> readRawGridJson(const Source& source) {
     if (!counts) return counts.error();
     Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
     if (scan && renamed) {
-        scan->warnings.push_back("The data file " + *grid->dataFile + " is missing; " + countsPath.filename().string() + " was read in its place.");
+        scan->warnings.push_back("The data file " + *grid->dataFile + " is missing; " + countsPath.filename().string() +
+                                 " was read in its place.");
     }
     return scan;
 }

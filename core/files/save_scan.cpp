@@ -93,23 +93,20 @@ std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path) {
 
 const std::vector<FileKind>& writableScanKinds() {
     static const std::vector<FileKind> kinds{
-        {"Point Cloud Library", {".pcd"}},        {"Raw grid", {".json", ".u16"}}, {"Polygon file", {".ply"}},
-        {"Point list", {".xyz", ".txt", ".asc"}}, {"Point table", {".csv"}},       {"Recording", {".mcap"}},
-        {"Leica PTX", {".ptx"}}, {"LAS point cloud", {".las"}}, {"Wavefront OBJ", {".obj"}}, {"Drawing", {".dxf"}},
+        {"Point Cloud Library", {".pcd"}}, {"Raw grid", {".json", ".u16"}},
+        {"Polygon file", {".ply"}},        {"Point list", {".xyz", ".txt", ".asc"}},
+        {"Point table", {".csv"}},         {"Recording", {".mcap"}},
+        {"Leica PTX", {".ptx"}},           {"LAS point cloud", {".las"}},
+        {"Wavefront OBJ", {".obj"}},       {"Drawing", {".dxf"}},
     };
     return kinds;
 }
 
 const std::vector<FileKind>& writableCloudKinds() {
     static const std::vector<FileKind> kinds{
-        {"Point Cloud Library", {".pcd"}},
-        {"Polygon file", {".ply"}},
-        {"Point list", {".xyz", ".txt", ".asc"}},
-        {"Point table", {".csv"}},
-        {"LAS point cloud", {".las"}},
-        {"Drawing with edge lines", {".dxf"}},
-        {"Leica PTX", {".ptx"}},
-        {"Wavefront OBJ", {".obj"}},
+        {"Point Cloud Library", {".pcd"}}, {"Polygon file", {".ply"}},    {"Point list", {".xyz", ".txt", ".asc"}},
+        {"Point table", {".csv"}},         {"LAS point cloud", {".las"}}, {"Drawing with edge lines", {".dxf"}},
+        {"Leica PTX", {".ptx"}},           {"Wavefront OBJ", {".obj"}},
     };
     return kinds;
 }

@@ -39,7 +39,7 @@ struct Fit {
     std::size_t unplaced = 0;
     std::size_t doubled = 0; ///< different points in one cell
     std::size_t copied = 0;  ///< the same point again
-    double residual = 0.0; ///< median distance from the fitted beam in beam steps
+    double residual = 0.0;   ///< median distance from the fitted beam in beam steps
 };
 
 /// What was seen when no fit came out, for the sentence.

@@ -75,7 +75,7 @@ std::vector<Ring> ringsIn(std::vector<double> angles, double period) {
     const auto needed = widest.begin() + static_cast<std::ptrdiff_t>(most + 1);
     std::nth_element(widest.begin(), needed - 1, widest.end(), std::greater<>());
     std::sort(widest.begin(), needed, std::greater<>()); // twice as fast as a partial sort of a third
-    std::vector<std::pair<double, std::size_t>> steps; // how much narrower the next void is, number of groups
+    std::vector<std::pair<double, std::size_t>> steps;   // how much narrower the next void is, number of groups
     for (std::size_t i = 0; i < most; ++i)
         steps.emplace_back(std::max(widest[i], kSmallestVoid) / std::max(widest[i + 1], kSmallestVoid), i + 1);
     const std::size_t tried = std::min(kThresholdsTried, steps.size());

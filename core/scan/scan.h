@@ -65,10 +65,10 @@ using Geometry = std::variant<PolarGeometry, PointGeometry>;
 struct Placement; // core/scan/placement.h
 
 struct Scan {
-    std::string name;   ///< short name for titles and file names ("scan000")
-    std::string path;   ///< file it was opened from, empty when made in memory
-    std::string format; ///< "raw grid", "range CSV", "PCD", "point list", ...
-    std::string sha256; ///< of the bytes of the file that holds the ranges, lower-case hex
+    std::string name;       ///< short name for titles and file names ("scan000")
+    std::string path;       ///< file it was opened from, empty when made in memory
+    std::string format;     ///< "raw grid", "range CSV", "PCD", "point list", ...
+    std::string sha256;     ///< of the bytes of the file that holds the ranges, lower-case hex
     std::string openedWith; ///< JSON of what the user said on opening it, by flag name; empty = nothing
 
     /// lines x beams, millimetres, exact up to 2^24. Only meaningful as a range where state is Valid; a DeviceStatus

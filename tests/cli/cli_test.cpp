@@ -96,8 +96,9 @@ TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
 TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     for (const char* usage : {"", "nonsense", "detect", "detect --lower", "simulate", "convert a.json", "info"})
         EXPECT_EQ(runCli(usage).code, 2) << usage;
-    for (const std::string flags : {"--lower abc", "--lower 20001", "--lower ''", "--kernel 4", "--norm l3", "--preset nonsense",
-                                    "--scaling window --near 5m --far 4m", "--edges e.docx", "--nonsense 3", "--axis up", "--beam-step nan", "--edges e.json"}) {
+    for (const std::string flags :
+         {"--lower abc", "--lower 20001", "--lower ''", "--kernel 4", "--norm l3", "--preset nonsense",
+          "--scaling window --near 5m --far 4m", "--edges e.docx", "--nonsense 3", "--axis up", "--beam-step nan", "--edges e.json"}) {
         const auto run = runCli("detect " + scanPath + " " + flags);
         EXPECT_EQ(run.code, 2) << flags;
         EXPECT_EQ(run.out, "") << flags;

@@ -20,13 +20,15 @@ using test::runCli;
 class Served {
 public:
     Served(const std::filesystem::path& folder, const std::string& arguments) : out_(folder / "serve.out") {
-        const std::string command = "exec " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli serve " + arguments + " --seconds 60 >" + out_.string() + " 2>&1";
+        const std::string command =
+            "exec " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli serve " + arguments + " --seconds 60 >" + out_.string() + " 2>&1";
         process_ = fork();
         if (process_ == 0) {
             execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
             _exit(127);
         }
-        for (int wait = 0; wait < 200 && test::fileText(out_).find('\n') == std::string::npos; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        for (int wait = 0; wait < 200 && test::fileText(out_).find('\n') == std::string::npos; ++wait)
+            std::this_thread::sleep_for(std::chrono::milliseconds(25));
     }
     ~Served() {
         kill(process_, SIGTERM);
@@ -34,7 +36,9 @@ public:
     }
     Served(const Served&) = delete;
     Served& operator=(const Served&) = delete;
-    [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(json::parse(test::fileText(out_))["port"].get<int>()); }
+    [[nodiscard]] std::string address() const {
+        return "127.0.0.1:" + std::to_string(json::parse(test::fileText(out_))["port"].get<int>());
+    }
 
 private:
     std::filesystem::path out_;

@@ -192,7 +192,9 @@ private slots:
         QTest::mouseMove(&gray, pixel - QPoint(20, 0));
         QTest::mouseMove(&gray, pixel);
         // A view pixel may cover more than one cell; the move to the place before may still be on its way.
-        const auto marks = [&] { return window.edgeView().markedCell() && (*window.edgeView().markedCell() - cell).manhattanLength() <= 2; };
+        const auto marks = [&] {
+            return window.edgeView().markedCell() && (*window.edgeView().markedCell() - cell).manhattanLength() <= 2;
+        };
         QTRY_VERIFY(marks());
         const QPoint marked = *window.edgeView().markedCell();
         QTRY_VERIFY(window.cloudView().markedCell().has_value());

@@ -25,7 +25,8 @@ double distance(std::uint32_t a, std::uint32_t b, int beams) {
 }
 
 // Every choice: the largest number of pairs there can be.
-std::size_t mostPairs(const std::vector<std::uint32_t>& detected, std::size_t at, std::vector<std::uint32_t>& truth, double tolerance, int beams) {
+std::size_t mostPairs(const std::vector<std::uint32_t>& detected, std::size_t at, std::vector<std::uint32_t>& truth, double tolerance,
+                      int beams) {
     if (at == detected.size()) return 0;
     std::size_t best = mostPairs(detected, at + 1, truth, tolerance, beams);
     for (std::size_t t = 0; t < truth.size(); ++t) {

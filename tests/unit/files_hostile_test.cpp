@@ -23,10 +23,11 @@ struct Hostile : public ::testing::Test {
     }
 };
 
-std::string pcdHeader(const std::string& fields, const std::string& counts, const std::string& viewpoint, int points, const std::string& data) {
+std::string pcdHeader(const std::string& fields, const std::string& counts, const std::string& viewpoint, int points,
+                      const std::string& data) {
     std::ostringstream header;
-    header << "VERSION 0.7\nFIELDS " << fields << "\nSIZE 4 4 4\nTYPE F F F\nCOUNT " << counts << "\nWIDTH " << points << "\nHEIGHT 1\nVIEWPOINT " << viewpoint
-           << " 1 0 0 0\nPOINTS " << points << "\nDATA " << data << "\n";
+    header << "VERSION 0.7\nFIELDS " << fields << "\nSIZE 4 4 4\nTYPE F F F\nCOUNT " << counts << "\nWIDTH " << points
+           << "\nHEIGHT 1\nVIEWPOINT " << viewpoint << " 1 0 0 0\nPOINTS " << points << "\nDATA " << data << "\n";
     return header.str();
 }
 

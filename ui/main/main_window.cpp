@@ -259,13 +259,16 @@ void MainWindow::applyAspect() {
         viewPort_->setSquarePixels();
         return;
     }
-    const auto step = [](const std::vector<double>& deg) { return std::abs(deg.back() - deg.front()) / static_cast<double>(deg.size() - 1); };
+    const auto step = [](const std::vector<double>& deg) {
+        return std::abs(deg.back() - deg.front()) / static_cast<double>(deg.size() - 1);
+    };
     viewPort_->setTrueAngle(step(polar->beamDeg), step(polar->lineDeg));
 }
 
 void MainWindow::changeSettings(const Settings& settings, bool dragging) {
     if (settings == session_.settings()) return;
-    undo_->push(new SettingsChange(session_.settings(), settings, dragging ? drag_ : 0, [this](const Settings& s) { session_.setSettings(s); }));
+    undo_->push(
+        new SettingsChange(session_.settings(), settings, dragging ? drag_ : 0, [this](const Settings& s) { session_.setSettings(s); }));
 }
 
 void MainWindow::usePreset(const Preset& preset) {

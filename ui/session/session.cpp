@@ -147,8 +147,9 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
     connect(job, &BackgroundJob::progressed, this, [this, job](const QString& stage, double fraction) {
         if (!job->cancelled()) emit workProgressed(stage, fraction);
     });
-    connect(job, &BackgroundJob::crashed, this,
-            [this, title](const QString& what) { emit failed(tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what)); });
+    connect(job, &BackgroundJob::crashed, this, [this, title](const QString& what) {
+        emit failed(tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what));
+    });
     connect(job, &BackgroundJob::ended, this, [this, job] {
         if (opening_ == job) opening_ = nullptr;
         job->deleteLater();
@@ -161,7 +162,8 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
 
 void Session::present() {
     if (const std::string failure = worker_.takeFailure(); !failure.empty()) {
-        QMetaObject::invokeMethod(this, [this, text = QString::fromStdString(failure)] { emit failed(text); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, text = QString::fromStdString(failure)] { emit failed(text); }, Qt::QueuedConnection);
     }
     const std::shared_ptr<const Frame> frame = worker_.take();
     if (!frame) return;
