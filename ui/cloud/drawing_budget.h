@@ -8,7 +8,7 @@ namespace edgescan::ui {
 /// Fits time = base + slope x fraction to the last frames. Pure: knows no clock and no view.
 class DrawingBudget {
 public:
-    static constexpr double kMovingMs = 40.0; ///< aim while a hand moves the camera
+    static constexpr double kMovingMs = 26.0; ///< aim while a hand moves the camera or a slider; the worker needs its share of the cores
     static constexpr double kRestMs =
         80.0; ///< aim for the still picture; leaves room for jitter: nothing on the GUI thread may take 100 ms
 
