@@ -80,7 +80,7 @@ std::vector<std::size_t> walk(const EdgeMap& map, std::vector<std::uint8_t>& lef
     std::vector<std::size_t> chain{from};
     std::size_t at = from;
     while (left[at] != 0) {
-        const auto direction = static_cast<unsigned>(std::countr_zero(left[at]));
+        const auto direction = static_cast<unsigned>(std::countr_zero(left[at])) & 7U;
         const std::size_t next = map.neighbour(at, direction);
         left[at] = static_cast<std::uint8_t>(left[at] & ~(1U << direction));
         left[next] = static_cast<std::uint8_t>(left[next] & ~(1U << (7 - direction)));

@@ -66,6 +66,7 @@ Result<std::string> samplesBytes(std::vector<png_byte>& samples, int lines, int 
     if (lines <= 0 || beams <= 0) return Error{"there are no cells to make a picture of", where, "open a scan first"};
     const std::size_t bytesPerRow = samples.size() / static_cast<std::size_t>(lines);
     std::vector<png_bytep> rows;
+    rows.reserve(static_cast<std::size_t>(lines));
     for (int i = 0; i < lines; ++i) rows.push_back(samples.data() + static_cast<std::size_t>(i) * bytesPerRow);
     Message message;
     Sink sink;

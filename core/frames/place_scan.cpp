@@ -62,7 +62,7 @@ Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, cons
     moment.vehicleFromRobot = vehicleFromRobot(c.boresightRpyDeg, c.talinInRobotM);
     moment.nedFromVehicle = nedFromVehicle(heading, talin.pitchDeg, talin.rollDeg);
     moment.talinEnhM = talin.enhM;
-    const auto pose = localFromAxisBase(moment, originEnhM, c.gridScale);
+    auto pose = localFromAxisBase(moment, originEnhM, c.gridScale);
     if (!pose) return refused(poses, pose.error().what, pose.error().todo);
     return pose;
 }
