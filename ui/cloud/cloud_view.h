@@ -27,7 +27,7 @@ class CloudOverlay;
 class CloudScene;
 
 /// GUI thread only. The application must call QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat()) before it makes
-/// QApplication, and ask glAvailable() before it makes a CloudView.
+/// QApplication, and ask checkGl() before it makes a CloudView.
 class CloudView : public QVTKOpenGLNativeWidget {
     Q_OBJECT
 public:

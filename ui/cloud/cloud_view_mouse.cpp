@@ -1,11 +1,9 @@
 // The mouse of the 3D view (VIEWER.md 2.1): events in, camera motion and picks out.
 #include "ui/cloud/cloud_view.h"
 
+#include "ui/base/gestures.h"
 #include "ui/cloud/cloud_scene.h"
 
-#include <QGestureEvent>
-#include <QMouseEvent>
-#include <QPinchGesture>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -17,32 +15,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kClickPx = 4.0; // less travel than this is a click
 constexpr double kPickPx = 8.0;
 constexpr double kSameCursorPx = 3.0;
 constexpr int kShowCentreMs = 600;
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kClipPerNotch = 0.02;
 
-// Qt 5 and Qt 6 name the position of a mouse event differently.
-QPointF place(const QMouseEvent& event) {
-#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
-    return event.position();
-#else
-    return event.localPos();
-#endif
-}
-
 } // namespace
 
 bool CloudView::event(QEvent* event) {
-    if (event->type() == QEvent::Gesture) {
-        auto* gestures = static_cast<QGestureEvent*>(event);
-        if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
-            pinch(*gesture);
-            gestures->accept(gesture);
-            return true;
-        }
+    if (const QPinchGesture* gesture = acceptedPinch(event)) {
+        pinch(*gesture);
+        return true;
     }
     // Past VTK's interactor, which would take part in the mouse too.
     return QOpenGLWidget::event(event);

@@ -39,6 +39,4 @@ GlCheck checkGl() {
     return {true, renderer, {}};
 }
 
-bool glAvailable() { return checkGl().available; }
-
 } // namespace edgescan::ui

@@ -13,6 +13,5 @@ struct GlCheck {
 
 /// Needs a QGuiApplication. VTK 9 needs OpenGL 3.2.
 [[nodiscard]] GlCheck checkGl();
-[[nodiscard]] bool glAvailable();
 
 } // namespace edgescan::ui

@@ -1,11 +1,10 @@
 // The mouse of an image view (VIEWER.md 2.2).
 #include "ui/image/image_view.h"
 
-#include <QGestureEvent>
+#include "ui/base/gestures.h"
+
 #include <QKeyEvent>
 #include <QLineF>
-#include <QMouseEvent>
-#include <QPinchGesture>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -14,28 +13,14 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kClickPx = 4.0; // less travel than this is a click
 constexpr double kZoomPerNotch = 1.25;
-
-// Qt 5 and Qt 6 name the position of a mouse event differently.
-QPointF place(const QMouseEvent& event) {
-#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
-    return event.position();
-#else
-    return event.localPos();
-#endif
-}
 
 } // namespace
 
 bool ImageView::event(QEvent* event) {
-    if (event->type() == QEvent::Gesture) {
-        auto* gestures = static_cast<QGestureEvent*>(event);
-        if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
-            pinch(*gesture);
-            gestures->accept(gesture);
-            return true;
-        }
+    if (const QPinchGesture* gesture = acceptedPinch(event)) {
+        pinch(*gesture);
+        return true;
     }
     return QWidget::event(event);
 }

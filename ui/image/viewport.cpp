@@ -77,15 +77,6 @@ void ViewPort::centreOn(QPointF cell) {
     emit changed();
 }
 
-void ViewPort::showCells(const QRectF& cells) {
-    if (cells.isEmpty()) return;
-    centre_ = cells.center();
-    zoom_ = fittingZoom(cells.size());
-    fitted_ = false;
-    keepInReach();
-    emit changed();
-}
-
 // The middle of the view never leaves the image, so the image cannot be lost.
 void ViewPort::keepInReach() {
     centre_.setX(std::clamp(centre_.x(), 0.0, static_cast<double>(std::max(0, imageSize_.width()))));

@@ -40,8 +40,6 @@ public:
     /// Moves the picture by so many (device-independent) pixels.
     void panPixels(QPointF pixels);
     void centreOn(QPointF cell);
-    /// Shows this part as large as possible.
-    void showCells(const QRectF& cells);
 
     /// Each view tells its size, so that fit() suits the smallest of them.
     void setViewSize(const QObject* view, QSize size);

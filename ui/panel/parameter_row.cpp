@@ -168,13 +168,6 @@ void ParameterRow::setEnabled(bool enabled) {
     }
 }
 
-void ParameterRow::setVisible(bool visible) {
-    for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
-                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_)}) {
-        if (widget != nullptr) widget->setVisible(visible);
-    }
-}
-
 void ParameterRow::tell(double value) {
     if (showing_) return;
     emit changed(value, slider_ != nullptr && slider_->isSliderDown());

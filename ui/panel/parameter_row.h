@@ -31,7 +31,6 @@ public:
     /// Shows the value without telling anybody. `inUse`: what an automatic value came out as, NaN when unknown.
     void show(double value, double inUse);
     void setEnabled(bool enabled);
-    void setVisible(bool visible);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* number() const { return number_; }
