@@ -106,22 +106,24 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
     const char* group = "Method";
     std::string names;
     for (const Preset& preset : builtInPresets()) names += (names.empty() ? "" : "|") + preset.name;
-    command.add_option("--preset", flags.preset, "Settings to start from: " + names + " or a preset file")
-        ->capture_default_str()
-        ->group(group);
+    command.add_option("--preset", flags.preset, "Settings to start from: " + names + " or a preset file")->group(group);
     for (const Parameter& p : parameters()) {
         flags.typed[p.key] = kNotTyped;
         command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
     }
 }
 
-bool anyTyped(const MethodFlags& flags, const CLI::App& command) {
-    if (command.count("--preset") > 0) return true;
+bool anyTyped(const MethodFlags& flags) {
+    if (!flags.preset.empty()) return true;
     return std::ranges::any_of(flags.typed, [](const auto& flag) { return flag.second != kNotTyped; });
 }
 
+Result<Preset> presetOf(const MethodFlags& flags) {
+    return findPreset(flags.preset.empty() ? builtInPresets().front().name : flags.preset);
+}
+
 Result<Settings> settingsOf(const MethodFlags& flags) {
-    const Result<Preset> preset = findPreset(flags.preset);
+    const Result<Preset> preset = presetOf(flags);
     if (!preset) return preset.error();
     Settings settings = preset->settings;
     for (const auto& [key, text] : flags.typed) {
@@ -132,6 +134,13 @@ Result<Settings> settingsOf(const MethodFlags& flags) {
         parameter.set(settings, *value);
     }
     if (const auto checked = checkSettings(settings); !checked) return checked.error();
+    // Who names a method or a preset may type every parameter there is; who does not should hear that a flag changes nothing.
+    const bool chosen = !flags.preset.empty() || flags.typed.at("method") != kNotTyped;
+    for (const auto& [key, text] : flags.typed) {
+        if (chosen || text == kNotTyped || findParameter(key)->usedBy(settings)) continue;
+        return Error{"the method edgescan+ takes no notice of this flag", "--" + key,
+                     "choose a method that uses it, such as --method canny or --preset thesis for gray levels and thresholds"};
+    }
     return settings;
 }
 

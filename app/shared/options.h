@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/edges/settings.h"
+#include "core/edges/presets.h"
 #include "core/files/open_scan.h"
 
 #include <CLI/CLI.hpp>
@@ -29,13 +29,16 @@ void addReadFlags(CLI::App& command, ReadFlags& flags);
 
 /// --preset and one flag per row of the parameter table.
 struct MethodFlags {
-    std::string preset = "default";
+    std::string preset;                       ///< empty: default
     std::map<std::string, std::string> typed; ///< by parameter key
 };
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
 
 /// A preset or a parameter was given on the command line.
-[[nodiscard]] bool anyTyped(const MethodFlags& flags, const CLI::App& command);
+[[nodiscard]] bool anyTyped(const MethodFlags& flags);
+
+/// Error: neither a built-in preset nor a preset file.
+[[nodiscard]] Result<Preset> presetOf(const MethodFlags& flags);
 
 /// Preset first, then the flags. Error: unknown preset, or values that do not go together.
 [[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);

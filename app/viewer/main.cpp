@@ -59,7 +59,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::optional<Set
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::MainWindow window(memory);
     if (settings) {
-        if (const auto preset = findPreset(wanted.method.preset)) window.usePreset(*preset);
+        if (const auto preset = cli::presetOf(wanted.method)) window.usePreset(*preset);
         window.useSettings(*settings);
     }
     window.show();
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     std::optional<Settings> settings;
-    if (cli::anyTyped(wanted.method, app)) {
+    if (cli::anyTyped(wanted.method)) {
         const Result<Settings> typed = cli::settingsOf(wanted.method);
         if (!typed) {
             std::cerr << "edgescan: " << typed.error().sentence() << '\n';

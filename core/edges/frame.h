@@ -1,6 +1,7 @@
 // Everything that one run of the method produced for one scan and one set of settings. Made once, never changed.
 #pragma once
 
+#include "core/edges/depth_edges.h"
 #include "core/edges/gray.h"
 #include "core/edges/settings.h"
 #include "core/scan/scan.h"
@@ -20,8 +21,9 @@ struct Frame {
     std::shared_ptr<const Scan> scan;
     Settings settings;
     std::shared_ptr<const GrayImage> gray;
-    std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, what the gradient saw
+    std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, what the gradient saw; null where the method has none
     std::shared_ptr<const Grid<std::uint8_t>> mask;          ///< lines x beams, 255 = edge
+    std::shared_ptr<const Grid<DepthEdge>> classes;          ///< lines x beams; null where the method tells no classes apart
     std::shared_ptr<const std::vector<std::uint32_t>> edges; ///< indices of the edge cells, ascending
     std::vector<StageTime> timings;                          ///< only the stages that were run again
     double totalMs = 0.0;

@@ -8,10 +8,14 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <type_traits>
 
 namespace edgescan {
 namespace {
 
+const std::vector<Choice> kMethods{
+    {0, "edgescan+", "EdgeScan+"}, {1, "outlines", "Rock outlines"}, {2, "jumps", "Jumps"}, {3, "canny", "Canny (thesis)"}};
+const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"}, {kClassConvex, "convex", "convex"}, {kClassConcave, "concave", "concave"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -21,38 +25,76 @@ const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sq
 
 constexpr bool kAuto = true;
 constexpr bool kAdvanced = true;
+constexpr bool kSeveral = true;
+
+bool always(const Settings&) { return true; }
+bool depth(const Settings& s) { return s.method != Method::Canny; }
+bool creases(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines; }
+bool classes(const Settings& s) { return s.method == Method::EdgeScanPlus; }
+bool gray(const Settings& s) { return s.method == Method::Canny; }
+bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
+bool sigma(const Settings& s) { return gray(s) && s.kernel > 1; }
+bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
+
+template <class Member>
+void assign(Member& member, double value) {
+    if constexpr (std::is_same_v<Member, int>)
+        member = static_cast<int>(std::lround(value));
+    else
+        member = static_cast<Member>(value);
+}
 
 // Reads and writes one member of Settings.
 #define EDGESCAN_MEMBER(member)                                                                                                            \
     [](const Settings& s) { return static_cast<double>(s.member); },                                                                       \
-        [](Settings& s, double v) { s.member = static_cast<decltype(s.member)>(v); }
+        [](Settings& s, double v) { assign(s.member, v); }
 
 // clang-format off
 const std::vector<Parameter>& table() {
-    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, member
+    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, several, member, used by
     static const std::vector<Parameter> rows{
+        {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis.",
+         0, 3, 3, 1, 0, !kAuto, !kAdvanced, kMethods, !kSeveral, EDGESCAN_MEMBER(method), always},
+        {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
+         0.3, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), depth},
+        {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
+         10, 300, 300, 1, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(jumpMm), depth},
+        {"growth", "Jump growth", "% of range", "What the smallest step grows by with the distance.",
+         0, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(growthPercent), depth},
+        {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
+         15, 90, 90, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), creases},
+        {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
+         1, 50, 50, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), depth},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks).",
+         0, kClassAll, kClassAll, 1, 0, !kAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), classes},
+        {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
+         30, 100, 100, 1, 0, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), depth},
+        {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
+         0, 2, 2, 0.05, 2, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), depth},
+        {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
+         1, 30, 30, 0.25, 2, kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), depth},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.",
-         0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(lower)},
+         0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray},
         {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
-         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(ratio)},
+         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), gray},
         {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
-         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, EDGESCAN_MEMBER(kernel)},
+         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), gray},
         {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
-         0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(sigma)},
+         0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma},
         {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
-         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kScalings, EDGESCAN_MEMBER(scaling)},
+         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kScalings, !kSeveral, EDGESCAN_MEMBER(scaling), gray},
         {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(nearMm)},
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(nearMm), nearFar},
         {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, EDGESCAN_MEMBER(farMm)},
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(farMm), nearFar},
         {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.",
-         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, EDGESCAN_MEMBER(maskMissing)},
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskMissing), gray},
         {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
-         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, EDGESCAN_MEMBER(maskIsolated)},
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated},
         {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
-         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, EDGESCAN_MEMBER(aperture)},
+         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), gray},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
-         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, EDGESCAN_MEMBER(norm)},
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), gray},
     };
     return rows;
 }
@@ -94,6 +136,33 @@ bool stripUnit(const Parameter& parameter, std::string_view& text, double& facto
     return true;
 }
 
+// "jump,concave" -> the sum of their values; "all" and "none" are names too.
+Result<double> parseSet(const Parameter& parameter, std::string_view text) {
+    if (text == "all") return parameter.maximum;
+    if (text == "none") return parameter.minimum;
+    int set = 0;
+    for (std::string_view rest = text; true;) {
+        const std::string_view name = rest.substr(0, rest.find(','));
+        const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return name == c.name; });
+        if (found == parameter.choices.end()) {
+            return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flag(parameter),
+                         "give one or several of these, separated by commas, or all or none"};
+        }
+        set |= static_cast<int>(found->value);
+        if (name.size() == rest.size()) return set;
+        rest.remove_prefix(name.size() + 1);
+    }
+}
+
+std::string formatSet(const Parameter& parameter, double value) {
+    if (value == parameter.maximum) return "all";
+    std::string names;
+    for (const Choice& choice : parameter.choices) {
+        if ((static_cast<int>(value) & static_cast<int>(choice.value)) != 0) names += (names.empty() ? "" : ",") + std::string(choice.name);
+    }
+    return names.empty() ? "none" : names;
+}
+
 } // namespace
 
 bool operator==(const Settings& a, const Settings& b) {
@@ -113,6 +182,7 @@ const Parameter* findParameter(std::string_view key) {
 
 Result<double> parseValue(const Parameter& parameter, std::string_view text) {
     if (text == "auto" && parameter.canBeAutomatic) return kAutomatic;
+    if (parameter.several) return parseSet(parameter, text);
     for (const Choice& choice : parameter.choices) {
         if (text == choice.name) return choice.value;
     }
@@ -133,6 +203,7 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
 
 std::string formatValue(const Parameter& parameter, double value) {
     if (std::isnan(value)) return "auto";
+    if (parameter.several) return formatSet(parameter, value);
     for (const Choice& choice : parameter.choices) {
         if (choice.value == value) return choice.name;
     }
@@ -141,7 +212,7 @@ std::string formatValue(const Parameter& parameter, double value) {
 
 double snapped(const Parameter& parameter, double value) {
     if (std::isnan(value)) return parameter.canBeAutomatic ? value : parameter.minimum;
-    if (!parameter.choices.empty()) {
+    if (!parameter.choices.empty() && !parameter.several) {
         const auto nearest = std::ranges::min_element(
             parameter.choices, [&](const Choice& a, const Choice& b) { return std::abs(a.value - value) < std::abs(b.value - value); });
         return nearest->value;
@@ -151,18 +222,23 @@ double snapped(const Parameter& parameter, double value) {
 }
 
 Result<Done> checkSettings(const Settings& s) {
-    if (s.scaling != Scaling::Thesis && !std::isnan(s.nearMm) && !std::isnan(s.farMm) && s.nearMm >= s.farMm) {
+    if (s.method == Method::Canny && s.scaling != Scaling::Thesis && !std::isnan(s.nearMm) && !std::isnan(s.farMm) && s.nearMm >= s.farMm) {
         return Error{"near " + shortest(s.nearMm) + " mm is not smaller than far " + shortest(s.farMm) + " mm", "--near --far",
                      "give a near that is smaller than far"};
     }
     return Done{};
 }
 
+std::string choiceLabel(const Parameter& parameter, const Settings& settings) {
+    const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return c.value == parameter.get(settings); });
+    return found == parameter.choices.end() ? formatValue(parameter, parameter.get(settings)) : found->label;
+}
+
 nlohmann::json settingsToJson(const Settings& settings) {
     nlohmann::json object = nlohmann::json::object();
     for (const Parameter& p : table()) {
         const double value = p.get(settings);
-        const bool asNumber = !std::isnan(value) && (p.choices.empty() || p.choices.front().name[0] <= '9');
+        const bool asNumber = !std::isnan(value) && (p.choices.empty() || (p.choices.front().name[0] <= '9' && !p.several));
         if (asNumber && value == std::floor(value))
             object[p.key] = static_cast<std::int64_t>(value);
         else if (asNumber)

@@ -33,8 +33,10 @@ struct Parameter {
     bool canBeAutomatic;         ///< "auto" is a value
     bool advanced;               ///< shown in the fold "Advanced"
     std::vector<Choice> choices; ///< empty: any number between minimum and maximum
+    bool several;                ///< the value is a set: the sum of choices (powers of two), written "jump,convex"
     double (*get)(const Settings&);
     void (*set)(Settings&, double);
+    bool (*usedBy)(const Settings&); ///< false: the method chosen takes no notice of it
 };
 
 /// Every parameter, in the order in which they are shown.
@@ -55,6 +57,9 @@ struct Parameter {
 
 /// Error when single values are fine but do not go together (near beyond far).
 [[nodiscard]] Result<Done> checkSettings(const Settings& settings);
+
+/// The label of the choice that the parameter stands at ("Canny (thesis)").
+[[nodiscard]] std::string choiceLabel(const Parameter& parameter, const Settings& settings);
 
 /// {"kernel": 3, "sigma": "auto", "norm": "l1", ...}: every key of the table.
 [[nodiscard]] nlohmann::json settingsToJson(const Settings& settings);

@@ -2,6 +2,7 @@
 #include "core/edges/pipeline.h"
 
 #include "core/edges/canny.h"
+#include "core/edges/depth_settings.h"
 #include "core/edges/holes.h"
 #include "core/edges/smooth.h"
 
@@ -43,6 +44,32 @@ void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage 
 
 Pipeline::Pipeline() { cv::setNumThreads(0); }
 
+// Levels, smoothing, gradient: what holds from the last frame stays.
+void Pipeline::runCanny(Frame& frame, bool smoothHolds) {
+    const Settings& settings = frame.settings;
+    if (!missing_) redo(frame, "missing", missing_, [&] { return missingCells(*frame.scan); });
+    const bool maskIsolated = settings.maskMissing && settings.maskIsolated;
+    if (maskIsolated && !isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*frame.scan, *missing_); });
+    const Grid<std::uint8_t>& masked = maskIsolated ? *isolated_ : *missing_;
+    const Grid<std::uint8_t>& levels = frame.gray->levels;
+    if (!smoothHolds || !frame.smoothed) {
+        redo(frame, "smooth", frame.smoothed,
+             [&] { return settings.maskMissing ? smoothAroundHoles(levels, masked, settings) : smooth(levels, settings); });
+    }
+    redo(frame, "canny", frame.mask,
+         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, masked, settings) : canny(*frame.smoothed, settings); });
+    frame.classes.reset();
+}
+
+void Pipeline::runDepth(Frame& frame) {
+    const auto start = Clock::now();
+    DepthEdges found = depthEdges(*frame.scan, depthEdgeSettings(frame.settings));
+    frame.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
+    frame.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.kind));
+    frame.smoothed.reset();
+    frame.timings.push_back({"jumps and creases", millisecondsSince(start)});
+}
+
 std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const bool sameScan = last_ && last_->scan == scan;
     if (sameScan && last_->settings == settings) return last_;
@@ -53,22 +80,16 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     frame.scan = scan;
     frame.settings = settings;
     frame.timings.clear();
-
     if (!sameScan) {
-        redo(frame, "missing", missing_, [&] { return missingCells(*scan); });
+        missing_.reset();
         isolated_.reset();
     }
-    const bool maskIsolated = settings.maskMissing && settings.maskIsolated;
-    if (maskIsolated && !isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*scan, *missing_); });
-    const Grid<std::uint8_t>& masked = maskIsolated ? *isolated_ : *missing_;
+    // The gray image is what the edges are seen on, whatever the method.
     if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
-    const Grid<std::uint8_t>& levels = frame.gray->levels;
-    if (!smoothHolds) {
-        redo(frame, "smooth", frame.smoothed,
-             [&] { return settings.maskMissing ? smoothAroundHoles(levels, masked, settings) : smooth(levels, settings); });
-    }
-    redo(frame, "canny", frame.mask,
-         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, masked, settings) : canny(*frame.smoothed, settings); });
+    if (settings.method == Method::Canny)
+        runCanny(frame, smoothHolds);
+    else
+        runDepth(frame);
     redo(frame, "edge cells", frame.edges, [&] { return edgeCells(*frame.mask); });
     frame.totalMs = millisecondsSince(start);
     last_ = std::make_shared<const Frame>(std::move(frame));

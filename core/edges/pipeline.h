@@ -15,6 +15,9 @@ public:
     std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 private:
+    void runCanny(Frame& frame, bool smoothHolds);
+    static void runDepth(Frame& frame);
+
     std::shared_ptr<const Frame> last_;
     std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
     std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted

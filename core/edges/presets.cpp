@@ -18,7 +18,7 @@ constexpr const char* kFormat = "edgescan-preset/1";
 
 // As the thesis: lower 10, holes and dust take part like any other cell.
 Settings withoutMask(Scaling scaling) {
-    Settings settings;
+    Settings settings = cannySettings();
     settings.scaling = scaling;
     settings.maskMissing = false;
     settings.maskIsolated = false;
@@ -28,11 +28,22 @@ Settings withoutMask(Scaling scaling) {
 
 } // namespace
 
+Settings cannySettings() {
+    Settings settings;
+    settings.method = Method::Canny;
+    return settings;
+}
+
 std::span<const Preset> builtInPresets() {
     static const std::vector<Preset> presets{
         {"default",
-         "Logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.",
+         "EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.",
          Settings{},
+         {}},
+        {"log",
+         "Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no "
+         "edge.",
+         cannySettings(),
          {}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
@@ -58,7 +69,7 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (!json.is_object() || json.value("format", nlohmann::json()) != kFormat || !json.contains("settings")) {
         return Error{std::string("this is not a preset of the format ") + kFormat, nameOrPath, "save one from the viewer"};
     }
-    Result<Settings> settings = settingsFromJson(json["settings"], Settings{}, nameOrPath);
+    Result<Settings> settings = settingsFromJson(json["settings"], cannySettings(), nameOrPath);
     if (!settings) return settings.error();
     if (const auto checked = checkSettings(*settings); !checked) return checked.error();
     const nlohmann::json name = json.value("name", nlohmann::json());

@@ -16,7 +16,10 @@ struct Preset {
     std::string path; ///< empty for a built-in preset
 };
 
-/// "default" first, then "thesis" and "window" (CLI.md).
+/// Canny on gray levels, every other value as by default. What is read from files starts here: the first ones named no method.
+[[nodiscard]] Settings cannySettings();
+
+/// "default" first, then "log", "thesis" and "window" (CLI.md).
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
 /// A built-in preset's name, or the path of a preset file. Error: neither, or the file is not a preset.

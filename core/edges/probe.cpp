@@ -21,6 +21,7 @@ Probe probeCell(const Frame& frame, std::size_t k) {
     probe.gray = frame.gray->levels[k];
     probe.pointM = pointOfCell(scan, k);
     probe.edge = (*frame.mask)[k] != 0;
+    if (frame.classes) probe.kind = (*frame.classes)[k];
     return probe;
 }
 

@@ -16,6 +16,7 @@ struct Probe {
     int gray = 0;
     Eigen::Vector3d pointM; ///< scanner frame, metres; NaN where not valid
     bool edge = false;
+    DepthEdge kind = DepthEdge::None; ///< of an edge, where the method tells classes apart
 };
 
 /// `k` must be a cell of the frame's scan.

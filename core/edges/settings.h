@@ -21,7 +21,32 @@ enum class Norm : std::uint8_t {
     L2, ///< sqrt(gx^2 + gy^2)
 };
 
+/// How edges are found. The numbers are kept in no file; names are (parameters.cpp).
+enum class Method : std::uint8_t {
+    EdgeScanPlus, ///< jumps and creases of the surface in inverse range (METHOD.md)
+    Outlines,     ///< of these, what runs round a rock: jumps and concave creases
+    Jumps,        ///< of these, the jumps
+    Canny,        ///< Canny on gray levels, the method of the thesis
+};
+
+/// The classes of edges that EdgeScan+ tells apart, as bits of Settings::classes.
+enum EdgeClassBits : std::uint8_t { kClassJump = 1, kClassConvex = 2, kClassConcave = 4, kClassAll = 7 };
+
 struct Settings {
+    Method method = Method::EdgeScanPlus;
+
+    // EdgeScan+ and its parts (METHOD.md, table of sliders)
+    double sensitivity = 1.0;        ///< high threshold of the hysteresis, x
+    double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
+    double growthPercent = 1.0;      ///< p: what is added to it, % of the range
+    double creaseDeg = 40.0;         ///< C0: smallest fold, degrees
+    int minimumLength = 4;           ///< cells of the shortest chain
+    int classes = kClassAll;         ///< EdgeClassBits
+    double hysteresisPercent = 50.0; ///< low threshold, % of the high one
+    double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
+    double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
+
+    // Gray levels and Canny
     Scaling scaling = Scaling::Log;
     double nearMm = kAutomatic; ///< range drawn as gray 0, mm
     double farMm = kAutomatic;  ///< range drawn as gray 255, mm

@@ -63,6 +63,8 @@ Settings withFixedWindow(const Settings& settings, const Scan& scan) {
 }
 
 Result<LiveEdges> LiveEdges::make(const Settings& settings) {
+    if (settings.method != Method::Canny)
+        return Error{"this method looks at the whole scan and cannot follow it line by line", "--method", "use canny"};
     if (isFixed(settings)) return LiveEdges(settings);
     return Error{"gray levels that follow the nearest and farthest range cannot stay while a scan grows", "near and far",
                  "fix them before the scan begins"};

@@ -14,7 +14,8 @@ namespace edgescan {
 /// Result after every update: exactly that of detectEdges() with the same settings on the same scan. Not for several threads at once.
 class LiveEdges {
 public:
-    /// Error: near or far is automatic, or the scaling is one that depends on all ranges: use withFixedWindow() first.
+    /// Error: a method other than Canny; near or far is automatic, or the scaling is one that depends on all ranges: use withFixedWindow()
+    /// first.
     static Result<LiveEdges> make(const Settings& settings);
 
     /// Takes the lines that are new in `scan`; earlier ones must be as they were. A scan that does not continue the last one (fewer

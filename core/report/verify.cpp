@@ -5,6 +5,7 @@
 #include "core/base/version.h"
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/files/open_options_json.h"
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
@@ -141,7 +142,7 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
-    const auto settings = settingsFromJson(nlohmann::json(at(*record, "/settings")), Settings{}, exported.string());
+    const auto settings = settingsFromJson(nlohmann::json(at(*record, "/settings")), cannySettings(), exported.string());
     if (!settings) return settings.error();
     const auto scan = scanOf(*record, scansFolder, v);
     if (!scan) return scan.error();

@@ -22,8 +22,8 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     const std::string scanPath = (folder / "boxes.json").string();
     ASSERT_TRUE(saveScan(scan, scanPath));
     const auto path = [&](const char* name) { return (folder / name).string(); };
-    const auto detect = runCli("detect " + scanPath + " --lower 11 --mask " + path("m.png") + " --gray " + path("g.png") + " --range " +
-                               path("r.png") + " --edges " + path("e.ply") + " --cloud " + path("c.csv"));
+    const auto detect = runCli("detect " + scanPath + " --preset log --lower 11 --mask " + path("m.png") + " --gray " + path("g.png") +
+                               " --range " + path("r.png") + " --edges " + path("e.ply") + " --cloud " + path("c.csv"));
     ASSERT_EQ(detect.code, 0) << detect.err;
     const std::string all = path("m.png") + " " + path("g.png") + " " + path("r.png") + " " + path("e.ply") + " " + path("c.csv");
     const auto verify = runCli("verify " + all);

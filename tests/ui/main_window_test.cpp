@@ -1,5 +1,6 @@
 // The real window, driven by real events: what it shows belongs together and equals what the command line computes.
 #include "core/edges/parameters.h"
+#include "core/edges/presets.h"
 #include "core/files/save_scan.h"
 #include "core/report/report.h"
 #include "core/sim/simulate.h"
@@ -113,6 +114,7 @@ private slots:
     void aDraggedSliderChangesImageCloudAndNumbersTogether() {
         Memory none{QString()};
         MainWindow window(none);
+        window.usePreset(*findPreset("log"));
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         window.openFile(QString::fromStdString(real_));
@@ -158,6 +160,7 @@ private slots:
     void twoHundredRandomMovesEndOnTheLastValue() {
         Memory none{QString()};
         MainWindow window(none);
+        window.usePreset(*findPreset("log"));
         window.show();
         window.openFile(QString::fromStdString(real_));
         QVERIFY(waitForPicture(window));
@@ -336,6 +339,7 @@ private slots:
     void aSingleEditIsAStepOfItsOwn() {
         Memory none{QString()};
         MainWindow window(none);
+        window.usePreset(*findPreset("log"));
         window.show();
         window.panel().row("kernel")->choice()->setCurrentIndex(3); // 7 cells
         QSlider* slider = window.panel().row("lower")->slider();
@@ -449,6 +453,7 @@ private slots:
     void aPresetIsOneClickAndItsChangesAreMarked() {
         Memory none{QString()};
         MainWindow window(none);
+        window.usePreset(*findPreset("log"));
         window.show();
         window.openFile(QString::fromStdString(real_));
         QVERIFY(waitForPicture(window));

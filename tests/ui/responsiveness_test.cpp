@@ -52,6 +52,7 @@ private slots:
         QVERIFY(saveScan(simulate(bell)->scan, path));
         Memory none{QString()};
         MainWindow window(none);
+        window.usePreset(*findPreset("log"));
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         tell("opening", gapsWhile([&] {

@@ -2,6 +2,7 @@
 #include "core/edges/canny.h"
 #include "core/edges/gray.h"
 #include "core/edges/holes.h"
+#include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
 #include "core/edges/presets.h"
 #include "core/edges/smooth.h"
@@ -73,7 +74,7 @@ TEST(Gray, WindowRunsFromNearToFarAndClamps) {
 TEST(Gray, OneSingleRangeHasNoDepthInAnyScaling) {
     const Scan scan = test::makeScan(4, 4, [](int, int) { return 5000.0F; });
     for (const Scaling scaling : {Scaling::Thesis, Scaling::Window, Scaling::Log}) {
-        Settings s;
+        Settings s = cannySettings();
         s.scaling = scaling;
         const auto frame = detectEdges(std::make_shared<Scan>(scan), s);
         EXPECT_TRUE(frame->edges->empty());
@@ -254,19 +255,27 @@ TEST_P(Wall, WithHolesGivesNoEdgeInTheDefaultPreset) {
     });
     const auto shared = std::make_shared<Scan>(scan);
     EXPECT_TRUE(detectEdges(shared, Settings{})->edges->empty());
-    Settings unmasked;
+    EXPECT_TRUE(detectEdges(shared, cannySettings())->edges->empty());
+    Settings unmasked = cannySettings();
     unmasked.maskMissing = false;
     EXPECT_GT(detectEdges(shared, unmasked)->edges->size(), 200U); // the test can fail: this is what masking takes away
 }
 
 INSTANTIATE_TEST_SUITE_P(Turned, Wall, ::testing::Values(0.0, 15.0, -25.0));
 
-TEST(Canny, EdgesLieOnValidCellsOnlyWhenMissingDataIsMasked) {
-    for (std::uint32_t seed = 0; seed < 20; ++seed) {
-        const auto scan = std::make_shared<Scan>(test::boxesScan(50, 70, seed, 0.1));
-        const auto frame = detectEdges(scan, Settings{});
-        EXPECT_FALSE(frame->edges->empty());
-        for (const std::uint32_t k : *frame->edges) EXPECT_EQ(scan->state[k], CellState::Valid);
+TEST(Methods, EdgesLieOnValidCellsOnlyWhenMissingDataIsMasked) {
+    const Parameter& method = *findParameter("method");
+    for (const Choice& choice : method.choices) {
+        Settings settings;
+        method.set(settings, choice.value);
+        std::size_t found = 0;
+        for (std::uint32_t seed = 0; seed < 20; ++seed) {
+            const auto scan = std::make_shared<Scan>(test::boxesScan(50, 70, seed, 0.1));
+            const auto frame = detectEdges(scan, settings);
+            found += frame->edges->size();
+            for (const std::uint32_t k : *frame->edges) EXPECT_EQ(scan->state[k], CellState::Valid) << choice.name;
+        }
+        EXPECT_GT(found, 1000U) << choice.name;
     }
 }
 

@@ -21,7 +21,8 @@ TEST(Parameters, KeysAreUniqueAndEveryRowExplainsItself) {
         EXPECT_LT(p.minimum, p.maximum) << p.key;
         EXPECT_EQ(findParameter(p.key), &p);
     }
-    for (const char* fixed : {"kernel", "sigma", "lower", "ratio", "aperture", "norm", "near", "far", "mask-missing"})
+    for (const char* fixed : {"kernel", "sigma", "lower", "ratio", "aperture", "norm", "near", "far", "mask-missing", "method", "jump",
+                              "growth", "crease", "sensitivity", "hysteresis-low", "min-length", "grazing", "noise", "classes"})
         EXPECT_TRUE(keys.count(fixed)) << fixed;
     EXPECT_EQ(findParameter("nonsense"), nullptr);
 }
@@ -30,7 +31,7 @@ TEST(Parameters, EveryValueSurvivesTextJsonAndSettings) {
     for (const Parameter& p : parameters()) {
         std::vector<double> values{p.minimum, p.maximum, p.get(Settings{})};
         for (const Choice& c : p.choices) values.push_back(c.value);
-        if (p.choices.empty()) values.push_back(p.minimum + (p.maximum - p.minimum) / 3);
+        if (p.choices.empty()) values.push_back(snapped(p, p.minimum + (p.maximum - p.minimum) / 3));
         if (p.canBeAutomatic) values.push_back(kAutomatic);
         for (const double value : values) {
             const Result<double> back = parseValue(p, formatValue(p, value));
@@ -76,13 +77,31 @@ TEST(Parameters, SnappingGivesOddKernelsAndStaysInside) {
 }
 
 TEST(Parameters, NearBeyondFarIsRefused) {
-    Settings s;
+    Settings s = cannySettings();
     s.scaling = Scaling::Window;
     s.nearMm = 5000;
     s.farMm = 5000;
     EXPECT_FALSE(checkSettings(s));
     s.farMm = 5001;
     EXPECT_TRUE(checkSettings(s));
+}
+
+TEST(Parameters, ASetTakesNamesInAnyOrder) {
+    const Parameter& classes = *findParameter("classes");
+    EXPECT_EQ(*parseValue(classes, "concave,jump"), kClassJump | kClassConcave);
+    EXPECT_EQ(formatValue(classes, kClassJump | kClassConcave), "jump,concave");
+    EXPECT_EQ(*parseValue(classes, "all"), kClassAll);
+    EXPECT_EQ(*parseValue(classes, "none"), 0);
+    for (const char* text : {"jump,", ",", "jump,border2", "jump concave", "3"}) EXPECT_FALSE(parseValue(classes, text)) << text;
+}
+
+TEST(Presets, AFileFromBeforeThereWereMethodsIsCanny) {
+    const auto path = std::filesystem::temp_directory_path() / "edgescan-old-preset.json";
+    std::ofstream(path) << R"({"format": "edgescan-preset/1", "settings": {"kernel": 5}})";
+    const Result<Preset> old = findPreset(path.string());
+    ASSERT_TRUE(old) << old.error().sentence();
+    EXPECT_EQ(old->settings.method, Method::Canny);
+    std::filesystem::remove(path);
 }
 
 TEST(Presets, AFileComesBackAsItWas) {

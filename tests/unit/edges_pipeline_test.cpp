@@ -1,6 +1,7 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/edges/worker.h"
 #include "tests/support/scans.h"
 
@@ -8,6 +9,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <thread>
 
 namespace edgescan {
@@ -30,23 +32,29 @@ TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
     for (std::uint32_t seed = 0; seed < 3; ++seed) scans.push_back(std::make_shared<Scan>(test::boxesScan(40, 60, seed, 0.05)));
     Pipeline pipeline;
     Settings settings;
-    for (int step = 0; step < 400; ++step) {
+    std::set<int> methods;
+    for (int step = 0; step < 600; ++step) {
         settings = randomlyTurned(settings, random);
+        methods.insert(static_cast<int>(settings.method));
         const auto& scan = scans[random() % 10 == 0 ? random() % 3 : 0];
         const auto frame = pipeline.run(scan, settings);
         const auto fresh = detectEdges(scan, settings);
         ASSERT_EQ(frame->gray->levels, fresh->gray->levels) << step;
-        ASSERT_EQ(*frame->smoothed, *fresh->smoothed) << step;
+        ASSERT_EQ(frame->smoothed == nullptr, fresh->smoothed == nullptr) << step;
+        if (frame->smoothed) ASSERT_EQ(*frame->smoothed, *fresh->smoothed) << step;
+        ASSERT_EQ(frame->classes == nullptr, fresh->classes == nullptr) << step;
+        if (frame->classes) ASSERT_EQ(frame->classes->cells, fresh->classes->cells) << step;
         ASSERT_EQ(*frame->mask, *fresh->mask) << step;
         ASSERT_EQ(*frame->edges, *fresh->edges) << step;
         EXPECT_EQ(frame->scan, scan);
     }
+    EXPECT_EQ(methods.size(), findParameter("method")->choices.size());
 }
 
 TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 60, 1));
     Pipeline pipeline;
-    Settings settings;
+    Settings settings = cannySettings();
     const auto first = pipeline.run(scan, settings);
     EXPECT_EQ(pipeline.run(scan, settings), first);
     settings.lower = 40;
@@ -65,7 +73,7 @@ TEST(Worker, ManyPostingsEndWithTheLastOne) {
     Worker worker([&] { ++ready; });
     const auto scan = std::make_shared<const Scan>(test::boxesScan(200, 300, 2));
     worker.post(scan);
-    Settings settings;
+    Settings settings = cannySettings();
     for (int i = 0; i < 200; ++i) {
         settings.lower = 5 + i;
         worker.post(settings);

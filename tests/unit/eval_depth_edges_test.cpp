@@ -1,6 +1,7 @@
 // Ground truth, score, and the detector that measures surfaces against straight lines in inverse range.
 #include "core/edges/depth_edges.h"
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/eval/score.h"
 #include "tests/support/scans.h"
 
@@ -69,7 +70,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
         const Simulation bell = simulated(scene, 21);
         const EdgeTruth truth = edgeTruth(bell.scan, *bell.truth);
         depth += scoreEdges(depthEdges(bell.scan, {}).mask, truth, 2);
-        gray += scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), Settings{})->mask, truth, 2);
+        gray += scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
     }
     std::printf("all edges, 286 x 250: depth edges F %.3f, gray levels F %.3f\n", depth.all.f(), gray.all.f());
     EXPECT_GT(depth.all.f(), gray.all.f() + 0.15);

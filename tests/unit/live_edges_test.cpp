@@ -1,5 +1,6 @@
 // Edges of a growing scan, line by line, against the whole method on the lines so far.
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/live/live_edges.h"
 #include "tests/support/scans.h"
 
@@ -41,7 +42,7 @@ void expectExact(const Scan& scan, const Settings& settings, int stride) {
 }
 
 Settings randomSettings(std::mt19937& random) {
-    Settings settings;
+    Settings settings = cannySettings();
     const auto pick = [&](auto... values) {
         const double list[] = {static_cast<double>(values)...};
         return list[random() % sizeof...(values)];
@@ -84,7 +85,7 @@ TEST(LiveEdges, EveryKernelApertureAndMaskingOnce) {
     for (const int kernel : {1, 3, 5, 7, 9, 11}) {
         for (const int aperture : {3, 5, 7}) {
             for (const int masking : {0, 1, 2}) {
-                Settings settings;
+                Settings settings = cannySettings();
                 settings.nearMm = 1500;
                 settings.farMm = 9500;
                 settings.kernel = kernel;
@@ -103,7 +104,7 @@ TEST(LiveEdges, EveryKernelApertureAndMaskingOnce) {
 // A long chain of weak cells that only the last line decides.
 TEST(LiveEdges, ALateStrongCellReachesBackThroughALongWeakChain) {
     const Scan scan = makeScan(60, 30, [](int i, int j) { return j < 15 ? 3000.0 : (i < 55 ? 3300.0 : 9000.0); });
-    Settings settings;
+    Settings settings = cannySettings();
     settings.nearMm = 1000;
     settings.farMm = 9500;
     settings.maskMissing = false;
@@ -113,14 +114,14 @@ TEST(LiveEdges, ALateStrongCellReachesBackThroughALongWeakChain) {
 TEST(LiveEdges, RangesThatAreNoWholeMillimetres) {
     Scan scan = boxesScan(20, 30, 3, 0.1);
     for (std::size_t k = 0; k < scan.cells(); ++k) scan.rangeMm[k] += 0.37F * static_cast<float>(k % 5);
-    Settings settings;
+    Settings settings = cannySettings();
     settings.nearMm = 1500;
     settings.farMm = 9000;
     expectExact(scan, settings, 1);
 }
 
 TEST(LiveEdges, AnotherScanIsBegunAnew) {
-    Settings settings;
+    Settings settings = cannySettings();
     settings.nearMm = 1500;
     settings.farMm = 9500;
     auto live = LiveEdges::make(settings);
@@ -138,7 +139,7 @@ TEST(LiveEdges, AnotherScanIsBegunAnew) {
 TEST(LiveEdges, AutomaticWindowsAreFixedFirst) {
     const auto scan = std::make_shared<const Scan>(boxesScan(40, 50, 9, 0.05));
     for (const Scaling scaling : {Scaling::Log, Scaling::Window, Scaling::Thesis}) {
-        Settings settings;
+        Settings settings = cannySettings();
         settings.scaling = scaling;
         EXPECT_FALSE(LiveEdges::make(settings));
         const Settings fixed = withFixedWindow(settings, *scan);
@@ -151,7 +152,7 @@ TEST(LiveEdges, AutomaticWindowsAreFixedFirst) {
 
 TEST(LiveEdges, CostOfALine) {
     const Scan whole = boxesScan(240, 1141, 5, 0.05);
-    Settings settings = withFixedWindow({}, whole);
+    Settings settings = withFixedWindow(cannySettings(), whole);
     for (const int together : {1, 4}) { // 25 frames are drawn a second: of 100 lines a second 4 come at once
         std::vector<std::shared_ptr<const Scan>> parts;
         for (int lines = together; lines <= whole.lines(); lines += together) parts.push_back(firstLines(whole, lines));

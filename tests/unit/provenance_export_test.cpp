@@ -2,6 +2,7 @@
 #include "core/base/sha256.h"
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
 #include "core/files/open_scan.h"
 #include "core/files/png.h"
 #include "core/files/save_scan.h"
@@ -255,7 +256,7 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
 TEST(Provenance, NoEdgesAtAllIsAnExportToo) {
     const Folder folder;
     auto frame = frameIn(folder, 9, false);
-    Settings settings;
+    Settings settings = cannySettings();
     settings.lower = 340;
     frame = detectEdges(frame->scan, settings);
     ASSERT_EQ(frame->edges->size(), 0U);

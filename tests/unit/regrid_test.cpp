@@ -215,7 +215,7 @@ TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     EXPECT_GT(countCells(*scan)[0], 15000U);
     EXPECT_EQ(countCells(*scan)[0] + scan->attached.size(), 100769U);
     EXPECT_TRUE(anyHolds(scan->warnings, "100769 points in"));
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*scan)), findPreset("default")->settings);
+    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*scan)), cannySettings());
     const double share = static_cast<double>(frame->edges->size()) / static_cast<double>(countCells(*frame->scan)[0]);
     EXPECT_GT(share, 0.02); // outlines, neither nothing nor speckle
     EXPECT_LT(share, 0.15);

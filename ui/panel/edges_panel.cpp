@@ -191,12 +191,14 @@ void EdgesPanel::showInUse() {
         if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
         if (key == "sigma") inUse = 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
         row->show(row->parameter().get(shown_), inUse);
-        if (key == "near" || key == "far") row->setEnabled(shown_.scaling != Scaling::Thesis);
-        if (key == "sigma") row->setEnabled(shown_.kernel > 1);
+        row->setVisible(row->parameter().usedBy(shown_));
     }
 }
 
 void EdgesPanel::showUpper() {
+    const bool used = findParameter("ratio")->usedBy(shown_);
+    upper_->setVisible(used);
+    lock_->setVisible(used);
     QString text = tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
     if (shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
     upper_->setText(text);

@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -84,6 +85,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
     grid.addWidget(label_, row, 0);
     if (parameter.choices.empty())
         addNumber(grid, row, parent);
+    else if (parameter.several)
+        addSwitches(grid, row, parent);
     else
         addChoice(grid, row, parent);
     if (slider_ != nullptr) {
@@ -149,23 +152,58 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     grid.addWidget(choice_, row, 1, 1, 3);
 }
 
+void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
+    auto* strip = new QWidget(parent);
+    auto* line = new QHBoxLayout(strip);
+    line->setContentsMargins(0, 0, 0, 0);
+    strip_ = strip;
+    for (const Choice& choice : parameter_.choices) {
+        auto* box = new QCheckBox(QString::fromUtf8(choice.label), strip);
+        box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
+        box->setToolTip(limitsText(parameter_));
+        line->addWidget(box);
+        switches_.push_back(box);
+        connect(box, &QCheckBox::toggled, this, [this] {
+            int set = 0;
+            for (std::size_t n = 0; n < switches_.size(); ++n) {
+                if (switches_[n]->isChecked()) set |= static_cast<int>(parameter_.choices[n].value);
+            }
+            tell(set);
+        });
+    }
+    line->addStretch(1);
+    grid.addWidget(strip, row, 1, 1, 3);
+}
+
 void ParameterRow::show(double value, double inUse) {
     showing_ = true;
     const bool automatic = std::isnan(value);
     const double shown = automatic ? inUse : value;
     if (automatic_ != nullptr) automatic_->setChecked(automatic);
     if (number_ != nullptr && !std::isnan(shown)) number_->setValue(shown);
+    for (std::size_t n = 0; n < switches_.size(); ++n)
+        switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
     if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
     // A slider under the hand stays where the hand is: its own rounding must not push it back.
     if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(sliderPosition(parameter_, shown));
     showing_ = false;
 }
 
-void ParameterRow::setEnabled(bool enabled) {
+std::vector<QWidget*> ParameterRow::widgets() const {
+    std::vector<QWidget*> all;
     for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
-                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_)}) {
-        if (widget != nullptr) widget->setEnabled(enabled);
+                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_), strip_}) {
+        if (widget != nullptr) all.push_back(widget);
     }
+    return all;
+}
+
+void ParameterRow::setEnabled(bool enabled) {
+    for (QWidget* widget : widgets()) widget->setEnabled(enabled);
+}
+
+void ParameterRow::setVisible(bool visible) {
+    for (QWidget* widget : widgets()) widget->setVisible(visible);
 }
 
 void ParameterRow::tell(double value) {

@@ -5,7 +5,10 @@
 
 #include <QObject>
 
+#include <vector>
+
 class QAbstractButton;
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
@@ -31,6 +34,7 @@ public:
     /// Shows the value without telling anybody. `inUse`: what an automatic value came out as, NaN when unknown.
     void show(double value, double inUse);
     void setEnabled(bool enabled);
+    void setVisible(bool visible);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* number() const { return number_; }
@@ -48,6 +52,8 @@ signals:
 private:
     void addNumber(QGridLayout& grid, int row, QWidget* parent);
     void addChoice(QGridLayout& grid, int row, QWidget* parent);
+    void addSwitches(QGridLayout& grid, int row, QWidget* parent);
+    [[nodiscard]] std::vector<QWidget*> widgets() const;
     void tell(double value);
     bool stepByKey(const QKeyEvent& event);
     [[nodiscard]] bool numericChoices() const;
@@ -57,6 +63,8 @@ private:
     QSlider* slider_ = nullptr;            // null for a choice without order
     QDoubleSpinBox* number_ = nullptr;     // null for choices
     QComboBox* choice_ = nullptr;          // null for numbers
+    std::vector<QCheckBox*> switches_;     // one per choice where several can be taken
+    QWidget* strip_ = nullptr;             // that they lie in
     QAbstractButton* automatic_ = nullptr; // null where there is no automatic value
     bool showing_ = false;
 };

@@ -1,0 +1,27 @@
+// What the operator turned, in the terms of EdgeScan+.
+#include "core/edges/depth_settings.h"
+
+#include <cmath>
+
+namespace edgescan {
+
+DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
+    const int classes = settings.method == Method::Jumps      ? kClassJump
+                        : settings.method == Method::Outlines ? kClassJump | kClassConcave
+                                                              : settings.classes;
+    DepthEdgeSettings depth;
+    if (!std::isnan(settings.jumpMm)) depth.jumpMm = settings.jumpMm;
+    depth.jumpGrowth = settings.growthPercent / 100.0;
+    depth.creaseDeg = settings.creaseDeg;
+    depth.sensitivity = settings.sensitivity;
+    depth.hysteresisLow = settings.hysteresisPercent / 100.0;
+    depth.minimumLength = settings.minimumLength;
+    depth.grazing = settings.grazing;
+    if (!std::isnan(settings.noiseMm)) depth.noiseAt5mMm = settings.noiseMm;
+    depth.jumps = (classes & kClassJump) != 0;
+    depth.convex = (classes & kClassConvex) != 0;
+    depth.concave = (classes & kClassConcave) != 0;
+    return depth;
+}
+
+} // namespace edgescan

@@ -1,0 +1,12 @@
+// What the operator turned, in the terms of EdgeScan+.
+#pragma once
+
+#include "core/edges/depth_edges.h"
+#include "core/edges/settings.h"
+
+namespace edgescan {
+
+/// The method must not be Canny. Outlines and jumps are classes of the same edges.
+[[nodiscard]] DepthEdgeSettings depthEdgeSettings(const Settings& settings);
+
+} // namespace edgescan
