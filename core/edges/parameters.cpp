@@ -46,8 +46,7 @@ void assign(Member& member, double value) {
 
 // Reads and writes one member of Settings.
 #define EDGESCAN_MEMBER(member)                                                                                                            \
-    [](const Settings& s) { return static_cast<double>(s.member); },                                                                       \
-        [](Settings& s, double v) { assign(s.member, v); }
+    [](const Settings& s) { return static_cast<double>(s.member); }, [](Settings& s, double v) { assign(s.member, v); }
 
 // clang-format off
 const std::vector<Parameter>& table() {

@@ -62,7 +62,8 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     const std::string recording = (folder / "bell.mcap").string();
     {
         const Served served(folder.path(), scan + " --port 0 --rate 0");
-        const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 90 --expected-lines 90 --seconds 30");
+        const auto record =
+            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 30");
         ASSERT_EQ(record.code, 0) << record.err;
         const json summary = json::parse(record.out);
         EXPECT_EQ(summary["lines"], 90);
