@@ -24,4 +24,9 @@ DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     return depth;
 }
 
+const char* edgeClassName(DepthEdge kind) {
+    static constexpr const char* kNames[]{"none", "jump", "convex", "concave"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 } // namespace edgescan

@@ -59,6 +59,7 @@ void Pipeline::runCanny(Frame& frame, bool smoothHolds) {
     redo(frame, "canny", frame.mask,
          [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, masked, settings) : canny(*frame.smoothed, settings); });
     frame.classes.reset();
+    frame.noise.reset();
 }
 
 void Pipeline::runDepth(Frame& frame) {
@@ -66,6 +67,7 @@ void Pipeline::runDepth(Frame& frame) {
     DepthEdges found = depthEdges(*frame.scan, depthEdgeSettings(frame.settings));
     frame.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
     frame.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.kind));
+    frame.noise = found.noise;
     frame.smoothed.reset();
     frame.timings.push_back({"jumps and creases", millisecondsSince(start)});
 }
@@ -94,6 +96,13 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     frame.totalMs = millisecondsSince(start);
     last_ = std::make_shared<const Frame>(std::move(frame));
     return last_;
+}
+
+std::array<std::size_t, 4> countClasses(const Frame& frame) {
+    std::array<std::size_t, 4> counts{};
+    if (!frame.classes) return counts;
+    for (const std::uint32_t k : *frame.edges) ++counts[static_cast<std::size_t>((*frame.classes)[k])];
+    return counts;
 }
 
 std::shared_ptr<const Frame> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings) {

@@ -92,9 +92,9 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
     timings["total"] = tidy(loadMs + frame.totalMs, 1000);
     const GrayScale& scale = frame.gray->scale;
     std::vector<std::string> warnings = scan.warnings;
-    if (scale.farMm <= scale.nearMm)
+    if (scale.farMm <= scale.nearMm && frame.settings.method == Method::Canny)
         warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
-    return {
+    json report{
         {"input", scan.path},
         {"sha256", scan.sha256},
         {"lines", scan.lines()},
@@ -106,10 +106,19 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
         {"gray",
          {{"near_mm", scale.nearMm}, {"far_mm", scale.farMm}, {"logarithmic", scale.logarithmic}, {"saturated", frame.gray->saturated}}},
         {"edges", frame.edges->size()},
+        {"classes", classesReport(frame)},
+        {"noise_mm_at_5_m", frame.noise ? json(tidy(frame.noise->at(5.0), 1000)) : json()},
         {"edge_mask_sha256", maskSha256(*frame.mask)},
         {"timings_ms", timings},
         {"warnings", warnings},
         {"version", version()}};
+    return report;
+}
+
+nlohmann::ordered_json classesReport(const Frame& frame) {
+    if (!frame.classes) return nullptr;
+    const auto counts = countClasses(frame);
+    return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}};
 }
 
 std::string reportText(const nlohmann::ordered_json& report, bool indented) {

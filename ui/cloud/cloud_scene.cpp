@@ -121,6 +121,7 @@ CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapp
     }
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
+    for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
     setColour(halo_.actor, kHalo);
 
     focusSphere_->SetThetaResolution(32);
@@ -142,7 +143,7 @@ CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapp
 CloudScene::~CloudScene() = default;
 
 void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
-    setEdges(nullptr);
+    setEdges({});
     uploaded_.fill(false);
     points_ = nullptr;
     if (cloud) {
@@ -168,26 +169,39 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     cloud_ = std::move(cloud); // only now may the floats of the cloud before go
 }
 
-void CloudScene::setEdges(std::shared_ptr<const std::vector<std::uint32_t>> cells) {
+void CloudScene::setEdges(EdgeCells cells) {
     const auto drawable = [this](std::uint32_t k) { return cloud_->drawable(k); };
-    if (cells && cloud_ && !std::all_of(cells->begin(), cells->end(), drawable)) {
-        auto kept = std::make_shared<std::vector<std::uint32_t>>();
-        std::copy_if(cells->begin(), cells->end(), std::back_inserter(*kept), drawable);
-        cells = std::move(kept);
-    }
-    const bool some = cells && cloud_ && !cells->empty();
-    for (Layer* layer : {&halo_, &edge_}) {
-        if (some) {
-            layer->setCells(points_, *cells);
-        } else {
-            layer->setCells(nullptr, {}); // never the floats of a cloud that goes
+    const auto set = [&](Layer& layer, EdgeCells::Indices& indices) {
+        if (indices && cloud_ && !std::all_of(indices->begin(), indices->end(), drawable)) {
+            auto kept = std::make_shared<std::vector<std::uint32_t>>();
+            std::copy_if(indices->begin(), indices->end(), std::back_inserter(*kept), drawable);
+            indices = std::move(kept);
         }
-        layer->actor->SetVisibility(some && edgesShown_);
-    }
-    edges_ = some ? std::move(cells) : nullptr;
+        if (indices && (!cloud_ || indices->empty())) indices = nullptr;
+        if (indices) {
+            layer.setCells(points_, *indices);
+        } else {
+            layer.setCells(nullptr, {}); // never the floats of a cloud that goes
+        }
+    };
+    set(edge_, cells.all);
+    EdgeCells::Indices halo = cells.all;
+    set(halo_, halo);
+    for (std::size_t n = 0; n < classes_.size(); ++n) set(classes_[n], cells.byClass[n]);
+    edges_ = std::move(cells);
+    showEdgeLayers();
 }
 
-std::size_t CloudScene::edgesDrawn() const { return edges_ && edgesShown_ ? edges_->size() : 0; }
+void CloudScene::showEdgeLayers() {
+    const bool classesKnown = std::any_of(edges_.byClass.begin(), edges_.byClass.end(), [](const auto& c) { return c != nullptr; });
+    const bool separate = byClass_ && classesKnown;
+    halo_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr);
+    edge_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr && !separate);
+    for (std::size_t n = 0; n < classes_.size(); ++n)
+        classes_[n].actor->SetVisibility(edgesShown_ && separate && edges_.byClass[n] != nullptr);
+}
+
+std::size_t CloudScene::edgesDrawn() const { return edges_.all && edgesShown_ ? edges_.all->size() : 0; }
 
 void CloudScene::setLook(const CloudLook& look) {
     renderer_->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
@@ -196,11 +210,17 @@ void CloudScene::setLook(const CloudLook& look) {
         part.actor->GetProperty()->SetLighting(look.shaded);
     }
     pointSize_ = look.pointSize;
+    const std::array<QColor, kEdgeClasses> classColours{look.edge, kConvexColour, kConcaveColour};
     setColour(edge_.actor, look.edge);
     edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
+    for (std::size_t n = 0; n < classes_.size(); ++n) {
+        setColour(classes_[n].actor, classColours[n]);
+        classes_[n].actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
+    }
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger + 2.0 * look.halo));
     edgesShown_ = look.edges;
-    for (Layer* layer : {&halo_, &edge_}) layer->actor->SetVisibility(edgesShown_ && edges_ != nullptr);
+    byClass_ = look.byClass;
+    showEdgeLayers();
 }
 
 void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
@@ -213,6 +233,7 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     camera->SetParallelScale(pose.halfHeight());
     camera->SetClippingRange(clip.nearM, clip.farM);
     pullNearer(edge_.actor, pose, kEdgeNearer);
+    for (Layer& layer : classes_) pullNearer(layer.actor, pose, kEdgeNearer);
     pullNearer(halo_.actor, pose, kHaloNearer);
 }
 

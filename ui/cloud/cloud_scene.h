@@ -3,6 +3,7 @@
 
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
+#include "ui/cloud/edge_cells.h"
 
 #include <QColor>
 
@@ -32,7 +33,8 @@ struct CloudLook {
     double pointSize = 2.0; ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
-    bool shaded = true; ///< false: every point of the cloud has its full colour
+    bool byClass = false; ///< convex and concave edges in colours of their own
+    bool shaded = true;   ///< false: every point of the cloud has its full colour
 };
 
 /// GUI thread only; makes no OpenGL call itself.
@@ -43,7 +45,7 @@ public:
 
     void setCloud(std::shared_ptr<const CloudGeometry> cloud);
     /// Cells that are not drawable are left out.
-    void setEdges(std::shared_ptr<const std::vector<std::uint32_t>> cells);
+    void setEdges(EdgeCells cells);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
     /// What is drawn of the drawing order: parts first .. last.
@@ -70,17 +72,21 @@ private:
         vtkNew<vtkActor> actor;
     };
 
+    void showEdgeLayers();
+
     vtkNew<vtkRenderer> renderer_;
-    std::shared_ptr<const CloudGeometry> cloud_;              // owns the floats that VTK draws
-    std::shared_ptr<const std::vector<std::uint32_t>> edges_; // and the indices
+    std::shared_ptr<const CloudGeometry> cloud_; // owns the floats that VTK draws
+    EdgeCells edges_;                            // and the indices
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkFloatArray> normals_;
     std::array<Layer, kCloudParts> parts_;
     std::array<bool, kCloudParts> uploaded_{};
     Layer halo_, edge_;
+    std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;
     bool edgesShown_ = true;
+    bool byClass_ = false;
     double pointSize_ = 2.0;
 };
 

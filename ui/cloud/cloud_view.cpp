@@ -52,7 +52,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     const std::shared_ptr<const CloudGeometry> before = cloud_;
     scan_ = std::move(scan);
     cloud_ = std::move(geometry);
-    edges_ = nullptr;
+    edges_ = {};
     marked_ = std::nullopt;
     leaveHover();
     scene_->setCloud(cloud_);
@@ -76,9 +76,9 @@ void CloudView::setScan(std::shared_ptr<const Scan> scan) {
     setCloud(std::move(scan), std::move(geometry));
 }
 
-void CloudView::setEdges(std::shared_ptr<const CellIndices> edgeCells) {
-    if (edgeCells == edges_) return;
-    edges_ = std::move(edgeCells);
+void CloudView::setEdges(EdgeCells cells) {
+    if (cells == edges_) return;
+    edges_ = std::move(cells);
     scene_->setEdges(edges_);
     // Perhaps a slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
     restTimer_.start(kRestMs);
@@ -113,6 +113,7 @@ void CloudView::applyColours() {
     look.pointSize = std::round(pointSize_ * devicePixelRatioF());
     look.halo = std::round(devicePixelRatioF());
     look.edges = edgesVisible_;
+    look.byClass = byClass_;
     scene_->setLook(look);
     requestFrame();
 }
@@ -340,6 +341,11 @@ void CloudView::setBackground(const QColor& colour) {
 
 void CloudView::setEdgeColour(const QColor& colour) {
     edgeColour_ = colour;
+    applyColours();
+}
+
+void CloudView::setEdgesByClass(bool on) {
+    byClass_ = on;
     applyColours();
 }
 

@@ -4,6 +4,7 @@
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/drawing_budget.h"
+#include "ui/cloud/edge_cells.h"
 #include "ui/cloud/mouse_bindings.h"
 #include "ui/cloud/point_pick.h"
 
@@ -47,7 +48,8 @@ public:
     /// The same for callers that can wait: makes the geometry on this thread.
     void setScan(std::shared_ptr<const Scan> scan);
     /// Cells k = line * beams + beam, ascending. Replaces an index list only; the same pointer again costs nothing.
-    void setEdges(std::shared_ptr<const CellIndices> edgeCells);
+    void setEdges(EdgeCells cells);
+    void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
     [[nodiscard]] const std::shared_ptr<const Scan>& scan() const { return scan_; }
     [[nodiscard]] const std::shared_ptr<const CloudGeometry>& geometryOfCloud() const { return cloud_; }
 
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] double pointSize() const { return pointSize_; }
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] QColor edgeColour() const { return edgeColour_; }
+    [[nodiscard]] bool edgesByClass() const { return byClass_; }
     [[nodiscard]] MousePreset mousePreset() const { return mousePreset_; }
     [[nodiscard]] bool isParallel() const { return pose_.parallel; }
     [[nodiscard]] bool isTurntable() const { return turntable_; }
@@ -107,6 +110,7 @@ public slots:
     void setPointSize(double pixels); ///< 1 .. 12
     void setBackground(const QColor& colour);
     void setEdgeColour(const QColor& colour); ///< (0,255,0), or kColourBlindEdge
+    void setEdgesByClass(bool on);            ///< convex and concave edges in colours of their own
     void setMousePreset(edgescan::ui::MousePreset preset) { mousePreset_ = preset; }
     void setWheelReversed(bool on) { wheelReversed_ = on; }
 
@@ -159,12 +163,12 @@ private:
     CloudOverlay* overlay_ = nullptr; // child widget, owned by Qt
     std::shared_ptr<const Scan> scan_;
     std::shared_ptr<const CloudGeometry> cloud_;
-    std::shared_ptr<const CellIndices> edges_;
+    EdgeCells edges_;
 
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
     double nearShare_ = 0.0, farShare_ = 0.0;
-    bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, wheelReversed_ = false;
+    bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;
     QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
     MousePreset mousePreset_ = MousePreset::Default;

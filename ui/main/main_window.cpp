@@ -203,14 +203,21 @@ void MainWindow::showPicture() {
         gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(frame, levels_)));
     }
     gray_->setOverlay(overlay_ ? shown_->overlay : nullptr, 1.0);
-    edges_->setImage(shown_->edges, Shrink::KeepBrightest);
-    cloud_->setEdges(frame.edges);
+    showEdgeMap();
+    cloud_->setEdges(shown_->edgeCells);
     status_->showCounts(frame);
     status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : frame.totalMs);
-    panel_->showScale(frame.gray->scale);
+    panel_->showResult(frame);
     panel_->setBehind(session_.behind());
     showHover(hovered_, nullptr);
     emit pictureShown();
+}
+
+void MainWindow::showEdgeMap() {
+    if (!shown_) return;
+    const bool coloured = cloud_->edgesByClass() && shown_->frame->classes;
+    edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_->frame, cloud_->edgeColour())) : shown_->edges,
+                     Shrink::KeepBrightest);
 }
 
 std::optional<QPoint> MainWindow::asPoint(std::optional<std::size_t> cell) const {

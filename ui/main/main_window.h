@@ -70,6 +70,7 @@ private:
     void connectSession();
     void linkViews();
     void showPicture();
+    void showEdgeMap();
     void showHover(std::optional<std::size_t> cell, const QObject* from);
     void stick(std::optional<std::size_t> cell);
     void changeDisplayLevels(int window, int level);

@@ -147,8 +147,15 @@ void MainWindow::buildViewMenu() {
         overlay_ = on;
         gray_->setOverlay(on && shown_ ? shown_->overlay : nullptr, 1.0);
     });
-    addSwitch(view, tr("&Colour-Blind Edge Colour"), {}, false, "view/colour-blind",
-              [this](bool on) { cloud_->setEdgeColour(on ? kColourBlindEdge : QColor(0, 255, 0)); });
+    addSwitch(view, tr("Edges &by Class"), key(Qt::Key_C), false, "view/edge-classes", [this](bool on) {
+        cloud_->setEdgesByClass(on);
+        showEdgeMap();
+    });
+    addSwitch(view, tr("&Colour-Blind Edge Colour"), {}, false, "view/colour-blind", [this](bool on) {
+        cloud_->setEdgeColour(on ? kColourBlindEdge : QColor(0, 255, 0));
+        panel_->setJumpColour(cloud_->edgeColour());
+        showEdgeMap();
+    });
     addSwitch(view, tr("True &Angle Aspect"), {}, false, "view/true-angles", [this](bool on) {
         trueAngles_ = on;
         applyAspect();
@@ -170,6 +177,8 @@ void MainWindow::buildViewMenu() {
         });
         if (other == cloudCompare) action->setChecked(true);
     }
+    mouse.addSeparator();
+    addSwitch(mouse, tr("&Wheel the other way"), {}, false, "view/wheel-reversed", [this](bool on) { cloud_->setWheelReversed(on); });
     view.addSeparator();
     view.addAction(dock_->toggleViewAction());
     addCommand(view, tr("Reset &Layout"), {}, [this] { resetLayout(); });

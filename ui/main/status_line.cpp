@@ -1,6 +1,8 @@
 // The status bar.
 #include "ui/main/status_line.h"
 
+#include "core/edges/depth_settings.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -34,7 +36,8 @@ QString probeText(const Probe& probe) {
         text +=
             QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
     }
-    return text + (probe.edge ? QObject::tr("  EDGE") : QObject::tr("  not an edge"));
+    if (!probe.edge) return text + QObject::tr("  not an edge");
+    return text + (probe.kind == DepthEdge::None ? QObject::tr("  EDGE") : QObject::tr("  EDGE (%1)").arg(edgeClassName(probe.kind)));
 }
 
 StatusLine::StatusLine(QWidget* parent)

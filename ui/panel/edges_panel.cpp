@@ -2,12 +2,14 @@
 #include "ui/panel/edges_panel.h"
 
 #include "core/edges/parameters.h"
+#include "ui/cloud/edge_cells.h"
 #include "ui/panel/parameter_row.h"
 
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -71,6 +73,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     setMinimumWidth(380);
     setRatioLocked(true);
     show(Settings{});
+    showClasses();
 }
 
 void EdgesPanel::addPresets(QGridLayout& grid) {
@@ -178,9 +181,26 @@ void EdgesPanel::show(const Settings& settings) {
     showPresetName();
 }
 
-void EdgesPanel::showScale(const GrayScale& scale) {
-    scale_ = scale;
+void EdgesPanel::showResult(const Frame& frame) {
+    scale_ = frame.gray->scale;
+    noise_ = frame.noise;
+    classesKnown_ = frame.classes != nullptr;
+    classCounts_ = countClasses(frame);
     showInUse();
+    showClasses();
+}
+
+void EdgesPanel::setJumpColour(const QColor& colour) {
+    jumpColour_ = colour;
+    showClasses();
+}
+
+void EdgesPanel::showClasses() {
+    const std::array<QColor, kEdgeClasses> colours{jumpColour_, kConvexColour, kConcaveColour};
+    for (std::size_t n = 0; n < colours.size(); ++n) {
+        const QString count = QLocale(QLocale::English).toString(static_cast<qulonglong>(classCounts_[n + 1]));
+        row("classes")->mark(n, colours[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());
+    }
 }
 
 void EdgesPanel::showInUse() {
@@ -190,6 +210,7 @@ void EdgesPanel::showInUse() {
         if (key == "near" && scale_.farMm > 0) inUse = scale_.nearMm;
         if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
         if (key == "sigma") inUse = 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
+        if (key == "noise" && noise_) inUse = noise_->at(5.0);
         row->show(row->parameter().get(shown_), inUse);
         row->setVisible(row->parameter().usedBy(shown_));
     }

@@ -1,11 +1,14 @@
 // The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
 #pragma once
 
-#include "core/edges/gray.h"
+#include "core/edges/frame.h"
 #include "core/edges/presets.h"
 
+#include <QColor>
 #include <QWidget>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -28,8 +31,10 @@ public:
     explicit EdgesPanel(QWidget* parent = nullptr);
 
     void show(const Settings& settings);
-    /// What near and far came out as, so that "auto" shows its number.
-    void showScale(const GrayScale& scale);
+    /// What automatic values came out as, and how many edges there are of each class.
+    void showResult(const Frame& frame);
+    /// The colour that jumps have where classes have colours.
+    void setJumpColour(const QColor& colour);
     /// The picture does not belong to the numbers yet.
     void setBehind(bool behind);
 
@@ -59,9 +64,14 @@ private:
     void showPresetName();
     void showUpper();
     void showInUse();
+    void showClasses();
 
     Settings shown_;
     GrayScale scale_;
+    std::optional<RangeNoise> noise_;
+    std::array<std::size_t, 4> classCounts_{}; // by DepthEdge
+    bool classesKnown_ = false;
+    QColor jumpColour_{0, 255, 0};
     Preset preset_;
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;

@@ -6,11 +6,13 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPixmap>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -154,14 +156,14 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
 
 void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
     auto* strip = new QWidget(parent);
-    auto* line = new QHBoxLayout(strip);
-    line->setContentsMargins(0, 0, 0, 0);
+    auto* column = new QVBoxLayout(strip);
+    column->setContentsMargins(0, 0, 0, 0);
     strip_ = strip;
     for (const Choice& choice : parameter_.choices) {
         auto* box = new QCheckBox(QString::fromUtf8(choice.label), strip);
         box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
         box->setToolTip(limitsText(parameter_));
-        line->addWidget(box);
+        column->addWidget(box);
         switches_.push_back(box);
         connect(box, &QCheckBox::toggled, this, [this] {
             int set = 0;
@@ -171,7 +173,6 @@ void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
             tell(set);
         });
     }
-    line->addStretch(1);
     grid.addWidget(strip, row, 1, 1, 3);
 }
 
@@ -204,6 +205,14 @@ void ParameterRow::setEnabled(bool enabled) {
 
 void ParameterRow::setVisible(bool visible) {
     for (QWidget* widget : widgets()) widget->setVisible(visible);
+}
+
+void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString& remark) {
+    constexpr int kSwatch = 10;
+    QPixmap swatch(kSwatch, kSwatch);
+    swatch.fill(colour);
+    switches_[choice]->setIcon(QIcon(swatch));
+    switches_[choice]->setText(QString::fromUtf8(parameter_.choices[choice].label) + remark);
 }
 
 void ParameterRow::tell(double value) {

@@ -9,6 +9,7 @@
 
 class QAbstractButton;
 class QCheckBox;
+class QColor;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
@@ -35,6 +36,8 @@ public:
     void show(double value, double inUse);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
+    /// Behind the switch of one of several choices: its colour, and what it stands for in numbers.
+    void mark(std::size_t choice, const QColor& colour, const QString& remark);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* number() const { return number_; }

@@ -35,6 +35,19 @@ QImage paintCells(const Scan& scan, ValidColour validColour) {
     return image;
 }
 
+EdgeCells edgeCellsOf(const Frame& frame) {
+    EdgeCells cells{frame.edges, {}};
+    if (!frame.classes) return cells;
+    std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
+    for (const std::uint32_t k : *frame.edges) {
+        const DepthEdge kind = (*frame.classes)[k];
+        if (kind != DepthEdge::None) lists[static_cast<std::size_t>(kind) - 1].push_back(k);
+    }
+    for (std::size_t n = 0; n < lists.size(); ++n)
+        cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    return cells;
+}
+
 } // namespace
 
 QImage grayPicture(const Frame& frame, DisplayLevels levels) {
@@ -54,6 +67,18 @@ QImage edgePicture(const Frame& frame) {
     for (const std::uint32_t k : *frame.edges) {
         const int cell = static_cast<int>(k);
         reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = qRgb(255, 255, 255);
+    }
+    return image;
+}
+
+QImage classPicture(const Frame& frame, const QColor& jump) {
+    QImage image = edgePicture(frame);
+    if (!frame.classes) return image;
+    const std::array<QRgb, 4> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb()};
+    const int beams = frame.scan->beams();
+    for (const std::uint32_t k : *frame.edges) {
+        const int cell = static_cast<int>(k);
+        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = colours[static_cast<std::size_t>((*frame.classes)[k])];
     }
     return image;
 }
@@ -78,6 +103,7 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& f
     picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*frame, {}));
     picture->edges = std::make_shared<const QImage>(edgePicture(*frame));
     picture->overlay = std::make_shared<const QImage>(edgeOverlay(*frame, QColor(0, 255, 0)));
+    picture->edgeCells = edgeCellsOf(*frame);
     return picture;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/edges/frame.h"
 #include "ui/cloud/cloud_geometry.h"
+#include "ui/cloud/edge_cells.h"
 
 #include <QColor>
 #include <QImage>
@@ -25,10 +26,13 @@ struct Picture {
     std::shared_ptr<const QImage> gray;    ///< beams x lines pixels; missing data hatched violet
     std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< green edges, transparent elsewhere
+    EdgeCells edgeCells;
 };
 
 [[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels);
 [[nodiscard]] QImage edgePicture(const Frame& frame);
+/// The edge map with the colours of the classes, where the method tells classes apart; else as edgePicture().
+[[nodiscard]] QImage classPicture(const Frame& frame, const QColor& jump);
 [[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour);
 
 /// Images of `frame`; what did not change since `last` (may be null) is taken from it.

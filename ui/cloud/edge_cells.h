@@ -1,0 +1,27 @@
+// The edge cells of a frame, and the same by class for methods that tell classes apart.
+#pragma once
+
+#include <QColor>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace edgescan::ui {
+
+inline constexpr int kEdgeClasses = 3; // jump, convex, concave: DepthEdge - 1
+
+struct EdgeCells {
+    using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
+    Indices all;
+    std::array<Indices, kEdgeClasses> byClass; ///< null: the method tells no classes apart
+    bool operator==(const EdgeCells&) const = default;
+};
+
+/// Colours of convex and concave edges beside that of a jump, which has the colour of every edge. Each has a contrast of 3 : 1 and
+/// more to the cloud's gray (VIEWER.md 2.5).
+inline const QColor kConvexColour{0, 255, 255};
+inline const QColor kConcaveColour{255, 205, 255};
+
+} // namespace edgescan::ui
