@@ -8,7 +8,26 @@
 
 namespace edgescan {
 
-Worker::Worker(std::function<void()> frameReady) : frameReady_(std::move(frameReady)), thread_([this] { loop(); }) {}
+namespace {
+
+Worker::Run wholeMethod() {
+    auto pipeline = std::make_shared<Pipeline>();
+    return [pipeline](const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+        try {
+            return pipeline->run(scan, settings);
+        } catch (...) {
+            *pipeline = Pipeline();
+            throw;
+        }
+    };
+}
+
+} // namespace
+
+Worker::Worker(std::function<void()> frameReady) : Worker(std::move(frameReady), wholeMethod()) {}
+
+Worker::Worker(std::function<void()> frameReady, Run run)
+    : frameReady_(std::move(frameReady)), run_(std::move(run)), thread_([this] { loop(); }) {}
 
 Worker::~Worker() {
     {
@@ -53,7 +72,6 @@ bool Worker::busy() const {
 }
 
 void Worker::loop() {
-    Pipeline pipeline;
     std::unique_lock lock(mutex_);
     while (true) {
         wake_.wait(lock, [this] { return posted_ || stop_; });
@@ -66,10 +84,9 @@ void Worker::loop() {
         std::shared_ptr<const Frame> frame;
         std::string failure;
         try {
-            if (scan) frame = pipeline.run(scan, settings);
+            if (scan) frame = run_(scan, settings);
         } catch (const std::exception& error) {
             // The frame before stays on the screen; OpenCV reports a lack of memory in its own words.
-            pipeline = Pipeline();
             failure = std::string("the edges could not be computed (") + error.what() + "); close other programs or open a smaller scan.";
         }
         lock.lock();

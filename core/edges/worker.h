@@ -16,6 +16,9 @@ public:
     /// `frameReady` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it
     /// returns.
     explicit Worker(std::function<void()> frameReady);
+    /// `run` is the method, called on the worker's thread; what it throws is told by takeFailure().
+    using Run = std::function<std::shared_ptr<const Frame>(const std::shared_ptr<const Scan>&, const Settings&)>;
+    Worker(std::function<void()> frameReady, Run run);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -37,6 +40,7 @@ private:
     void loop();
 
     std::function<void()> frameReady_;
+    Run run_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::shared_ptr<const Scan> scan_;

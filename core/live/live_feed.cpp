@@ -4,6 +4,11 @@
 #include <utility>
 
 namespace edgescan {
+namespace {
+
+constexpr std::size_t kLinesOfRate = 64; // that the rate is taken from
+
+} // namespace
 
 LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed)
     : changed_(std::move(changed)), sweepSettings_(sweep), feed_(sweep) {
@@ -44,7 +49,8 @@ void LiveFeed::received(const ColaFrame& frame) {
         line = feed_.frame(frame, clock_.ns(frame.received));
         if (line) {
             ++lines_;
-            lastLineNs_ = frame.received.monotonicNs;
+            lineNs_.push_back(frame.received.monotonicNs);
+            if (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
         }
     }
     if (line) changed_();
@@ -53,6 +59,11 @@ void LiveFeed::received(const ColaFrame& frame) {
 std::shared_ptr<const Scan> LiveFeed::snapshot() {
     const std::lock_guard lock(mutex_);
     return feed_.assembler().snapshot();
+}
+
+SweepSoFar LiveFeed::sweep() {
+    const std::lock_guard lock(mutex_);
+    return {feed_.assembler().snapshot(), feed_.assembler().progress()};
 }
 
 LiveStatus LiveFeed::status() const {
@@ -64,7 +75,11 @@ LiveStatus LiveFeed::status() const {
     status.sweep = feed_.assembler().progress();
     status.lines = lines_;
     status.undecodable = feed_.undecodable();
-    if (lastLineNs_) status.secondsSinceLine = static_cast<double>(hostNow().monotonicNs - *lastLineNs_) * 1e-9;
+    if (!lineNs_.empty()) {
+        status.secondsSinceLine = static_cast<double>(hostNow().monotonicNs - lineNs_.back()) * 1e-9;
+        const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
+        if (seconds > 0.0) status.linesPerSecond = static_cast<double>(lineNs_.size() - 1) / seconds;
+    }
     if (recorder_) status.recording = recorder_->state();
     return status;
 }

@@ -5,6 +5,7 @@
 #include "core/live/replay.h"
 #include "core/live/scanner_session.h"
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,7 @@ struct LiveStatus {
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::optional<double> secondsSinceLine;  ///< empty before the first
+    double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
     std::optional<RecordingState> recording; ///< while one is written
 };
 
@@ -36,6 +38,8 @@ public:
 
     /// The sweep so far; the same pointer while nothing changed, null before the first line.
     [[nodiscard]] std::shared_ptr<const Scan> snapshot();
+    /// The same with how far it is, both of one moment.
+    [[nodiscard]] SweepSoFar sweep();
     [[nodiscard]] LiveStatus status() const;
     /// Sweeps finished since the last call.
     [[nodiscard]] std::vector<FinishedSweep> takeFinished();
@@ -64,7 +68,7 @@ private:
     std::optional<ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
     std::int64_t lines_ = 0;
-    std::optional<std::int64_t> lastLineNs_;  // monotonic
+    std::deque<std::int64_t> lineNs_;         // of the last lines, monotonic
     std::unique_ptr<ScannerSession> session_; // last: its thread uses all of the above
 };
 

@@ -150,6 +150,7 @@ void SweepAssembler::finishSweep() {
     changed_ = true;
     if (auto scan = snapshot()) {
         finished_.push_back({std::move(scan), progress()});
+        finished_.back().progress.growing = false;
         if (finished_.size() > kFinishedKept) finished_.pop_front();
         ++number_;
     }

@@ -16,6 +16,8 @@ namespace edgescan {
 /// How far a sweep is. Lines: rows of the grid; telegrams: what they are made of.
 struct SweepProgress {
     int number = 0;                               ///< of this sweep since the start, from 0
+    std::uint64_t growth = 0;                     ///< alike in scans of which one continues the other, in this process
+    bool growing = false;                         ///< more lines are to come
     int lines = 0;                                ///< rows so far, lost ones included
     int received = 0;                             ///< rows of which nothing is missing
     int expected = 0;                             ///< rows of the whole sweep; 0: not known
@@ -37,10 +39,12 @@ struct SweepProgress {
 /// "lines 3, 7 and 20 to 49": rows in words, at most `groups` groups.
 [[nodiscard]] std::string rowsText(const std::vector<int>& rows, int groups = 8);
 
-struct FinishedSweep {
-    std::shared_ptr<const Scan> scan;
+/// A sweep and how far it is.
+struct SweepSoFar {
+    std::shared_ptr<const Scan> scan; ///< null: no row yet
     SweepProgress progress;
 };
+using FinishedSweep = SweepSoFar;
 
 /// A value; not for several threads at once, what it gives away is. Memory is bounded: one growing sweep and the last finished ones.
 class SweepAssembler {

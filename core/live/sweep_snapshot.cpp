@@ -37,10 +37,12 @@ SweepProgress SweepAssembler::progress() const {
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
         progress.deviceEver = sweep_->deviceEver();
         progress.number = number_;
+        progress.growth = sweep_->growth();
     } else {
         progress = finishedProgress_;
     }
     progress.expected = settings_.expectedLines;
+    progress.growing = sweep_ && (progress.expected == 0 || progress.lines < progress.expected);
     progress.device = device_;
     progress.duplicates = duplicates_;
     progress.misfits = misfits_;

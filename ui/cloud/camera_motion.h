@@ -21,6 +21,8 @@ struct CameraPose {
     /// Half the height of what is seen at the focus, metres; also the scale of the parallel view, so that switching
     /// between parallel and perspective keeps the size.
     [[nodiscard]] double halfHeight() const;
+
+    bool operator==(const CameraPose&) const = default;
 };
 
 /// Turntable: `rightRad` about the fixed `upAxis`, `upRad` about the camera's right axis; both about `centre`.

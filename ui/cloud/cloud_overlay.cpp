@@ -1,6 +1,8 @@
 // Marker, laser ray and texts over the 3D picture.
 #include "ui/cloud/cloud_overlay.h"
 
+#include "ui/base/veil.h"
+
 #include <QPaintEvent>
 #include <QPainter>
 
@@ -44,7 +46,7 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 }
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
-    if (!marks.centreText.isEmpty() || !marks.note.isEmpty()) return rect();
+    if (!marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.veil.isEmpty()) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
@@ -68,6 +70,11 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(Qt::black, 1.0));
         painter.setBrush(Qt::white);
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
+    }
+    if (!marks_.veil.isEmpty()) {
+        painter.save();
+        drawVeil(painter, rect(), marks_.veil);
+        painter.restore();
     }
     const QRect inner = rect().adjusted(kMargin + 6, kMargin + 3, -kMargin - 6, -kMargin - 3);
     if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);

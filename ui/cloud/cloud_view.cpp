@@ -191,6 +191,12 @@ void CloudView::setNote(const QString& note) {
     updateOverlay();
 }
 
+void CloudView::setVeil(const QString& why) {
+    if (why == veil_) return;
+    veil_ = why;
+    updateOverlay();
+}
+
 void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
     if (cell == marked_) return;
     marked_ = cell;
@@ -199,6 +205,7 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 
 void CloudView::updateOverlay() {
     OverlayMarks marks;
+    marks.veil = veil_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {

@@ -74,6 +74,9 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
     /// Text over the picture: "no scan open", "stale" ... Empty = the view's own ("no scan open", "no point to show").
     void setNote(const QString& note);
+    /// Greys the picture and says why across it: it is older than it seems. Empty = none.
+    void setVeil(const QString& why);
+    [[nodiscard]] const QString& veil() const { return veil_; }
 
     /// Point drawn under a widget position, within 8 px.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
@@ -172,7 +175,7 @@ private:
     double pointSize_ = 2.0;
     QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
     MousePreset mousePreset_ = MousePreset::Default;
-    QString note_;
+    QString note_, veil_;
 
     DragAction drag_ = DragAction::None;
     Qt::MouseButton dragButton_ = Qt::NoButton;

@@ -1,6 +1,8 @@
 // Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
 #include "ui/image/image_view.h"
 
+#include "ui/base/veil.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <QResizeEvent>
@@ -105,6 +107,12 @@ void ImageView::setNote(const QString& note) {
     update();
 }
 
+void ImageView::setVeil(const QString& why) {
+    if (why == veil_) return;
+    veil_ = why;
+    update();
+}
+
 void ImageView::setBackground(const QColor& colour) {
     background_ = colour;
     update();
@@ -137,6 +145,11 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
         painter.setOpacity(1.0);
     }
     drawMarks(painter);
+    if (!veil_.isEmpty()) {
+        painter.save();
+        drawVeil(painter, rect(), veil_);
+        painter.restore();
+    }
     drawTexts(painter);
 }
 

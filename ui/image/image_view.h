@@ -48,6 +48,9 @@ public:
     /// Short text over the picture: "preview", "stale", "no scan open". Empty = none.
     void setNote(const QString& note);
     void setBackground(const QColor& colour);
+    /// Greys the picture and says why across it ("STALE 3 s"): it is older than it seems. Empty = none.
+    void setVeil(const QString& why);
+    [[nodiscard]] const QString& veil() const { return veil_; }
 
     /// Cell under a widget position; none outside the image.
     [[nodiscard]] std::optional<QPoint> cellAt(QPointF pixel) const;
@@ -96,7 +99,7 @@ private:
     double overlayOpacity_ = 1.0;
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
-    QString title_, note_;
+    QString title_, note_, veil_;
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;

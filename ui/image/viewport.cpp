@@ -16,8 +16,11 @@ ViewPort::ViewPort(QObject* parent) : QObject(parent) {}
 
 void ViewPort::setImageSize(QSize beamsByLines) {
     if (beamsByLines == imageSize_) return;
+    const bool grows = beamsByLines.width() == imageSize_.width();
     imageSize_ = beamsByLines;
-    fit();
+    if (fitted_ || !grows) return fit();
+    keepInReach();
+    emit changed();
 }
 
 void ViewPort::setAspect(double widthByHeight) {

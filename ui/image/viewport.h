@@ -27,7 +27,8 @@ public:
     /// True until somebody zooms or pans: the whole image follows the size of the views.
     [[nodiscard]] bool fitted() const { return fitted_; }
 
-    /// Beams x lines. A new size fits the image again; the same size keeps zoom and place (a live scan, a re-tune).
+    /// Beams x lines. Other beams fit the image again; the same size or more lines keep zoom and place (a re-tune, a live scan),
+    /// unless the whole image was seen.
     void setImageSize(QSize beamsByLines);
     void setAspect(double widthByHeight);
     /// "True angle" aspect: beam step and line step in degrees.

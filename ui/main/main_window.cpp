@@ -5,6 +5,9 @@
 #include "ui/cloud/gl_check.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
+#include "ui/live/live_panel.h"
+#include "ui/live/scanner_link.h"
+#include "ui/live/timeline.h"
 #include "ui/main/notice_bar.h"
 #include "ui/main/pane.h"
 #include "ui/main/settings_undo.h"
@@ -46,8 +49,8 @@ double pointSizeFor(const CloudView& view, const CloudGeometry& cloud) {
 } // namespace
 
 MainWindow::MainWindow(Memory& memory, QWidget* parent)
-    : QMainWindow(parent), memory_(memory), undo_(new QUndoStack(this)), viewPort_(std::make_shared<ViewPort>()),
-      gray_(new ImageView(viewPort_)), edges_(new ImageView(viewPort_)), cloud_(new CloudView) {
+    : QMainWindow(parent), memory_(memory), scanner_(std::make_unique<ScannerLink>(session_)), undo_(new QUndoStack(this)),
+      viewPort_(std::make_shared<ViewPort>()), gray_(new ImageView(viewPort_)), edges_(new ImageView(viewPort_)), cloud_(new CloudView) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -57,6 +60,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     setStatusBar(status_);
     buildMenus();
     connectSession();
+    connectLive();
     linkViews();
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
@@ -96,6 +100,7 @@ void MainWindow::buildViews() {
     column->setSpacing(0);
     column->addWidget(notice_);
     column->addWidget(views_, 1);
+    buildLive(*column);
     setCentralWidget(centre);
 }
 
@@ -152,11 +157,11 @@ void MainWindow::connectSession() {
 void MainWindow::linkViews() {
     for (ImageView* view : {gray_, edges_}) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (shown_) showHover(shown_->frame->scan->rangeMm.index(line, beam), view);
+            if (shown_ && line < shown_->frame->scan->lines()) showHover(shown_->frame->scan->rangeMm.index(line, beam), view);
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { showHover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (shown_) stick(shown_->frame->scan->rangeMm.index(line, beam));
+            if (shown_ && line < shown_->frame->scan->lines()) stick(shown_->frame->scan->rangeMm.index(line, beam));
         });
         connect(view, &ImageView::cleared, this, [this] { stick(std::nullopt); });
         connect(view, &ImageView::windowLevelDragged, this, &MainWindow::changeDisplayLevels);
@@ -180,27 +185,16 @@ void MainWindow::showPicture() {
     const std::shared_ptr<const Picture> last = shown_;
     shown_ = session_.picture();
     const Frame& frame = *shown_->frame;
-    const bool newScan = !last || last->frame->scan != frame.scan;
-    if (newScan) {
-        // Cells of the old scan are none of the new one.
-        hovered_.reset();
-        stick(std::nullopt);
-        resetDisplayLevels();
-        applyAspect();
-        viewPort_->setImageSize({frame.scan->beams(), frame.scan->lines()});
-        cloud_->setCloud(frame.scan, shown_->cloud);
-        cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
-        for (ImageView* view : {gray_, edges_}) view->setNote(QString());
-        const QString ofSeries = series_.size() > 1 ? tr(" (%1 of %2)").arg(seriesPlace_ + 1).arg(series_.size()) : QString();
-        setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
-        QStringList warnings;
-        for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
-        if (!warnings.isEmpty()) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
-    }
+    const bool newStream = !last || last->source.stream != shown_->source.stream;
+    const bool newScan = newStream || last->frame->scan != frame.scan;
+    if (newStream)
+        showNewScan();
+    else if (newScan)
+        showMoreLines(*last);
     const bool newGray = newScan || last->gray != shown_->gray;
     if (newGray) {
         const bool asIs = levels_ == DisplayLevels{};
-        gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(frame, levels_)));
+        gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(frame, levels_, shown_->gray->height())));
     }
     gray_->setOverlay(overlay_ ? shown_->overlay : nullptr, 1.0);
     showEdgeMap();
@@ -210,14 +204,61 @@ void MainWindow::showPicture() {
     panel_->showResult(frame);
     panel_->setBehind(session_.behind());
     showHover(hovered_, nullptr);
+    const bool ended = last && last->source.growth.growing && !shown_->source.growth.growing;
+    if (!newStream && ended) tellSweepEnded();
     emit pictureShown();
 }
 
 void MainWindow::showEdgeMap() {
     if (!shown_) return;
     const bool coloured = cloud_->edgesByClass() && shown_->frame->classes;
-    edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_->frame, cloud_->edgeColour())) : shown_->edges,
+    edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_->frame, cloud_->edgeColour(), shown_->gray->height())) : shown_->edges,
                      Shrink::KeepBrightest);
+}
+
+void MainWindow::showNewScan() {
+    const Frame& frame = *shown_->frame;
+    // Cells of the old scan are none of the new one.
+    hovered_.reset();
+    stick(std::nullopt);
+    resetDisplayLevels();
+    applyAspect();
+    if (viewPort_->imageSize() != shown_->gray->size()) {
+        viewPort_->setImageSize(shown_->gray->size());
+        viewPort_->fit();
+    }
+    cloud_->setCloud(frame.scan, shown_->cloud);
+    cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
+    fitCloud();
+    for (ImageView* view : {gray_, edges_}) view->setNote(QString());
+    const QString ofSeries = series_.size() > 1 ? tr(" (%1 of %2)").arg(seriesPlace_ + 1).arg(series_.size()) : QString();
+    setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
+    QStringList warnings;
+    for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
+    // Of a live scan the health strip tells.
+    if (!warnings.isEmpty() && !shown_->source.growth.growing) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+}
+
+/// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
+void MainWindow::showMoreLines(const Picture& last) {
+    const Scan& scan = *shown_->frame->scan;
+    const auto gone = [&](const std::optional<std::size_t>& cell) {
+        return cell && (*cell >= scan.cells() || scan.beams() != last.frame->scan->beams());
+    };
+    if (gone(hovered_)) hovered_.reset();
+    if (gone(sticky_)) stick(std::nullopt);
+    const bool untouched = cloud_->camera() == fittedCamera_;
+    const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown_->source.growth.growing;
+    cloud_->setCloud(shown_->frame->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
+    if (!doubled) return;
+    if (cloud_->pointSize() == fittedPointSize_) cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
+    if (untouched) fitCloud();
+}
+
+void MainWindow::fitCloud() {
+    fittedCamera_ = cloud_->camera();
+    fittedPointSize_ = cloud_->pointSize();
+    fittedLines_ = shown_->frame->scan->lines();
 }
 
 std::optional<QPoint> MainWindow::asPoint(std::optional<std::size_t> cell) const {
@@ -249,7 +290,7 @@ void MainWindow::changeDisplayLevels(int window, int level) {
     const int centre = (levels_.black + levels_.white) / 2 + level;
     const int half = std::clamp((levels_.white - levels_.black + window) / 2, 2, 255);
     levels_ = {centre - half, centre + half};
-    gray_->setImage(std::make_shared<const QImage>(grayPicture(*shown_->frame, levels_)));
+    gray_->setImage(std::make_shared<const QImage>(grayPicture(*shown_->frame, levels_, shown_->gray->height())));
     grayPane_->setRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
 }
 

@@ -1,6 +1,8 @@
 // The window: gray image, edge map and cloud side by side, the panel, and what links them.
 #pragma once
 
+#include "core/live/sweep_settings.h"
+#include "ui/cloud/camera_motion.h"
 #include "ui/main/memory.h"
 #include "ui/session/session.h"
 
@@ -19,10 +21,14 @@ namespace edgescan::ui {
 class CloudView;
 class EdgesPanel;
 class ImageView;
+class LivePanel;
 class NoticeBar;
 class Pane;
+class ScannerLink;
 class StatusLine;
+class Timeline;
 class ViewPort;
+struct ReplayedSweep;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -35,6 +41,10 @@ public:
     /// Opens the first; the others follow with Page Down.
     void openSeries(const QStringList& paths, const OpenOptions& options = {});
     void openDemo();
+    /// Connects to a live scanner; reads and a subscription are all that is sent to it.
+    void connectScanner(const QString& host, int port, const SweepSettings& sweep);
+    /// Where Record and Keep Last Minute write to; from then on.
+    void setRecordingFolder(const QString& folder);
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
 
@@ -45,6 +55,9 @@ public:
     [[nodiscard]] EdgesPanel& panel() { return *panel_; }
     [[nodiscard]] StatusLine& statusLine() { return *status_; }
     [[nodiscard]] NoticeBar& notice() { return *notice_; }
+    [[nodiscard]] LivePanel& livePanel() { return *live_; }
+    [[nodiscard]] ScannerLink& scanner() { return *scanner_; }
+    [[nodiscard]] Timeline& timeline() { return *timeline_; }
 
     /// The whole window as it is, with all points of the cloud drawn.
     [[nodiscard]] QImage screenshot();
@@ -62,6 +75,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     // main_window.cpp
@@ -71,6 +85,9 @@ private:
     void linkViews();
     void showPicture();
     void showEdgeMap();
+    void showNewScan();
+    void showMoreLines(const Picture& last);
+    void fitCloud();
     void showHover(std::optional<std::size_t> cell, const QObject* from);
     void stick(std::optional<std::size_t> cell);
     void changeDisplayLevels(int window, int level);
@@ -100,6 +117,17 @@ private:
     void showAbout();
     void showScanProperties();
 
+    // main_window_live.cpp
+    void buildLive(QLayout& column);
+    void connectLive();
+    void addLiveCommands(QMenu& file);
+    void addTimelineCommands(QMenu& scan);
+    void showLiveHealth();
+    void showReplayed(const ReplayedSweep& at);
+    void tellSweepEnded();
+    void chooseRecordingFolder();
+    [[nodiscard]] QString newRecordingPath(const char* kind);
+
     // main_window_files.cpp
     void askOpen();
     void stepInSeries(int step);
@@ -113,6 +141,7 @@ private:
 
     Memory& memory_;
     Session session_;
+    std::unique_ptr<ScannerLink> scanner_; // after the session that it feeds
     QUndoStack* undo_;
     std::shared_ptr<ViewPort> viewPort_;
     ImageView* gray_;
@@ -128,10 +157,17 @@ private:
     EdgesPanel* panel_ = nullptr;
     NoticeBar* notice_ = nullptr;
     StatusLine* status_ = nullptr;
+    LivePanel* live_ = nullptr;
+    Timeline* timeline_ = nullptr;
 
     std::shared_ptr<const Picture> shown_;
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> sticky_;
+    CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
+    double fittedPointSize_ = 0.0;
+    int fittedLines_ = 0;
+    std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as the file gives it
+    QString recordingFolder_;
     DisplayLevels levels_;
     bool overlay_ = false;
     bool trueAngles_ = false;

@@ -69,6 +69,7 @@ void MainWindow::buildFileMenu() {
     QMenu* recent = file.addMenu(tr("Open &Recent"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(*recent); });
     addCommand(file, tr("Open &Demo Draw-Bell"), {}, [this] { openDemo(); });
+    addLiveCommands(file);
     addCommand(file, tr("Re&load"), {QKeySequence(Qt::Key_F5)}, [this] {
         if (!openedPath_.isEmpty()) session_.open(openedPath_, openOptions_);
     });
@@ -189,6 +190,7 @@ void MainWindow::buildScanMenu() {
     QMenu& scan = *menuBar()->addMenu(tr("&Scan"));
     addCommand(scan, tr("&Next File of Series"), {QKeySequence(Qt::Key_PageDown)}, [this] { stepInSeries(1); });
     addCommand(scan, tr("Pre&vious File of Series"), {QKeySequence(Qt::Key_PageUp)}, [this] { stepInSeries(-1); });
+    addTimelineCommands(scan);
     addCommand(scan, tr("&Properties…"), {}, [this] { showScanProperties(); });
 }
 

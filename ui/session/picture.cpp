@@ -14,16 +14,26 @@ constexpr QRgb kMissing = qRgb(40, 20, 60);
 constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
 constexpr QRgb kStatus = qRgb(70, 20, 50);
 constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
+constexpr QRgb kLost = qRgb(14, 46, 66);
+constexpr QRgb kLostHatch = qRgb(70, 160, 210);
+constexpr QRgb kToCome = qRgb(30, 30, 30);
+constexpr int kRoomAtFirst = 64; // lines, when nobody said how many there will be
 
 QRgb missingColour(CellState state, int line, int beam) {
+    // Lost lines are hatched the other way and wider: a single one is a dashed line.
+    if (state == CellState::Lost) return (beam - line % 8 + 8) % 8 < 4 ? kLostHatch : kLost;
     const bool stripe = (line + beam) % 4 == 0;
     if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
     return stripe ? kMissingHatch : kMissing;
 }
 
 template <class ValidColour>
-QImage paintCells(const Scan& scan, ValidColour validColour) {
-    QImage image(scan.beams(), scan.lines(), QImage::Format_RGB32);
+QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
+    QImage image(scan.beams(), rows, QImage::Format_RGB32);
+    for (int row = scan.lines(); row < rows; ++row) {
+        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
+        std::fill(pixels, pixels + scan.beams(), kToCome);
+    }
     std::size_t k = 0;
     for (int line = 0; line < scan.lines(); ++line) {
         auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
@@ -50,18 +60,26 @@ EdgeCells edgeCellsOf(const Frame& frame) {
 
 } // namespace
 
-QImage grayPicture(const Frame& frame, DisplayLevels levels) {
+int shownLines(const Scan& scan, const Growth& growth) {
+    if (!growth.growing) return scan.lines();
+    if (growth.expectedLines > 0) return std::max(growth.expectedLines, scan.lines());
+    int room = kRoomAtFirst;
+    while (room < scan.lines()) room *= 2;
+    return room;
+}
+
+QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows) {
     std::array<QRgb, 256> table{};
     const double span = std::max(1, levels.white - levels.black);
     for (int level = 0; level < 256; ++level) {
         const int shown = static_cast<int>(std::clamp((level - levels.black) * 255.0 / span, 0.0, 255.0));
         table[static_cast<std::size_t>(level)] = qRgb(shown, shown, shown);
     }
-    return paintCells(*frame.scan, [&](std::size_t k) { return table[frame.gray->levels[k]]; });
+    return paintCells(*frame.scan, rows, [&](std::size_t k) { return table[frame.gray->levels[k]]; });
 }
 
-QImage edgePicture(const Frame& frame) {
-    QImage image = paintCells(*frame.scan, [](std::size_t) { return qRgb(0, 0, 0); });
+QImage edgePicture(const Frame& frame, int rows) {
+    QImage image = paintCells(*frame.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
     // Edges last: without masking they also lie on cells without a range.
     const int beams = frame.scan->beams();
     for (const std::uint32_t k : *frame.edges) {
@@ -71,8 +89,8 @@ QImage edgePicture(const Frame& frame) {
     return image;
 }
 
-QImage classPicture(const Frame& frame, const QColor& jump) {
-    QImage image = edgePicture(frame);
+QImage classPicture(const Frame& frame, const QColor& jump, int rows) {
+    QImage image = edgePicture(frame, rows);
     if (!frame.classes) return image;
     const std::array<QRgb, 4> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb()};
     const int beams = frame.scan->beams();
@@ -83,9 +101,9 @@ QImage classPicture(const Frame& frame, const QColor& jump) {
     return image;
 }
 
-QImage edgeOverlay(const Frame& frame, const QColor& colour) {
+QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows) {
     const int beams = frame.scan->beams();
-    QImage image(beams, frame.scan->lines(), QImage::Format_ARGB32_Premultiplied);
+    QImage image(beams, rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     for (const std::uint32_t k : *frame.edges) {
         const int cell = static_cast<int>(k);
@@ -94,15 +112,18 @@ QImage edgeOverlay(const Frame& frame, const QColor& colour) {
     return image;
 }
 
-std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const CloudGeometry>& cloud,
-                                           const std::shared_ptr<const Picture>& last) {
+std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const PictureSource& source, const Settings& asked,
+                                           const std::shared_ptr<const CloudGeometry>& cloud, const std::shared_ptr<const Picture>& last) {
     auto picture = std::make_shared<Picture>();
+    picture->source = source;
+    picture->asked = asked;
     picture->frame = frame;
     picture->cloud = cloud;
-    const bool grayHolds = last && last->frame->gray == frame->gray && last->frame->scan == frame->scan;
-    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*frame, {}));
-    picture->edges = std::make_shared<const QImage>(edgePicture(*frame));
-    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*frame, QColor(0, 255, 0)));
+    const int rows = shownLines(*frame->scan, source.growth);
+    const bool grayHolds = last && last->frame->gray == frame->gray && last->frame->scan == frame->scan && last->gray->height() == rows;
+    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*frame, {}, rows));
+    picture->edges = std::make_shared<const QImage>(edgePicture(*frame, rows));
+    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*frame, QColor(0, 255, 0), rows));
     picture->edgeCells = edgeCellsOf(*frame);
     return picture;
 }

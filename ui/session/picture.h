@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edges/frame.h"
+#include "core/live/growing_pipeline.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/edge_cells.h"
 
@@ -19,25 +20,39 @@ struct DisplayLevels {
     bool operator==(const DisplayLevels&) const = default;
 };
 
+/// Where a picture comes from.
+struct PictureSource {
+    std::uint64_t stream = 0; ///< alike in pictures of one file, one scanner or one recording: the views keep their place
+    Growth growth;
+
+    bool operator==(const PictureSource&) const = default;
+};
+
 /// Never changed after it is made. All members change together in the window.
 struct Picture {
+    PictureSource source;
+    Settings asked; ///< what the frame was wanted with; the frame's own settings fix what must stay while a scan grows
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const CloudGeometry> cloud;
-    std::shared_ptr<const QImage> gray;    ///< beams x lines pixels; missing data hatched violet
+    std::shared_ptr<const QImage> gray;    ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue
     std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< green edges, transparent elsewhere
     EdgeCells edgeCells;
 };
 
-[[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels);
-[[nodiscard]] QImage edgePicture(const Frame& frame);
+/// Rows of the images: a growing scan has room for the lines to come, so that the picture does not shrink with every line.
+[[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
+
+// beams x `rows` pixels; rows that the scan does not have yet are plain dark.
+[[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows);
+[[nodiscard]] QImage edgePicture(const Frame& frame, int rows);
 /// The edge map with the colours of the classes, where the method tells classes apart; else as edgePicture().
-[[nodiscard]] QImage classPicture(const Frame& frame, const QColor& jump);
-[[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour);
+[[nodiscard]] QImage classPicture(const Frame& frame, const QColor& jump, int rows);
+[[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows);
 
 /// Images of `frame`; what did not change since `last` (may be null) is taken from it.
-[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame,
-                                                         const std::shared_ptr<const CloudGeometry>& cloud,
+[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const PictureSource& source,
+                                                         const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                                          const std::shared_ptr<const Picture>& last);
 
 } // namespace edgescan::ui

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include <atomic>
 #include <new>
 #include <utility>
 
@@ -18,19 +19,12 @@ Error outOfMemory(const QString& where) {
     return {"there is not enough memory for this scan", where.toStdString(), "close other programs or open a smaller scan"};
 }
 
-struct Opening {
-    std::shared_ptr<const Scan> scan;
-    std::shared_ptr<const CloudGeometry> cloud;
-};
-
-Result<Opening> readScan(const std::function<Result<Scan>(const BackgroundJob::Progress&)>& work, const BackgroundJob::Progress& progress,
-                         const QString& path) {
+Result<std::shared_ptr<const Scan>> readScan(const std::function<Result<Scan>(const BackgroundJob::Progress&)>& work,
+                                             const BackgroundJob::Progress& progress, const QString& path) {
     try {
         Result<Scan> scan = work(progress);
         if (!scan) return scan.error();
-        progress("points", 0.0);
-        auto shared = std::make_shared<const Scan>(std::move(*scan));
-        return Opening{shared, makeCloudGeometry(*shared)};
+        return std::make_shared<const Scan>(std::move(*scan));
     } catch (const std::bad_alloc&) {
         return outOfMemory(path);
     }
@@ -67,7 +61,11 @@ Saving write(Session::Export what, const Frame& frame, const std::string& path) 
 
 } // namespace
 
-Session::Session(QObject* parent) : QObject(parent), worker_([this] { present(); }) { worker_.post(settings_); }
+Session::Session(QObject* parent)
+    : QObject(parent), worker_([this] { present(); },
+                               [this](const std::shared_ptr<const Scan>& scan, const Settings& settings) { return run(scan, settings); }) {
+    worker_.post(settings_);
+}
 
 Session::~Session() = default;
 
@@ -88,6 +86,26 @@ void Session::cancel() {
     if (opening_ != nullptr) opening_->cancel();
 }
 
+std::uint64_t Session::newStream() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+void Session::follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
+    cancel();
+    post(scan, source);
+}
+
+void Session::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
+    posted_ = scan;
+    {
+        const std::lock_guard lock(slotMutex_);
+        postedScan_ = scan;
+        postedSource_ = source;
+    }
+    worker_.post(scan);
+}
+
 void Session::setSettings(const Settings& settings) {
     if (settings == settings_) return;
     settings_ = settings;
@@ -97,7 +115,8 @@ void Session::setSettings(const Settings& settings) {
 
 bool Session::behind() const {
     if (posted_ == nullptr) return false;
-    return picture_ == nullptr || picture_->frame->scan != posted_ || !(picture_->frame->settings == settings_);
+    return picture_ == nullptr || picture_->frame->scan != posted_ || !(picture_->asked == settings_) ||
+           !(picture_->source == postedSource_); // only this thread changes it
 }
 
 void Session::save(Export what, const QString& path) {
@@ -124,19 +143,13 @@ void Session::startOpening(const QString& title, const QString& path, OpenWork w
     // Newest wins: the opening before this one delivers nothing.
     cancel();
     opening_ = startJob(title, [this, path, work = std::move(work)](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const Result<Opening> opening = readScan(work, progress, path);
-        return [this, opening, path] {
-            if (!opening) {
-                emit failed(QString::fromStdString(opening.error().sentence()));
+        const Result<std::shared_ptr<const Scan>> scan = readScan(work, progress, path);
+        return [this, scan, path] {
+            if (!scan) {
+                emit failed(QString::fromStdString(scan.error().sentence()));
                 return;
             }
-            posted_ = opening->scan;
-            {
-                const std::lock_guard lock(slotMutex_);
-                postedCloud_ = opening->cloud;
-                postedCloudScan_ = opening->scan;
-            }
-            worker_.post(opening->scan);
+            post(*scan, {newStream(), {}});
             emit opened(path);
         };
     });
@@ -160,6 +173,24 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
     return job;
 }
 
+std::shared_ptr<const Frame> Session::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    PictureSource source;
+    {
+        const std::lock_guard lock(slotMutex_);
+        if (postedScan_ != scan) return nullptr; // a newer scan was posted; its own frame follows
+        source = postedSource_;
+    }
+    if (cloudScan_ != scan) {
+        cloud_ = nullptr;
+        cloudScan_ = nullptr;
+        cloud_ = makeCloudGeometry(*scan);
+        cloudScan_ = scan;
+    }
+    source_ = source;
+    asked_ = settings;
+    return pipeline_.run(scan, settings, source.growth);
+}
+
 void Session::present() {
     if (const std::string failure = worker_.takeFailure(); !failure.empty()) {
         QMetaObject::invokeMethod(
@@ -167,13 +198,7 @@ void Session::present() {
     }
     const std::shared_ptr<const Frame> frame = worker_.take();
     if (!frame) return;
-    std::shared_ptr<const CloudGeometry> cloud;
-    {
-        const std::lock_guard lock(slotMutex_);
-        if (postedCloudScan_ != frame->scan) return; // a newer scan was posted; its own frame follows
-        cloud = postedCloud_;
-    }
-    lastMade_ = makePicture(frame, cloud, lastMade_);
+    lastMade_ = makePicture(frame, source_, asked_, cloud_, lastMade_);
     bool unread = false;
     {
         const std::lock_guard lock(slotMutex_);

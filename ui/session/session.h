@@ -33,6 +33,12 @@ public:
     [[nodiscard]] bool opening() const { return opening_ != nullptr; }
     [[nodiscard]] bool working() const { return jobs_ > 0; }
 
+    /// Shows a scan that grows, from a scanner or a recording that is played: newest wins. A new stream sets the views up anew;
+    /// further scans of it keep them. Gives up an opening that is under way.
+    void follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
+    /// For follow(): never the same twice.
+    [[nodiscard]] static std::uint64_t newStream();
+
     void setSettings(const Settings& settings);
     [[nodiscard]] const Settings& settings() const { return settings_; }
     /// The picture shown was not computed with settings(), or not of the scan posted last.
@@ -61,7 +67,9 @@ private:
     using OpenWork = std::function<Result<Scan>(const BackgroundJob::Progress&)>;
     void startOpening(const QString& title, const QString& path, OpenWork work);
     BackgroundJob* startJob(const QString& title, BackgroundJob::Work work);
-    void present(); // worker's thread
+    void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
+    [[nodiscard]] std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings); // worker's thread
+    void present();                                                                                                    // worker's thread
     void takePicture();
 
     Settings settings_;
@@ -72,10 +80,18 @@ private:
 
     std::mutex slotMutex_;
     std::shared_ptr<const Picture> slot_; // newest picture that the GUI thread did not take yet
-    std::shared_ptr<const CloudGeometry> postedCloud_;
-    std::shared_ptr<const Scan> postedCloudScan_;
-    std::shared_ptr<const Picture> lastMade_; // worker's thread only
-    Worker worker_;                           // last: its thread uses all of the above, and is joined before they go
+    std::shared_ptr<const Scan> postedScan_;
+    PictureSource postedSource_;
+
+    // Worker's thread only.
+    GrowingPipeline pipeline_;
+    std::shared_ptr<const CloudGeometry> cloud_;
+    std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
+    PictureSource source_;                  // of the last run
+    Settings asked_;
+    std::shared_ptr<const Picture> lastMade_;
+
+    Worker worker_; // last: its thread uses all of the above, and is joined before they go
 };
 
 } // namespace edgescan::ui

@@ -1,0 +1,113 @@
+// The health of a live scan in words.
+#include "core/live/live_health.h"
+
+#include "core/scan/placement.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace edgescan {
+namespace {
+
+std::string number(double value, int decimals) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+std::string ageText(double seconds) {
+    if (seconds < 120.0) return number(std::floor(seconds), 0) + " s";
+    if (seconds < 7200.0) return number(std::floor(seconds / 60.0), 0) + " min";
+    return number(std::floor(seconds / 3600.0), 0) + " h";
+}
+
+Liveness livenessOf(const LiveStatus& status) {
+    const SessionPhase phase = status.session.phase;
+    if (phase == SessionPhase::Stopped) return Liveness::Stopped;
+    if (!status.secondsSinceLine) return phase == SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
+    if (phase == SessionPhase::Lost || phase == SessionPhase::Connecting) return Liveness::Lost;
+    const bool late = phase != SessionPhase::Live || *status.secondsSinceLine >= kStaleAfterSeconds;
+    return late ? Liveness::Stale : Liveness::Live;
+}
+
+std::string badgeOf(Liveness liveness, const LiveStatus& status) {
+    const std::string age = status.secondsSinceLine ? " " + ageText(*status.secondsSinceLine) : std::string();
+    switch (liveness) {
+    case Liveness::Connecting:
+        return "CONNECTING";
+    case Liveness::Live:
+        return "LIVE";
+    case Liveness::Stale:
+        return "STALE" + age;
+    case Liveness::Lost:
+        return "LOST" + age;
+    case Liveness::Stopped:
+        break;
+    }
+    return "STOPPED";
+}
+
+std::string noReturnOf(const SweepProgress& sweep) {
+    const std::size_t all = std::accumulate(sweep.cells.begin(), sweep.cells.end(), std::size_t{0});
+    if (all == 0) return {};
+    const auto none = static_cast<double>(sweep.cells[static_cast<std::size_t>(CellState::NoReturn)]);
+    return "no return " + number(100.0 * none / static_cast<double>(all), 1) + " %";
+}
+
+std::string endOf(const LiveStatus& status) {
+    const SweepProgress& sweep = status.sweep;
+    if (sweep.expected == 0) return {};
+    const int left = sweep.expected - sweep.lines;
+    if (left <= 0) return sweep.complete() ? "sweep whole" : "sweep ended";
+    if (status.linesPerSecond <= 0.0) return {};
+    return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
+}
+
+void tellWindow(LiveHealth& health, const SweepProgress& sweep) {
+    const bool error = sweep.device.contaminationError || sweep.deviceEver.contaminationError;
+    const bool warning = sweep.device.contaminationWarning || sweep.deviceEver.contaminationWarning;
+    health.window = error ? Condition::Failure : warning ? Condition::OutOfSpec : Condition::Good;
+    health.contamination = error ? "WINDOW TOO DIRTY" : warning ? "WINDOW DIRTY" : "window clean";
+    const bool now = error ? sweep.device.contaminationError : sweep.device.contaminationWarning;
+    if ((error || warning) && !now) health.contamination += " earlier in this sweep";
+}
+
+void tellRecording(LiveHealth& health, const RecordingState& recording) {
+    if (recording.problem) {
+        health.recorded = Condition::Failure;
+        health.recording = (recording.ended ? "RECORDING ENDED: " : "RECORDING HAS GAPS: ") + recording.problem->sentence();
+        return;
+    }
+    health.recording = "recording " + number(static_cast<double>(recording.bytes) / 1e6, 1) + " MB";
+}
+
+} // namespace
+
+LiveHealth healthOf(const LiveStatus& status, const Placement* placement) {
+    const SweepProgress& sweep = status.sweep;
+    LiveHealth health;
+    health.liveness = livenessOf(status);
+    health.badge = badgeOf(health.liveness, status);
+    health.sentence = status.session.sentence;
+    if (status.scanner) health.scanner = status.scanner->words();
+    if (status.lines > 0) {
+        health.lines = sweep.text();
+        health.noReturn = noReturnOf(sweep);
+        health.end = endOf(status);
+        tellWindow(health, sweep);
+        health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
+        health.deviceState = health.device == Condition::Good ? "device ok"
+                             : sweep.device.error             ? "DEVICE ERROR"
+                                                              : "DEVICE ERROR earlier in this sweep";
+    }
+    if (!sweep.lost.empty()) health.lost = std::to_string(sweep.lost.size()) + " lost: " + rowsText(sweep.lost, 4);
+    if (placement == nullptr)
+        health.pose = "no pose";
+    else
+        health.pose = std::isnan(placement->ageSeconds) ? "pose of unknown age" : "pose " + ageText(placement->ageSeconds) + " old";
+    if (status.recording) tellRecording(health, *status.recording);
+    return health;
+}
+
+} // namespace edgescan

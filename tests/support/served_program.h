@@ -1,0 +1,48 @@
+// edgescan-cli serve as a program of its own, ended with the object.
+#pragma once
+
+#include "tests/support/run_program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+namespace edgescan::test {
+
+class ServedProgram {
+public:
+    /// `arguments` as typed behind "serve"; any free port.
+    explicit ServedProgram(const std::string& arguments) {
+        const std::string command = "exec " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli serve " + arguments +
+                                    " --port 0 --seconds 120 >" + (folder_ / "out").string() + " 2>&1";
+        process_ = fork();
+        if (process_ == 0) {
+            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            _exit(127);
+        }
+        for (int wait = 0; wait < 400 && fileText(folder_ / "out").find('\n') == std::string::npos; ++wait)
+            std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        const auto said = nlohmann::json::parse(fileText(folder_ / "out"), nullptr, false);
+        if (said.is_object()) port_ = said.value("port", 0);
+    }
+    ~ServedProgram() {
+        kill(process_, SIGTERM);
+        waitpid(process_, nullptr, 0);
+    }
+    ServedProgram(const ServedProgram&) = delete;
+    ServedProgram& operator=(const ServedProgram&) = delete;
+
+    /// 0: it did not start.
+    [[nodiscard]] int port() const { return port_; }
+    [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+
+private:
+    TemporaryFolder folder_;
+    pid_t process_ = 0;
+    int port_ = 0;
+};
+
+} // namespace edgescan::test

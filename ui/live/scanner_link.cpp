@@ -1,0 +1,197 @@
+// A live scanner on the GUI thread.
+#include "ui/live/scanner_link.h"
+
+#include "ui/session/background_job.h"
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kTickMs = 40;
+constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
+
+} // namespace
+
+ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    timer_.setInterval(kTickMs);
+    connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
+    connect(&session_, &Session::pictureReady, this, [this] {
+        if (!awaiting_ || session_.picture()->source.stream != stream_) return;
+        awaiting_ = false;
+        // As long as it took to make it, the worker is left to the sliders.
+        restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+    });
+    connect(&session_, &Session::failed, this, [this] { awaiting_ = false; });
+    // Another file was opened: it is not to be pushed aside by the next line.
+    connect(&session_, &Session::opened, this, [this] { follow(false); });
+}
+
+ScannerLink::~ScannerLink() = default;
+
+/// `work` runs on a thread of its own and returns what is to be done here.
+template <class Work>
+void ScannerLink::inBackground(Work work) {
+    auto* job = new BackgroundJob([work](const BackgroundJob::Progress&) { return work(); }, this);
+    connect(job, &BackgroundJob::crashed, this, &ScannerLink::failed);
+    connect(job, &BackgroundJob::ended, job, &QObject::deleteLater);
+}
+
+void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
+    hangUp();
+    stream_ = Session::newStream();
+    heldNumber_ = -1;
+    finished_.reset();
+    posted_ = nullptr;
+    awaiting_ = recordingTroubleTold_ = false;
+    restMs_ = 0;
+    sincePost_.start();
+    const auto news = news_;
+    feed_ = std::make_shared<LiveFeed>(scanner, sweep, [news] { *news = true; });
+    timer_.start();
+    emit connectedChanged(true);
+    follow(true);
+    tick();
+}
+
+void ScannerLink::hangUp() {
+    if (!feed_) return;
+    timer_.stop();
+    const bool shows = following_;
+    const std::uint64_t stream = stream_;
+    const QString recorded = recording_ ? recordingPath_ : QString();
+    const std::shared_ptr<LiveFeed> feed = std::exchange(feed_, nullptr);
+    health_ = healthOf(feed->status());
+    health_.liveness = Liveness::Stopped;
+    health_.badge = "STOPPED";
+    health_.end.clear();
+    health_.recording.clear();
+    inBackground([this, feed, shows, stream, recorded] {
+        feed->stop();
+        const Result<Done> closed = feed->stopRecording();
+        const SweepSoFar sweep = feed->sweep();
+        return [this, closed, sweep, shows, stream, recorded] {
+            if (!closed)
+                emit failed(QString::fromStdString(closed.error().sentence()));
+            else if (!recorded.isEmpty())
+                emit written(recorded);
+            if (shows && stream == stream_ && sweep.scan) post(sweep, false);
+        };
+    });
+    if (std::exchange(recording_, false)) emit recordingChanged(false);
+    if (std::exchange(following_, false)) emit followingChanged(false);
+    emit connectedChanged(false);
+    emit healthChanged();
+}
+
+void ScannerLink::follow(bool on) {
+    const bool wanted = on && feed_ != nullptr;
+    if (wanted == following_) return;
+    following_ = wanted;
+    posted_ = nullptr;
+    if (wanted) finished_.reset();
+    emit followingChanged(following_);
+    emit healthChanged();
+}
+
+bool ScannerLink::showsStale() const {
+    const auto& picture = session_.picture();
+    return following_ && health_.stale() && picture && picture->source.stream == stream_;
+}
+
+void ScannerLink::tick() {
+    if (!feed_) return;
+    const LiveStatus status = feed_->status();
+    noticeTroubles(status);
+    const auto& picture = session_.picture();
+    const bool shown = picture && picture->source.stream == stream_;
+    LiveHealth now = healthOf(status, shown ? picture->frame->scan->placement.get() : nullptr);
+    const bool changed = !(now == health_);
+    health_ = std::move(now);
+    for (const FinishedSweep& sweep : feed_->takeFinished()) {
+        if (sweep.progress.number > heldNumber_) finished_ = sweep;
+    }
+    showSweep();
+    if (changed) emit healthChanged();
+}
+
+void ScannerLink::noticeTroubles(const LiveStatus& status) {
+    if (!status.recording || !status.recording->problem || std::exchange(recordingTroubleTold_, true)) return;
+    emit failed(QString::fromStdString(status.recording->problem->sentence()));
+}
+
+/// The newest of the sweep, when the last picture is out and its time of rest is over.
+void ScannerLink::showSweep() {
+    if (!following_ || session_.opening() || (awaiting_ && session_.behind()) || sincePost_.elapsed() < restMs_) return;
+    if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
+    if (!news_->exchange(false) && posted_) return;
+    const SweepSoFar sweep = feed_->sweep();
+    if (!sweep.scan || sweep.scan == posted_) return;
+    if (sweep.progress.growing)
+        post(sweep, true);
+    else if (sweep.progress.number > heldNumber_)
+        showFinal(sweep);
+    else
+        post(sweep, false); // once more, because the operator asked to follow
+}
+
+void ScannerLink::showFinal(const SweepSoFar& sweep) {
+    heldNumber_ = sweep.progress.number;
+    post(sweep, false);
+    if (holdAtEnd_) follow(false);
+}
+
+void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
+    posted_ = sweep.scan;
+    awaiting_ = true;
+    sincePost_.restart();
+    session_.follow(sweep.scan, {stream_, {sweep.progress.growth, growing, sweep.progress.expected}});
+}
+
+void ScannerLink::startRecording(const QString& path) {
+    if (!feed_ || recording_) return;
+    recording_ = true;
+    recordingPath_ = path;
+    recordingTroubleTold_ = false;
+    inBackground([this, feed = feed_, path] {
+        const Result<Done> started = feed->startRecording(path.toStdString());
+        return [this, started, feed] {
+            if (started) return;
+            emit failed(QString::fromStdString(started.error().sentence()));
+            if (feed != feed_) return;
+            recording_ = false;
+            emit recordingChanged(false);
+        };
+    });
+    emit recordingChanged(true);
+}
+
+void ScannerLink::stopRecording() {
+    if (!feed_ || !recording_) return;
+    recording_ = false;
+    inBackground([this, feed = feed_, path = recordingPath_] {
+        const Result<Done> closed = feed->stopRecording();
+        return [this, closed, path] {
+            if (closed)
+                emit written(path);
+            else
+                emit failed(QString::fromStdString(closed.error().sentence()));
+        };
+    });
+    emit recordingChanged(false);
+}
+
+void ScannerLink::keepRecent(const QString& path) {
+    if (!feed_) return;
+    inBackground([this, feed = feed_, path] {
+        const Result<Done> kept = feed->keepRecent(path.toStdString());
+        return [this, kept, path] {
+            if (kept)
+                emit written(path);
+            else
+                emit failed(QString::fromStdString(kept.error().sentence()));
+        };
+    });
+}
+
+} // namespace edgescan::ui
