@@ -36,8 +36,8 @@ LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::fun
 LiveFeed::~LiveFeed() { session_->stop(); }
 
 void LiveFeed::record(RecordingMessagePtr message) {
-    recent_.push(message);
     const std::lock_guard lock(mutex_);
+    recent_.push(message);
     if (recorder_) recorder_->post(std::move(message));
 }
 
@@ -46,7 +46,10 @@ void LiveFeed::received(const ColaFrame& frame) {
     bool line = false;
     {
         const std::lock_guard lock(mutex_);
+        const int before = feed_.assembler().sweepNumber();
         line = feed_.frame(frame, clock_.ns(frame.received));
+        // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
+        if (feed_.assembler().sweepNumber() != before) sweepSinceNs_ = clock_.ns(frame.received);
         if (line) {
             ++lines_;
             lineNs_.push_back(frame.received.monotonicNs);
@@ -95,6 +98,9 @@ Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
     auto writer = RecordingWriter::start(path, metadataOf(sweepSettings_));
     if (!writer) return writer.error();
     recorder_ = std::move(*writer);
+    for (RecordingMessagePtr& message : recent_.messages()) {
+        if (message->hostNs >= sweepSinceNs_) recorder_->post(std::move(message));
+    }
     return Done{};
 }
 

@@ -44,6 +44,7 @@ public:
     /// Sweeps finished since the last call.
     [[nodiscard]] std::vector<FinishedSweep> takeFinished();
 
+    /// Begins with what is remembered of the sweep that is growing, so that pressing Record a moment late loses nothing.
     /// Error: a recording is being written already, or the file cannot be made.
     Result<Done> startRecording(const std::filesystem::path& path);
     /// Closes the recording. Error: what could not be written since its start.
@@ -67,6 +68,7 @@ private:
     SessionState state_;
     std::optional<ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
+    std::int64_t sweepSinceNs_ = 0; // recording clock; 0: from the first message on
     std::int64_t lines_ = 0;
     std::deque<std::int64_t> lineNs_;         // of the last lines, monotonic
     std::unique_ptr<ScannerSession> session_; // last: its thread uses all of the above

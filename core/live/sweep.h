@@ -66,6 +66,9 @@ public:
     /// Sweeps that were finished since the last call, oldest first; at most the last four are kept.
     [[nodiscard]] std::vector<FinishedSweep> takeFinished();
 
+    /// SweepProgress::number.
+    [[nodiscard]] int sweepNumber() const { return number_; }
+
     [[nodiscard]] const SweepSettings& settings() const { return settings_; }
 
 private:

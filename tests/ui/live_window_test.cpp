@@ -100,6 +100,8 @@ private slots:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         // As a hand does it.
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
         auto* host = window.livePanel().findChild<QLineEdit*>("live-host");
         QTRY_VERIFY(host->isVisible());
@@ -286,7 +288,8 @@ private slots:
         const auto at = [&](int line) {
             return QTest::qWaitFor([&] { return linesShown(window) == line && timeline.position() == line; }, 5000);
         };
-        window.grayView().setFocus();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, Qt::Key_Left, Qt::ShiftModifier);
         QVERIFY(at(kLines - 10));
         QTest::keyClick(&window, Qt::Key_Left);

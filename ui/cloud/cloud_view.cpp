@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGuessMsPerPoint = 2.5e-4; // llvmpipe on a busy machine; only until frames are measured
+constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full when nothing came for so long
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
 const QColor kCloudDimmed(121, 121, 121);   // contrast figures in VIEWER.md 2.5
 const QColor kCloudBright(230, 230, 230);
@@ -59,8 +60,9 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
         budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0);
     }
-    restTimer_.start(kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse until it pauses
-    if (camera == Camera::Keep && before && cloud_ && before->validCount > 0) {
+    growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0;
+    restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse
+    if (growing_) {
         const Vector3d shift = before->originM - cloud_->originM;
         pose_.position += shift;
         pose_.focus += shift;
@@ -81,7 +83,7 @@ void CloudView::setEdges(EdgeCells cells) {
     edges_ = std::move(cells);
     scene_->setEdges(edges_);
     // Perhaps a slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
-    restTimer_.start(kRestMs);
+    restTimer_.start(growing_ ? kGrowingRestMs : kRestMs);
     requestFrame();
 }
 
@@ -152,7 +154,8 @@ void CloudView::paintGL() {
     const double fraction = cloud_ ? kPartEnds[static_cast<std::size_t>(parts.last)] : 1.0;
     const bool changed = fraction != drawnFraction_;
     drawnFraction_ = fraction;
-    if (!uploads && cloud_ && !parts.onTop) budget_.measured(fraction, lastFrameMs_);
+    // Sending a cloud to the graphics memory is not part of a frame, but of a growing cloud every frame has it.
+    if ((!uploads || growing_) && cloud_ && !parts.onTop) budget_.measured(fraction, lastFrameMs_);
     nextPart_ = cloud_ && !moving ? (parts.last + 1) % kCloudParts : 0;
     // Slots must not run inside a paint event.
     QMetaObject::invokeMethod(

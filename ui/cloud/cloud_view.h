@@ -189,7 +189,8 @@ private:
     DrawingBudget budget_;
     QTimer restTimer_; // running = the camera (or a slider) is under way
     bool framePending_ = true, drawAll_ = false;
-    int nextPart_ = 0; // of the drawing order; above 0: it goes on top of the frame before
+    bool growing_ = false; // the cloud replaced a shorter one of the same scan
+    int nextPart_ = 0;     // of the drawing order; above 0: it goes on top of the frame before
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
     int framesDrawn_ = 0;
 };
