@@ -40,6 +40,7 @@ CloudView::CloudView(QWidget* parent) : QVTKOpenGLNativeWidget(parent), scene_(s
     restTimer_.setSingleShot(true);
     connect(&restTimer_, &QTimer::timeout, this, [this] {
         if (drag_ == DragAction::None) scene_->hideFocus();
+        growing_ = false;
         requestFrame();
     });
     applyColours();
