@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/edges/gradient.h"
 #include "core/edges/settings.h"
 
 #include <cstdint>
@@ -16,6 +17,9 @@ namespace edgescan {
 /// border of a hole makes no edge. Bit-identical to canny() where no cell is missing. `missing`: 255 = no valid range.
 [[nodiscard]] Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing,
                                                   const Settings& settings);
+
+/// Suppression and hysteresis of a gradient from elsewhere; thresholds as the gradient counts before its scale.
+[[nodiscard]] Grid<std::uint8_t> cannyOfGradient(const Gradient& gradient, double lower, double upper, Norm norm);
 
 /// Indices k = line * beams + beam of the edge cells, ascending.
 [[nodiscard]] std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask);

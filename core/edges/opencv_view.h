@@ -18,4 +18,8 @@ inline cv::Mat asMat(const Grid<std::uint8_t>& grid) {
     return {grid.lines, grid.beams, CV_8U, const_cast<std::uint8_t*>(grid.cells.data())};
 }
 
+inline cv::Mat asMat(const Grid<std::int16_t>& grid) {
+    return {grid.lines, grid.beams, CV_16S, const_cast<std::int16_t*>(grid.cells.data())};
+}
+
 } // namespace edgescan

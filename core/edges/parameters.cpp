@@ -1,6 +1,8 @@
 // The one table of parameters. A new parameter is one entry here and one member of Settings.
 #include "core/edges/parameters.h"
 
+#include "core/edges/detectors/detector.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,8 +15,18 @@
 namespace edgescan {
 namespace {
 
-const std::vector<Choice> kMethods{
-    {0, "edgescan+", "EdgeScan+"}, {1, "outlines", "Rock outlines"}, {2, "jumps", "Jumps"}, {3, "canny", "Canny (thesis)"}};
+const std::vector<Choice> kMethods{{0, "edgescan+", "EdgeScan+"},
+                                   {1, "outlines", "Rock outlines"},
+                                   {2, "jumps", "Jumps"},
+                                   {3, "canny", "Canny (thesis)"},
+                                   {4, "log-range", "Canny on log range"},
+                                   {5, "roberts", "Roberts"},
+                                   {6, "sobel", "Sobel"},
+                                   {7, "prewitt", "Prewitt"},
+                                   {8, "kirsch", "Kirsch"},
+                                   {9, "robinson", "Robinson"},
+                                   {10, "marr-hildreth", "Marr-Hildreth"},
+                                   {11, "log", "Laplacian of Gaussian"}};
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"}, {kClassConvex, "convex", "convex"}, {kClassConcave, "concave", "concave"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
@@ -22,19 +34,27 @@ const std::vector<Choice> kScalings{
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
+const std::vector<Choice> kLogMasks{{0, "4", "4 neighbours"}, {1, "8", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
 constexpr bool kAuto = true;
 constexpr bool kAdvanced = true;
 constexpr bool kSeveral = true;
 
 bool always(const Settings&) { return true; }
-bool depth(const Settings& s) { return s.method != Method::Canny; }
+bool depth(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines || s.method == Method::Jumps; }
 bool creases(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines; }
 bool classes(const Settings& s) { return s.method == Method::EdgeScanPlus; }
-bool gray(const Settings& s) { return s.method == Method::Canny; }
+bool gray(const Settings& s) { return s.method == Method::Canny || hasOneThreshold(s.method); }
 bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
-bool sigma(const Settings& s) { return gray(s) && s.kernel > 1; }
+bool logRange(const Settings& s) { return s.method == Method::LogRange; }
+bool twoThresholds(const Settings& s) { return s.method == Method::Canny || logRange(s); }
+bool kernel(const Settings& s) { return (gray(s) || logRange(s)) && !smoothsItself(s.method); }
+bool sigma(const Settings& s) { return smoothsItself(s.method) || (kernel(s) && s.kernel > 1); }
 bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
+bool norm(const Settings& s) {
+    return twoThresholds(s) || s.method == Method::Roberts || s.method == Method::Sobel || s.method == Method::Prewitt;
+}
+bool logMask(const Settings& s) { return s.method == Method::Log; }
 
 template <class Member>
 void assign(Member& member, double value) {
@@ -52,8 +72,8 @@ void assign(Member& member, double value) {
 const std::vector<Parameter>& table() {
     //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, several, member, used by
     static const std::vector<Parameter> rows{
-        {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis.",
-         0, 3, 3, 1, 0, !kAuto, !kAdvanced, kMethods, !kSeveral, EDGESCAN_MEMBER(method), always},
+        {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
+         0, 11, 11, 1, 0, !kAuto, !kAdvanced, kMethods, !kSeveral, EDGESCAN_MEMBER(method), always},
         {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
          0.3, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), depth},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
@@ -72,12 +92,14 @@ const std::vector<Parameter>& table() {
          0, 2, 2, 0.05, 2, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), depth},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 30, 0.25, 2, kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), depth},
-        {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge if a chain of such cells leads to a strong one.",
+        {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
          0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray},
+        {"step", "Step", "% of range", "A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.",
+         0.1, 100, 20, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(stepPercent), logRange},
         {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
-         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), gray},
+         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), twoThresholds},
         {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
-         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), gray},
+         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), kernel},
         {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
          0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma},
         {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
@@ -91,9 +113,11 @@ const std::vector<Parameter>& table() {
         {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
          0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated},
         {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
-         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), gray},
+         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), twoThresholds},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
-         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), gray},
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), norm},
+        {"log-mask", "Laplacian mask", "", "Which mask stands for the Laplacian of Gaussian.",
+         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kLogMasks, !kSeveral, EDGESCAN_MEMBER(logMask), logMask},
     };
     return rows;
 }

@@ -3,6 +3,8 @@
 
 #include "core/edges/canny.h"
 #include "core/edges/depth_settings.h"
+#include "core/edges/detectors/detector.h"
+#include "core/edges/detectors/log_range.h"
 #include "core/edges/holes.h"
 #include "core/edges/smooth.h"
 
@@ -44,20 +46,38 @@ void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage 
 
 Pipeline::Pipeline() { cv::setNumThreads(0); }
 
-// Levels, smoothing, gradient: what holds from the last frame stays.
-void Pipeline::runCanny(Frame& frame, bool smoothHolds) {
-    const Settings& settings = frame.settings;
+// Cells that take no part; null when all do.
+const Grid<std::uint8_t>* Pipeline::masked(Frame& frame) {
+    if (!frame.settings.maskMissing) return nullptr;
     if (!missing_) redo(frame, "missing", missing_, [&] { return missingCells(*frame.scan); });
-    const bool maskIsolated = settings.maskMissing && settings.maskIsolated;
-    if (maskIsolated && !isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*frame.scan, *missing_); });
-    const Grid<std::uint8_t>& masked = maskIsolated ? *isolated_ : *missing_;
+    if (!frame.settings.maskIsolated) return missing_.get();
+    if (!isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*frame.scan, *missing_); });
+    return isolated_.get();
+}
+
+// Levels, smoothing, gradient: what holds from the last frame stays.
+void Pipeline::runGray(Frame& frame, bool smoothHolds) {
+    const Settings& settings = frame.settings;
+    const Grid<std::uint8_t>* missing = masked(frame);
     const Grid<std::uint8_t>& levels = frame.gray->levels;
-    if (!smoothHolds || !frame.smoothed) {
+    if (smoothsItself(settings.method))
+        frame.smoothed.reset();
+    else if (!smoothHolds || !frame.smoothed)
         redo(frame, "smooth", frame.smoothed,
-             [&] { return settings.maskMissing ? smoothAroundHoles(levels, masked, settings) : smooth(levels, settings); });
+             [&] { return missing != nullptr ? smoothAroundHoles(levels, *missing, settings) : smooth(levels, settings); });
+    if (settings.method == Method::Canny) {
+        redo(frame, "canny", frame.mask,
+             [&] { return missing != nullptr ? cannyAroundHoles(*frame.smoothed, *missing, settings) : canny(*frame.smoothed, settings); });
+    } else {
+        redo(frame, "detector", frame.mask,
+             [&] { return detectorMask(settings.method, frame.smoothed ? *frame.smoothed : levels, missing, settings); });
     }
-    redo(frame, "canny", frame.mask,
-         [&] { return settings.maskMissing ? cannyAroundHoles(*frame.smoothed, masked, settings) : canny(*frame.smoothed, settings); });
+    frame.classes.reset();
+}
+
+void Pipeline::runLogRange(Frame& frame) {
+    redo(frame, "log range", frame.mask, [&] { return logRangeEdges(*frame.scan, frame.settings); });
+    frame.smoothed.reset();
     frame.classes.reset();
     frame.noise.reset();
 }
@@ -88,8 +108,10 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     }
     // The gray image is what the edges are seen on, whatever the method.
     if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
-    if (settings.method == Method::Canny)
-        runCanny(frame, smoothHolds);
+    if (settings.method == Method::Canny || hasOneThreshold(settings.method))
+        runGray(frame, smoothHolds);
+    else if (settings.method == Method::LogRange)
+        runLogRange(frame);
     else
         runDepth(frame);
     redo(frame, "edge cells", frame.edges, [&] { return edgeCells(*frame.mask); });

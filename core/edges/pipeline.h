@@ -15,8 +15,10 @@ public:
     std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 private:
-    void runCanny(Frame& frame, bool smoothHolds);
+    void runGray(Frame& frame, bool smoothHolds);
+    static void runLogRange(Frame& frame);
     static void runDepth(Frame& frame);
+    [[nodiscard]] const Grid<std::uint8_t>* masked(Frame& frame);
 
     std::shared_ptr<const Frame> last_;
     std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range

@@ -27,6 +27,21 @@ enum class Method : std::uint8_t {
     Outlines,     ///< of these, what runs round a rock: jumps and concave creases
     Jumps,        ///< of these, the jumps
     Canny,        ///< Canny on gray levels, the method of the thesis
+    LogRange,     ///< Canny on the logarithm of the range, without gray levels
+    Roberts,      ///< from here on the other detectors of the thesis's chapter 3, on gray levels
+    Sobel,
+    Prewitt,
+    Kirsch,
+    Robinson,
+    MarrHildreth,
+    Log,
+};
+
+/// Masks of the Laplacian of Gaussian that text books print.
+enum class LogMask : std::uint8_t {
+    FourNeighbours,  ///< 0 -1 0 / -1 4 -1 / 0 -1 0
+    EightNeighbours, ///< -1 -1 -1 / -1 8 -1 / -1 -1 -1
+    FiveByFive,      ///< 0 0 -1 0 0 / 0 -1 -2 -1 0 / -1 -2 16 -2 -1 / 0 -1 -2 -1 0 / 0 0 -1 0 0
 };
 
 /// The classes of edges that EdgeScan+ tells apart, as bits of Settings::classes.
@@ -46,7 +61,7 @@ struct Settings {
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
 
-    // Gray levels and Canny
+    // Gray levels, Canny and the other detectors
     Scaling scaling = Scaling::Log;
     double nearMm = kAutomatic; ///< range drawn as gray 0, mm
     double farMm = kAutomatic;  ///< range drawn as gray 255, mm
@@ -54,10 +69,12 @@ struct Settings {
     bool maskIsolated = true;   ///< with maskMissing: cells that few neighbours agree with (dust) count as missing
     int kernel = 3;             ///< Gaussian kernel size, cells: 1 (off), 3, 5, 7, 9, 11
     double sigma = kAutomatic;  ///< Gaussian sigma, cells; automatic = OpenCV's 0.3 ((k - 1) / 2 - 1) + 0.8
-    double lower = 6.0;         ///< lower hysteresis threshold, gradient of gray levels
-    double ratio = 3.0;         ///< upper = ratio x lower (thesis 1:3)
-    int aperture = 3;           ///< Sobel aperture, cells: 3, 5, 7
+    double lower = 6.0; ///< lower hysteresis threshold of Canny, or the threshold of a detector that has one: gradient of gray levels
+    double ratio = 3.0; ///< upper = ratio x lower (thesis 1:3)
+    int aperture = 3;   ///< Sobel aperture, cells: 3, 5, 7
     Norm norm = Norm::L1;
+    LogMask logMask = LogMask::FourNeighbours;
+    double stepPercent = 3.0; ///< log range: a straight step of this share of the range is a weak edge
 
     [[nodiscard]] double upper() const { return ratio * lower; }
 };

@@ -1,0 +1,54 @@
+// The highest threshold at which each cell is an edge: one map, after which any threshold is a compare (PERFORMANCE.md, "Threshold map").
+#pragma once
+
+#include "core/base/grid.h"
+#include "core/edges/gradient.h"
+#include "core/edges/settings.h"
+#include "core/scan/scan.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace edgescan {
+
+/// A cell is an edge exactly when threshold <= highest. Never an edge: below 0. Infinite: at every threshold.
+struct ThresholdMap {
+    Grid<double> highest; ///< lines x beams, in units of the threshold that is swept
+};
+
+/// Canny with a fixed ratio upper : lower over Settings::lower: greyscale reconstruction (Vincent 1993) of the suppressed magnitude from
+/// its strong cells, 8 neighbours. Identical to cannyOfGradient() at every lower threshold from 0.
+[[nodiscard]] ThresholdMap cannyThresholdMap(const Gradient& gradient, const Settings& settings);
+
+/// Log-range Canny over Settings::stepPercent; identical to logRangeEdges() at every step from 0.
+[[nodiscard]] ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings);
+
+/// A detector with one threshold: response > threshold.
+[[nodiscard]] ThresholdMap responseThresholdMap(const Grid<float>& response);
+
+/// 255 where the cell is an edge at this threshold.
+[[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
+
+/// Number of edge cells at every threshold, and where it hardly changes.
+struct EdgeCountCurve {
+    std::vector<double> thresholds; ///< ascending, evenly spaced
+    std::vector<std::size_t> edges; ///< never rising
+    double stableFrom = 0.0;        ///< the plateau; stableTo == stableFrom when there is none
+    double stableTo = 0.0;
+};
+
+/// `count` thresholds from `from` to `to`. The plateau is the longest stretch, as ratio of its ends, over which no more than 10 % of the
+/// edges go; stretches that hold under 5 % of the edges at `from` do not count.
+[[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, double from, double to, int count);
+
+/// Largest threshold at which `holds` is true, to the last bit; `holds` must be true for small ones and false for large ones. Below 0: for
+/// none from 0; infinity: for all. `guess` should be close.
+[[nodiscard]] double largestThreshold(const std::function<bool(double)>& holds, double guess);
+
+/// `marker` spread under `mask` to the 8 neighbours: the largest value that reaches each cell, limited by the mask on its way.
+/// marker <= mask in every cell.
+[[nodiscard]] Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask);
+
+} // namespace edgescan
