@@ -34,7 +34,7 @@ const std::vector<Choice> kScalings{
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
-const std::vector<Choice> kLogMasks{{0, "4", "4 neighbours"}, {1, "8", "8 neighbours"}, {2, "5x5", "5 x 5"}};
+const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
 constexpr bool kAuto = true;
 constexpr bool kAdvanced = true;

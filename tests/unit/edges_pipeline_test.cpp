@@ -33,7 +33,7 @@ TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
     Pipeline pipeline;
     Settings settings;
     std::set<int> methods;
-    for (int step = 0; step < 600; ++step) {
+    for (int step = 0; step < 1500; ++step) {
         settings = randomlyTurned(settings, random);
         methods.insert(static_cast<int>(settings.method));
         const auto& scan = scans[random() % 10 == 0 ? random() % 3 : 0];
