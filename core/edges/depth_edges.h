@@ -7,11 +7,11 @@ namespace edgescan {
 
 /// METHOD.md's sliders. Automatic values follow the noise of the scan (step 6).
 struct DepthEdgeSettings {
-    double jumpMm = -1.0;       ///< J0; below 0: 30 mm x q^0.8
+    double jumpMm = -1.0;       ///< J0; below 0: 30 mm x noise / that of an LMS511
     double jumpGrowth = 0.01;   ///< p: share of the range
-    double creaseDeg = 40.0;    ///< C0
+    double creaseDeg = 36.0;    ///< C0: dihedral angle
     double sensitivity = 1.0;   ///< high threshold of the hysteresis
-    double hysteresisLow = 0.5; ///< share of the high one
+    double hysteresisLow = 0.7; ///< share of the high one
     int minimumLength = 4;      ///< cells
     double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
     double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
@@ -22,13 +22,27 @@ struct DepthEdgeSettings {
 
 enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3 };
 
+/// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger, nothing was measured or
+/// nothing is there. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders need only decide().
+struct DepthResponses {
+    Grid<float> jump;   ///< lines x beams
+    Grid<float> crease; ///< lines x beams; positive: convex, negative: concave
+    RangeNoise noise;   ///< used
+};
+
 struct DepthEdges {
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
     Grid<DepthEdge> kind;    ///< lines x beams
-    Grid<float> strength;    ///< suppressed response, 1 = at the threshold
+    Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
     RangeNoise noise;        ///< used
 };
 
+[[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);
+
+/// Step 7: classes, hysteresis and minimum length.
+[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);
+
+/// Both.
 [[nodiscard]] DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings);
 
 } // namespace edgescan

@@ -90,22 +90,6 @@ AngularSteps cameraSteps(const Scan& scan) {
             Grid<float>(scan.lines(), scan.beams(), medianAngle(alongLines))};
 }
 
-void snapVeil(const Grid<float>& from, Grid<float>& to, const Grid<Support>& support, std::size_t k, std::size_t stride, double thresholdMm,
-              double growth) {
-    for (const std::size_t other : {k - 2 * stride, k - stride, k + stride, k + 2 * stride}) {
-        if (support[other] == Support::Void) return;
-    }
-    const float before = 2 * from[k - stride] - from[k - 2 * stride];
-    const float after = 2 * from[k + stride] - from[k + 2 * stride];
-    const float u = from[k];
-    if (before <= 0 || after <= 0 || u <= std::min(before, after) || u >= std::max(before, after)) return;
-    const float rangeMm = 1000.0F / u;
-    const auto allowed = static_cast<float>(thresholdMm + growth * rangeMm);
-    const float toBefore = std::abs(1000.0F / before - rangeMm);
-    const float toAfter = std::abs(1000.0F / after - rangeMm);
-    if (toBefore > allowed && toAfter > allowed) to[k] = toBefore < toAfter ? before : after;
-}
-
 } // namespace
 
 InverseRange inverseRange(const Scan& scan) {
@@ -158,25 +142,6 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     const double spread = weight * sumXX - sumX * sumX;
     const double slope = spread > 1e-9 * weight * weight ? std::max(0.0, (weight * sumXY - sumX * sumY) / spread) : 0.0;
     return {std::max(0.0, (sumY - slope * sumX) / weight), slope};
-}
-
-InverseRange withoutVeil(InverseRange inverse, double thresholdMm, double growth) {
-    const auto beams = static_cast<std::size_t>(inverse.u.beams);
-    Grid<float> before = inverse.u;
-    for (int i = 0; i < inverse.u.lines; ++i) {
-        for (int j = 2; j + 2 < inverse.u.beams; ++j) {
-            const std::size_t k = inverse.u.index(i, j);
-            if (inverse.support[k] == Support::Measured) snapVeil(before, inverse.u, inverse.support, k, 1, thresholdMm, growth);
-        }
-    }
-    before = inverse.u;
-    for (int i = 2; i + 2 < inverse.u.lines; ++i) {
-        for (int j = 0; j < inverse.u.beams; ++j) {
-            const std::size_t k = inverse.u.index(i, j);
-            if (inverse.support[k] == Support::Measured) snapVeil(before, inverse.u, inverse.support, k, beams, thresholdMm, growth);
-        }
-    }
-    return inverse;
 }
 
 } // namespace edgescan

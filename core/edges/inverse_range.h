@@ -42,8 +42,4 @@ struct RangeNoise {
 };
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
 
-/// Step 2: a mixed pixel strictly between the straight continuations of its two sides, and farther than thresholdMm + growth x range
-/// from both, snaps to the closer one.
-[[nodiscard]] InverseRange withoutVeil(InverseRange inverse, double thresholdMm, double growth);
-
 } // namespace edgescan

@@ -54,10 +54,10 @@ struct Settings {
     double sensitivity = 1.0;        ///< high threshold of the hysteresis, x
     double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
     double growthPercent = 1.0;      ///< p: what is added to it, % of the range
-    double creaseDeg = 40.0;         ///< C0: smallest fold, degrees
+    double creaseDeg = 36.0;         ///< C0: smallest fold, degrees
     int minimumLength = 4;           ///< cells of the shortest chain
     int classes = kClassAll;         ///< EdgeClassBits
-    double hysteresisPercent = 50.0; ///< low threshold, % of the high one
+    double hysteresisPercent = 70.0; ///< low threshold, % of the high one
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
 

@@ -1,0 +1,39 @@
+// Inverse range with a margin, as the stages of EdgeScan+ pass it on.
+#pragma once
+
+#include "core/edges/inverse_range.h"
+#include "core/edges/padded_grid.h"
+
+namespace edgescan {
+
+/// The two ways through a sweep: along the fan, and across the lines.
+enum class Along : std::uint8_t { Beams, Lines };
+
+struct DepthField {
+    PaddedGrid<float> u;     ///< 1/m
+    PaddedGrid<float> solid; ///< 1 where u was measured or filled, 0 in voids and in the margin
+
+    [[nodiscard]] std::ptrdiff_t step(Along along) const { return along == Along::Beams ? 1 : u.stride; }
+};
+
+/// Thresholds of the stages, from sliders and noise (METHOD.md steps 3, 5 and 6).
+struct DepthLimits {
+    float jumpMm = 30;    ///< J0
+    float growth = 0.01F; ///< p
+    float grazing = 0.1F; ///< g, index steps
+    float misfitMm = 5;
+    float windowMm = 60;
+    float creaseDeg = 36; ///< C0
+    bool noisy = false;   ///< lines of three cells instead of two
+    int passes = 1;       ///< of smoothing
+    RangeNoise noise;
+
+    [[nodiscard]] float jumpAt(float rangeMm) const { return jumpMm + growth * rangeMm; }
+};
+
+/// Angle of one index step at the cells of a line, radians.
+[[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line) {
+    return along == Along::Beams ? steps.beam.data() : steps.line.line(line);
+}
+
+} // namespace edgescan
