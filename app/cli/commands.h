@@ -13,6 +13,7 @@ void addInfo(CLI::App& app, int& code);
 void addDetect(CLI::App& app, int& code);
 void addConvert(CLI::App& app, int& code);
 void addSimulate(CLI::App& app, int& code);
+void addEvaluate(CLI::App& app, int& code);
 void addVerify(CLI::App& app, int& code);
 void addServe(CLI::App& app, int& code);
 void addRecord(CLI::App& app, int& code);

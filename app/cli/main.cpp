@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     cli::addDetect(app, code);
     cli::addConvert(app, code);
     cli::addSimulate(app, code);
+    cli::addEvaluate(app, code);
     cli::addVerify(app, code);
     cli::addServe(app, code);
     cli::addRecord(app, code);

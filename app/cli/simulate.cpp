@@ -2,6 +2,7 @@
 #include "core/sim/simulate.h"
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/eval/truth_files.h"
 #include "core/files/save_scan.h"
 
 #include <unistd.h>
@@ -13,7 +14,7 @@ namespace edgescan::cli {
 namespace {
 
 struct Simulate {
-    std::string out;
+    std::string out, truth;
     std::string profile = "high";
     std::string axis = "sweep";
     bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
@@ -25,6 +26,7 @@ SimulationSettings settingsOf(const Simulate& simulate) {
     SimulationSettings settings = simulate.settings;
     settings.profile = simulate.profile == "high" ? DeviceProfile::HighResolution : DeviceProfile::Standard;
     settings.axis = simulate.axis == "spin" ? Axis::Spin : Axis::Sweep;
+    settings.truth = !simulate.truth.empty();
     settings.footprint = !simulate.noFootprint;
     settings.mixedPixels = !simulate.noMixedPixels;
     settings.echoLoss = !simulate.noEchoLoss;
@@ -44,12 +46,14 @@ int run(const Simulate& simulate) {
             return true;
         };
     }
-    const Result<Simulation> simulation = edgescan::simulate(settingsOf(simulate), progress);
+    const SimulationSettings settings = settingsOf(simulate);
+    const Result<Simulation> simulation = edgescan::simulate(settings, progress);
     if (!simulation) {
         complain(simulation.error());
         return kWrongUsage;
     }
-    const Result<Done> saved = saveScan(simulation->scan, simulate.out);
+    Result<Done> saved = saveScan(simulation->scan, simulate.out);
+    if (saved && settings.truth) saved = writeTruth(*simulation, settings, simulate.truth);
     if (saved) return kDone;
     complain(saved.error());
     return kRefused;
@@ -68,6 +72,7 @@ void addSimulate(CLI::App& app, int& code) {
     SimulationSettings& s = simulate->settings;
     CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
     command.add_option("-o,--output", simulate->out, "New file: .json for a raw grid")->required();
+    command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
     command.add_option("--seed", s.seed, "Seed of everything random")->capture_default_str();
     command.add_option("--lines", s.lines, "Scan lines over 180 degrees")->capture_default_str();

@@ -50,37 +50,45 @@ EdgeScore& EdgeScore::operator+=(const EdgeScore& other) {
     return *this;
 }
 
-EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
-    const Grid<std::uint8_t> thin = thinned(mask);
+EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
     // A true cell that is not scored can be matched, so that it is no false alarm, but counts for nobody.
     Grid<std::uint8_t> every(mask.lines, mask.beams);
     Grid<std::uint8_t> outline(mask.lines, mask.beams);
-    ClassCounts wanted{};
     for (std::size_t k = 0; k < every.size(); ++k) {
         const std::uint8_t c = truth.edgeClass[k];
-        if (c == 0) continue;
-        every[k] = 255;
-        if (c != static_cast<std::uint8_t>(EdgeClass::Crease)) outline[k] = 255;
-        if (truth.ignore[k] == 0) ++wanted[c];
+        every[k] = c != 0 ? 255 : 0;
+        outline[k] = c != 0 && c != static_cast<std::uint8_t>(EdgeClass::Crease) ? 255 : 0;
     }
-    const std::vector<MatchedPair> pairs = matchEdges(thin, every, tolerance);
+    EdgeMatches matches{thinned(mask), {}, {}};
+    matches.all = matchEdges(matches.thin, every, tolerance);
+    matches.outline = matchEdges(matches.thin, outline, tolerance);
+    return matches;
+}
+
+EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth) {
+    ClassCounts wanted{};
+    for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
+        if (truth.ignore[k] == 0) ++wanted[truth.edgeClass[k]];
+    }
     ClassCounts found{};
-    for (const MatchedPair& pair : pairs) {
+    for (const MatchedPair& pair : matches.all) {
         if (truth.ignore[pair.truth] == 0) ++found[truth.edgeClass[pair.truth]];
     }
-    const std::size_t wrong = falseCells(thin, pairs, truth.ignore);
-
-    const std::vector<MatchedPair> outlinePairs = matchEdges(thin, outline, tolerance);
+    const std::size_t wrong = falseCells(matches.thin, matches.all, truth.ignore);
     std::size_t outlineFound = 0;
-    for (const MatchedPair& pair : outlinePairs) outlineFound += truth.ignore[pair.truth] == 0 ? 1 : 0;
+    for (const MatchedPair& pair : matches.outline) outlineFound += truth.ignore[pair.truth] == 0 ? 1 : 0;
 
     EdgeScore score;
     score.occluding = {wanted[1] + wanted[4], found[1] + found[4], wrong};
     score.outline = {outlineOf(wanted), outlineOf(found), wrong};
     score.crease = {wanted[3], found[3], wrong};
     score.all = {outlineOf(wanted) + wanted[3], outlineOf(found) + found[3], wrong};
-    score.strictOutline = {outlineOf(wanted), outlineFound, falseCells(thin, outlinePairs, truth.ignore)};
+    score.strictOutline = {outlineOf(wanted), outlineFound, falseCells(matches.thin, matches.outline, truth.ignore)};
     return score;
+}
+
+EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
+    return scoreMatches(matchWithTruth(mask, truth, tolerance), truth);
 }
 
 } // namespace edgescan

@@ -1,6 +1,7 @@
 // How well a mask finds the true edges (METHOD.md, "Truth and score").
 #pragma once
 
+#include "core/eval/match.h"
 #include "core/eval/truth.h"
 
 #include <vector>
@@ -29,7 +30,16 @@ struct EdgeScore {
     EdgeScore& operator+=(const EdgeScore& other);
 };
 
+/// Which detections found which true cells.
+struct EdgeMatches {
+    Grid<std::uint8_t> thin;          ///< the mask, thinned
+    std::vector<MatchedPair> all;     ///< with every class
+    std::vector<MatchedPair> outline; ///< with the outline alone
+};
+
 /// `mask`: 255 = edge, thinned here. `tolerance`: cells.
+[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
+[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
 [[nodiscard]] EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 
 } // namespace edgescan

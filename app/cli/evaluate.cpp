@@ -1,0 +1,221 @@
+// edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/edges/depth_settings.h"
+#include "core/edges/parameters.h"
+#include "core/edges/pipeline.h"
+#include "core/eval/evaluation.h"
+#include "core/files/png.h"
+#include "core/files/whole_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Evaluate {
+    std::vector<std::string> files, truths;
+    std::string json;
+    double tolerance = 2.0;
+    bool sweep = false;
+    std::vector<double> thresholds;
+    MethodFlags method;
+    ReadFlags read;
+};
+
+/// The threshold that the method chosen has; null when it has none.
+const Parameter* sweptParameter(const Settings& settings) {
+    for (const char* key : {"sensitivity", "step", "lower"}) {
+        const Parameter* parameter = findParameter(key);
+        if (parameter != nullptr && parameter->usedBy(settings)) return parameter;
+    }
+    return nullptr;
+}
+
+std::vector<double> usualThresholds(const Parameter& parameter) {
+    std::vector<double> thresholds;
+    const std::string key = parameter.key;
+    // Steps fine enough that the best F is missed by less than a thousandth where F is flat, wide enough for all noises.
+    const double from = key == "lower" ? 0.5 : key == "step" ? 0.25 : 0.5;
+    const double to = key == "lower" ? 4096.0 : key == "step" ? 64.0 : 2.6;
+    const double factor = key == "sensitivity" ? 1.1 : std::sqrt(2.0);
+    for (double value = from; value <= to; value *= factor) thresholds.push_back(snapped(parameter, value));
+    thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
+    return thresholds;
+}
+
+/// A scan or a mask, and its truth.
+struct Case {
+    std::shared_ptr<const Scan> scan; ///< null for a mask
+    Grid<std::uint8_t> mask;
+    TruthSet truth;
+};
+
+bool isMask(const std::string& file) { return fs::path(file).extension() == ".png"; }
+
+Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
+    Case one;
+    Result<TruthSet> truth = readTruth(evaluate.truths[n]);
+    if (!truth) return truth.error();
+    one.truth = std::move(*truth);
+    int lines = 0;
+    int beams = 0;
+    if (isMask(evaluate.files[n])) {
+        auto mask = readPng8(evaluate.files[n]);
+        if (!mask) return mask.error();
+        one.mask = std::move(*mask);
+        lines = one.mask.lines;
+        beams = one.mask.beams;
+    } else {
+        Result<Scan> scan = openScan(evaluate.files[n], openOptions(evaluate.read));
+        if (!scan) return scan.error();
+        lines = scan->lines();
+        beams = scan->beams();
+        one.scan = std::make_shared<const Scan>(std::move(*scan));
+    }
+    const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
+    if (lines != wanted.lines || beams != wanted.beams)
+        return Error{"it has " + std::to_string(lines) + " x " + std::to_string(beams) + " cells and its truth " +
+                         std::to_string(wanted.lines) + " x " + std::to_string(wanted.beams),
+                     evaluate.files[n], "give each file the truth that was written with it"};
+    return one;
+}
+
+/// Masks of one scan at rising thresholds; what does not depend on the threshold is worked out once.
+class MaskMaker {
+public:
+    MaskMaker(std::shared_ptr<const Scan> scan, const Settings& settings) : scan_(std::move(scan)), settings_(settings) {}
+
+    Grid<std::uint8_t> at(const Parameter* parameter, double threshold) {
+        if (parameter != nullptr) parameter->set(settings_, threshold);
+        if (parameter != findParameter("sensitivity")) return *pipeline_.run(scan_, settings_)->mask;
+        const DepthEdgeSettings depth = depthEdgeSettings(settings_);
+        if (!responses_) responses_ = std::make_unique<DepthResponses>(depthResponses(*scan_, depth));
+        return decideDepthEdges(*responses_, depth).mask;
+    }
+
+private:
+    std::shared_ptr<const Scan> scan_;
+    Settings settings_;
+    Pipeline pipeline_;
+    std::unique_ptr<DepthResponses> responses_;
+};
+
+void show(const char* title, const Json& evaluation) {
+    std::cout << title << std::fixed << std::setprecision(3);
+    for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
+        std::cout << "  " << group << ' ' << evaluation[group]["f"].get<double>();
+    std::cout << "\n  rocks with 80 / 90 % of their outline: " << std::setprecision(0)
+              << 100 * evaluation["rocks"]["at_least_80_percent"].get<double>() << " / "
+              << 100 * evaluation["rocks"]["at_least_90_percent"].get<double>() << " %";
+    if (evaluation.contains("error_mm"))
+        std::cout << ", 3D error P50 / P95 " << evaluation["error_mm"]["p50"].get<double>() << " / "
+                  << evaluation["error_mm"]["p95"].get<double>() << " mm";
+    std::cout << ", Pratt " << std::setprecision(3) << evaluation["pratt"].get<double>() << '\n';
+}
+
+Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
+    const Parameter* swept = sweptParameter(settings);
+    ThresholdSweep sweep;
+    if (evaluate.sweep && swept != nullptr) sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(*swept) : evaluate.thresholds;
+    Evaluation fixed;
+    for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
+        Result<Case> one = openCase(evaluate, n);
+        if (!one) return one.error();
+        if (one->scan == nullptr) {
+            fixed += evaluateMask(one->mask, one->truth, nullptr, evaluate.tolerance);
+            continue;
+        }
+        MaskMaker maker(one->scan, settings);
+        const auto score = [&](const Grid<std::uint8_t>& mask) {
+            return evaluateMask(mask, one->truth, one->scan.get(), evaluate.tolerance);
+        };
+        fixed += score(maker.at(swept, swept == nullptr ? 0.0 : swept->get(settings)));
+        std::vector<Evaluation> row;
+        for (const double threshold : sweep.thresholds) row.push_back(score(maker.at(swept, threshold)));
+        sweep.perScan.push_back(std::move(row));
+    }
+    Json json;
+    json["files"] = evaluate.files;
+    json["tolerance"] = evaluate.tolerance;
+    if (!isMask(evaluate.files.front())) json["settings"] = settingsToJson(settings);
+    json["fixed"] = evaluationJson(fixed);
+    if (sweep.thresholds.empty()) return json;
+    json["swept"] = swept->key;
+    json["sweep"] = sweepJson(sweep);
+    return json;
+}
+
+int run(const Evaluate& evaluate) {
+    const Result<Settings> settings = settingsOf(evaluate.method);
+    if (!settings) {
+        complain(settings.error());
+        return kWrongUsage;
+    }
+    const bool masks = std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask);
+    if (evaluate.files.size() != evaluate.truths.size()) {
+        complain({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +
+                      " folders with truth",
+                  "evaluate", "give --truth once per file, in the same order"});
+        return kWrongUsage;
+    }
+    if (evaluate.sweep && masks) {
+        complain({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
+        return kWrongUsage;
+    }
+    const Result<Json> json = evaluateAll(evaluate, *settings);
+    if (!json) {
+        complain(json.error());
+        return kRefused;
+    }
+    if (evaluate.json == "-") {
+        std::cout << json->dump(2) << '\n';
+        return kDone;
+    }
+    if (!evaluate.json.empty()) {
+        const Result<Done> written = writeWholeFile(evaluate.json, json->dump(2) + "\n");
+        if (written) return kDone;
+        complain(written.error());
+        return kRefused;
+    }
+    show("F", (*json)["fixed"]);
+    if (!json->contains("sweep")) return kDone;
+    const Json& sweep = (*json)["sweep"];
+    for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
+        std::cout << std::setw(15) << group << "  ODS " << sweep[group]["ods"].get<double>() << " at "
+                  << sweep[group]["ods_threshold"].get<double>() << ", OIS " << sweep[group]["ois"].get<double>() << ", AP "
+                  << sweep[group]["ap"].get<double>() << '\n';
+    return kDone;
+}
+
+} // namespace
+
+void addEvaluate(CLI::App& app, int& code) {
+    auto evaluate = std::make_shared<Evaluate>();
+    CLI::App& command = *app.add_subcommand("evaluate", "Scores edges against ground truth that simulate --truth wrote");
+    command.add_option("FILE", evaluate->files, "Edge masks (.png, 255 = edge), or scans to run the method on; figures of all together")
+        ->required();
+    command.add_option("--truth", evaluate->truths, "Folder with the truth of each file, in the same order")->required();
+    command.add_option("--tolerance", evaluate->tolerance, "How far a detection may lie from a true edge [cells]")
+        ->check(CLI::Range(0.0, 20.0))
+        ->capture_default_str();
+    command.add_flag("--sweep", evaluate->sweep, "Also the best threshold for all scans (ODS), for each (OIS), and average precision");
+    command.add_option("--thresholds", evaluate->thresholds, "Thresholds of the sweep, ascending, instead of the usual ones")
+        ->delimiter(',');
+    command.add_option("--json", evaluate->json, "All figures; - is stdout");
+    addMethodFlags(command, evaluate->method);
+    addReadFlags(command, evaluate->read);
+    command.callback([evaluate, &code] { code = run(*evaluate); });
+}
+
+} // namespace edgescan::cli
