@@ -18,5 +18,6 @@ void addVerify(CLI::App& app, int& code);
 void addServe(CLI::App& app, int& code);
 void addRecord(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
+void addWhy(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

@@ -75,12 +75,14 @@ bool nothingAskedFor(const Outputs& out) {
     return out.json.empty() && out.mask.empty() && out.gray.empty() && out.range.empty() && out.edges.empty() && out.cloud.empty();
 }
 
-Result<Done> detectOne(const Detect& detect, const std::string& file, const Settings& settings, bool several) {
+Result<Done> detectOne(const Detect& detect, const std::string& file, bool several) {
     const auto start = std::chrono::steady_clock::now();
     Result<Scan> opened = openScan(file, openOptions(detect.read));
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), settings);
+    const Result<Settings> settings = settingsFor(detect.method, *opened);
+    if (!settings) return settings.error();
+    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *frame->scan);
     if (nothingAskedFor(out)) {
         std::cout << file << ": " << frame->edges->size() << " edge cells of " << frame->scan->cells() << " (" << frame->scan->lines()
@@ -115,9 +117,9 @@ Result<Done> checkUsage(const Detect& detect) {
 
 int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
-    const Result<Settings> settings = settingsOf(detect.method);
-    if (!usage || !settings) {
-        complain(usage ? settings.error() : usage.error());
+    const Result<Done> method = checkMethod(detect.method);
+    if (!usage || !method) {
+        complain(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
     if (!detect.folder.empty()) {
@@ -130,7 +132,7 @@ int run(const Detect& detect) {
     }
     int code = kDone;
     for (const std::string& file : detect.files) {
-        const Result<Done> result = detectOne(detect, file, *settings, detect.files.size() > 1);
+        const Result<Done> result = detectOne(detect, file, detect.files.size() > 1);
         if (result) continue;
         complain(result.error());
         code = kRefused;

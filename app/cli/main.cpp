@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     cli::addServe(app, code);
     cli::addRecord(app, code);
     cli::addReplay(app, code);
+    cli::addWhy(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -44,9 +44,8 @@ void keepLongest(Replay& replay, std::shared_ptr<const Scan>& longest) {
 }
 
 int run(const ReplayWanted& wanted) {
-    const Result<Settings> settings = settingsOf(wanted.method);
-    if (!settings) {
-        complain(settings.error());
+    if (const auto method = checkMethod(wanted.method); !method) {
+        complain(method.error());
         return kWrongUsage;
     }
     const auto recording = Recording::open(wanted.file);
@@ -71,6 +70,11 @@ int run(const ReplayWanted& wanted) {
     Scan scan = *longest;
     scan.path = wanted.file;
     if (const auto sha = sha256OfFile(wanted.file)) scan.sha256 = *sha;
+    const Result<Settings> settings = settingsFor(wanted.method, scan);
+    if (!settings) {
+        complain(settings.error());
+        return kRefused;
+    }
     const auto frame = detectEdges(std::make_shared<const Scan>(std::move(scan)), *settings);
     std::cout << reportText({{"result", detectReport(*frame, 0.0)}}, false) << '\n';
     return kDone;

@@ -3,6 +3,7 @@
 
 #include "core/edges/parameters.h"
 #include "core/edges/presets.h"
+#include "core/edges/step_meaning.h"
 
 #include <unistd.h>
 
@@ -17,9 +18,13 @@
 namespace edgescan::cli {
 namespace {
 
+const std::string kNotTyped = "\n"; // no flag can hold it
+const std::string kLower = "lower";
+
 // The limits and the default, for --help: "x, 1 to 10, default 3".
 std::string hint(const Parameter& p) {
     std::string text = p.help;
+    if (p.key == kLower) text += " A depth (0.5m), or with logarithmic gray levels a share of the range (5%), is turned into levels.";
     text += " [";
     if (p.choices.empty()) {
         const auto number = [](double v) {
@@ -36,8 +41,6 @@ std::string hint(const Parameter& p) {
     }
     return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
 }
-
-const std::string kNotTyped = "\n"; // no flag can hold it
 
 std::atomic<bool> progressLineOpen{false}; // an error must start on a line of its own
 
@@ -122,16 +125,25 @@ Result<Preset> presetOf(const MethodFlags& flags) {
     return findPreset(flags.preset.empty() ? builtInPresets().front().name : flags.preset);
 }
 
-Result<Settings> settingsOf(const MethodFlags& flags) {
+namespace {
+
+// All that can be known without a scan: a lower threshold typed as a depth is left as it is.
+Result<Settings> settingsBut(const MethodFlags& flags) {
     const Result<Preset> preset = presetOf(flags);
     if (!preset) return preset.error();
     Settings settings = preset->settings;
     for (const auto& [key, text] : flags.typed) {
         if (text == kNotTyped) continue;
+        if (key == kLower && typedStep(text)) continue;
         const Parameter& parameter = *findParameter(key);
         const Result<double> value = parseValue(parameter, text);
         if (!value) return value.error();
         parameter.set(settings, *value);
+    }
+    if (flags.typed.at(kLower) == kNotTyped) {
+        Settings before = preset->settings;
+        if (stepGain(before).straight <= 0) before = cannySettings();
+        settings.lower = lowerWithSameStep(before, settings);
     }
     if (const auto checked = checkSettings(settings); !checked) return checked.error();
     // Who names a method or a preset may type every parameter there is; who does not should hear that a flag changes nothing.
@@ -141,6 +153,30 @@ Result<Settings> settingsOf(const MethodFlags& flags) {
         return Error{"the method edgescan+ takes no notice of this flag", "--" + key,
                      "choose a method that uses it, such as --method canny or --preset thesis for gray levels and thresholds"};
     }
+    return settings;
+}
+
+} // namespace
+
+Result<Settings> settingsOf(const MethodFlags& flags) {
+    if (typedStep(flags.typed.at(kLower)))
+        return Error{"a depth becomes a threshold only once there is a scan", "--lower", "give the threshold in gray levels here"};
+    return settingsBut(flags);
+}
+
+Result<Done> checkMethod(const MethodFlags& flags) {
+    const Result<Settings> settings = settingsBut(flags);
+    if (!settings) return settings.error();
+    return Done{};
+}
+
+Result<Settings> settingsFor(const MethodFlags& flags, const Scan& scan) {
+    Result<Settings> settings = settingsBut(flags);
+    const auto step = typedStep(flags.typed.at(kLower));
+    if (!settings || !step) return settings;
+    const Result<double> lower = lowerOfStep(*step, *settings, grayScale(scan, *settings));
+    if (!lower) return lower.error();
+    settings->lower = *lower;
     return settings;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/edges/presets.h"
 #include "core/files/open_scan.h"
+#include "core/scan/scan.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,8 +41,15 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags);
 /// Error: neither a built-in preset nor a preset file.
 [[nodiscard]] Result<Preset> presetOf(const MethodFlags& flags);
 
-/// Preset first, then the flags. Error: unknown preset, or values that do not go together.
+/// Preset first, then the flags; a method without a threshold typed keeps the step in depth at which the preset's starts an edge.
+/// Error: a lower threshold typed as a depth, unknown preset, or values that do not go together.
 [[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);
+
+/// Whether settingsFor() can work with these, before there is a scan.
+[[nodiscard]] Result<Done> checkMethod(const MethodFlags& flags);
+
+/// As settingsOf(), with a lower threshold that was typed as a depth ("0.5 m", "5 %") worked out for this scan.
+[[nodiscard]] Result<Settings> settingsFor(const MethodFlags& flags, const Scan& scan);
 
 /// "edgescan-cli: SENTENCE" on stderr.
 void complain(const Error& error);

@@ -45,6 +45,15 @@ Grid<std::uint8_t> isolatedCells(const Scan& scan) {
     return isolated;
 }
 
+Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings) {
+    if (!settings.maskMissing) return {};
+    Grid<std::uint8_t> masked = missingCells(scan);
+    if (!settings.maskIsolated) return masked;
+    const Grid<std::uint8_t> isolated = isolatedCells(scan);
+    for (std::size_t k = 0; k < masked.size(); ++k) masked[k] |= isolated[k];
+    return masked;
+}
+
 Grid<std::uint8_t> nearMissing(const Grid<std::uint8_t>& missing, int reach) {
     Grid<std::uint8_t> near(missing.lines, missing.beams);
     if (near.size() == 0) return near;

@@ -1,6 +1,7 @@
 // Missing cells as a grid, and which cells have one within reach of a filter window.
 #pragma once
 
+#include "core/edges/settings.h"
 #include "core/scan/scan.h"
 
 namespace edgescan {
@@ -10,6 +11,9 @@ namespace edgescan {
 
 /// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (METHOD.md step 1).
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
+
+/// 255 where a cell takes no part in the gray methods under these settings; empty (0 x 0) when all take part.
+[[nodiscard]] Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings);
 
 /// 255 where a missing cell lies at most `reach` lines and beams away.
 [[nodiscard]] Grid<std::uint8_t> nearMissing(const Grid<std::uint8_t>& missing, int reach);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
-constexpr double kGuessError = 1e-12;   // relative
+constexpr double kGuessError = 1e-6;    // relative
 constexpr double kStableShare = 0.9;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
 
@@ -158,6 +158,94 @@ ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
     for (std::size_t k = 0; k < without.size(); ++k) {
         if (without[k] != 0) map.highest[k] = kNever;
     }
+    return map;
+}
+
+namespace {
+
+// Cells joined to sets, each with its size.
+class Sets {
+public:
+    explicit Sets(std::size_t cells) : parent_(cells), size_(cells, 1) {
+        for (std::size_t k = 0; k < cells; ++k) parent_[k] = static_cast<std::uint32_t>(k);
+    }
+    [[nodiscard]] std::uint32_t root(std::uint32_t k) {
+        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    // The root of both.
+    std::uint32_t join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return a;
+        if (size_[a] < size_[b]) std::swap(a, b);
+        parent_[b] = a;
+        size_[a] += size_[b];
+        return a;
+    }
+    [[nodiscard]] std::uint32_t size(std::uint32_t rootCell) const { return size_[rootCell]; }
+
+private:
+    std::vector<std::uint32_t> parent_, size_;
+};
+
+// Area opening: what a cell's chain is too short for is put off until enough cells have joined it.
+void putOffShortChains(ThresholdMap& map, int minimumLength) {
+    Grid<double>& highest = map.highest;
+    std::vector<std::uint32_t> order;
+    for (std::size_t k = 0; k < highest.size(); ++k) {
+        if (highest[k] >= 0) order.push_back(static_cast<std::uint32_t>(k));
+    }
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return highest[a] != highest[b] ? highest[a] > highest[b] : a < b; });
+    Sets sets(highest.size());
+    std::vector<std::vector<std::uint32_t>> waiting(highest.size()); // members of chains that are still too short, by root
+    Grid<double> opened(highest.lines, highest.beams, kNever);
+    Grid<std::uint8_t> joined(highest.lines, highest.beams);
+    const auto wanted = static_cast<std::uint32_t>(minimumLength);
+    for (std::size_t at = 0; at < order.size();) {
+        const double level = highest[order[at]];
+        const std::size_t from = at;
+        for (; at < order.size() && highest[order[at]] == level; ++at) {
+            const std::uint32_t k = order[at];
+            joined[k] = 1;
+            waiting[k] = {k};
+            const int line = static_cast<int>(k / static_cast<std::uint32_t>(highest.beams));
+            const int beam = static_cast<int>(k % static_cast<std::uint32_t>(highest.beams));
+            forNeighbours(highest, line, beam, [&](std::size_t n) {
+                if (joined[n] == 0) return;
+                const std::uint32_t a = sets.root(k);
+                const std::uint32_t b = sets.root(static_cast<std::uint32_t>(n));
+                if (a == b) return;
+                const std::uint32_t root = sets.join(a, b);
+                std::vector<std::uint32_t>& other = waiting[root == a ? b : a];
+                waiting[root].insert(waiting[root].end(), other.begin(), other.end());
+                other.clear();
+            });
+        }
+        for (std::size_t n = from; n < at; ++n) {
+            const std::uint32_t root = sets.root(order[n]);
+            if (sets.size(root) < wanted) continue;
+            for (const std::uint32_t member : waiting[root]) opened[member] = level;
+            waiting[root].clear();
+        }
+    }
+    highest = std::move(opened);
+}
+
+} // namespace
+
+ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength) {
+    const auto share = static_cast<float>(lowShare);
+    Grid<double> weak(strength.lines, strength.beams, kNever);
+    Grid<double> strong = weak;
+    for (std::size_t k = 0; k < strength.size(); ++k) {
+        if (!(strength[k] > 0)) continue;
+        const float here = strength[k];
+        weak[k] = largestThreshold([&](double high) { return here > static_cast<float>(high) * share; }, here / share);
+        strong[k] = std::min(weak[k], largestThreshold([&](double high) { return here > static_cast<float>(high); }, here));
+    }
+    ThresholdMap map{reconstructed(std::move(strong), weak)};
+    if (minimumLength > 1) putOffShortChains(map, minimumLength);
     return map;
 }
 

@@ -28,6 +28,10 @@ struct ThresholdMap {
 /// A detector with one threshold: response > threshold.
 [[nodiscard]] ThresholdMap responseThresholdMap(const Grid<float>& response);
 
+/// Responses that are linked by hysteresis over its high threshold: a chain is kept where it is above `lowShare` x high throughout, above
+/// high somewhere, and `minimumLength` cells long at least (8 neighbours). Strengths and thresholds are compared as float.
+[[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength);
+
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
 

@@ -1,0 +1,63 @@
+// edgescan-cli why: why a cell is an edge, or why it is none.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/edges/pipeline.h"
+#include "core/report/report.h"
+#include "core/report/why_report.h"
+
+#include <iostream>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct WhyFlags {
+    std::string file;
+    int line = 0;
+    int beam = 0;
+    ReadFlags read;
+    MethodFlags method;
+};
+
+Result<Done> explain(const WhyFlags& flags) {
+    Result<Scan> opened = openScan(flags.file, openOptions(flags.read));
+    if (!opened) return opened.error();
+    if (!opened->rangeMm.contains(flags.line, flags.beam)) {
+        return Error{"there is no cell at line " + std::to_string(flags.line) + ", beam " + std::to_string(flags.beam), flags.file,
+                     "lines run from 0 to " + std::to_string(opened->lines() - 1) + ", beams from 0 to " +
+                         std::to_string(opened->beams() - 1)};
+    }
+    const Result<Settings> settings = settingsFor(flags.method, *opened);
+    if (!settings) return settings.error();
+    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const Why why = whyCell(*frame, frame->scan->rangeMm.index(flags.line, flags.beam));
+    std::cout << reportText(whyReport(*frame, why), true) << '\n';
+    return Done{};
+}
+
+int run(const WhyFlags& flags) {
+    const Result<Done> method = checkMethod(flags.method);
+    if (!method) {
+        complain(method.error());
+        return kWrongUsage;
+    }
+    const Result<Done> result = explain(flags);
+    if (result) return kDone;
+    complain(result.error());
+    return kRefused;
+}
+
+} // namespace
+
+void addWhy(CLI::App& app, int& code) {
+    auto flags = std::make_shared<WhyFlags>();
+    CLI::App& command = *app.add_subcommand("why", "Why a cell is an edge, or why it is none; JSON");
+    command.add_option("FILE", flags->file, "Scan")->required();
+    command.add_option("--line", flags->line, "Line of the cell, from 0")->required();
+    command.add_option("--beam", flags->beam, "Beam of the cell, from 0")->required();
+    addMethodFlags(command, flags->method);
+    addReadFlags(command, flags->read);
+    command.callback([flags, &code] { code = run(*flags); });
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,36 @@
+// Every threshold of a frame's method.
+#include "core/edges/frame_thresholds.h"
+
+#include "core/edges/depth_settings.h"
+#include "core/edges/detectors/detector.h"
+#include "core/edges/detectors/log_range.h"
+#include "core/edges/holes.h"
+
+namespace edgescan {
+
+const char* sweptParameter(Method method) {
+    if (method == Method::LogRange) return "step";
+    return method == Method::Canny || hasOneThreshold(method) ? "lower" : "sensitivity";
+}
+
+Gradient gradientOf(const Frame& frame) {
+    const Settings& settings = frame.settings;
+    if (settings.method == Method::LogRange) return logRangeGradient(*frame.scan, settings);
+    const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
+    return sobelGradient(*frame.smoothed, masked.size() > 0 ? &masked : nullptr, settings.aperture);
+}
+
+ThresholdMap thresholdMapOf(const Frame& frame) {
+    const Settings& settings = frame.settings;
+    if (settings.method == Method::LogRange) return logRangeThresholdMap(*frame.scan, settings);
+    if (settings.method == Method::Canny) return cannyThresholdMap(gradientOf(frame), settings);
+    if (hasOneThreshold(settings.method)) {
+        const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
+        const Grid<std::uint8_t>& levels = frame.smoothed ? *frame.smoothed : frame.gray->levels;
+        return responseThresholdMap(detectorResponse(settings.method, levels, masked.size() > 0 ? &masked : nullptr, settings));
+    }
+    const DepthEdgeSettings depth = depthEdgeSettings(settings);
+    return linkedThresholdMap(depthEdges(*frame.scan, depth).strength, depth.hysteresisLow, depth.minimumLength);
+}
+
+} // namespace edgescan

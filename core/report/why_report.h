@@ -1,0 +1,12 @@
+// Why a cell is an edge or not, as JSON (CLI.md, `why`).
+#pragma once
+
+#include "core/edges/why.h"
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan {
+
+[[nodiscard]] nlohmann::ordered_json whyReport(const Frame& frame, const Why& why);
+
+} // namespace edgescan
