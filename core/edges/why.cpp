@@ -150,8 +150,10 @@ std::string reason(const Why& why, const Settings& settings) {
     if (lost)
         return cellName(*why.suppressedBy) + " beside it is stronger (" + number(why.suppressedBy->strength) +
                "), and an edge is one cell wide";
-    if (why.standing == Standing::Below)
-        return strength + " is below the " + (oneThreshold ? "" : "lower ") + "threshold " + number(why.lower);
+    if (why.standing == Standing::Below) {
+        const std::string text = strength + " is below the " + (oneThreshold ? "" : "lower ") + "threshold " + number(why.lower);
+        return why.suppressedBy ? text + ", and " + cellName(*why.suppressedBy) + " beside it is stronger" : text;
+    }
     if (why.chain.empty())
         return strength + " is between the thresholds, and no chain of such cells leads to one above " + number(why.upper);
     return "its chain has " + std::to_string(why.chainCells) + (why.chainCells == 1 ? " cell" : " cells") +
