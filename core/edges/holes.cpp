@@ -5,7 +5,11 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -14,17 +18,15 @@ constexpr int kNeighboursWanted = 2;
 constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
-bool standsAlone(const Scan& scan, int line, int beam) {
-    const float range = scan.rangeMm.at(line, beam);
-    const float allowed = kAgreeShare * range + kAgreeMm;
-    int agreeing = 0;
-    for (int i = line - 1; i <= line + 1; ++i) {
-        for (int j = beam - 1; j <= beam + 1; ++j) {
-            if ((i == line && j == beam) || !scan.rangeMm.contains(i, j) || scan.state.at(i, j) != CellState::Valid) continue;
-            if (std::abs(scan.rangeMm.at(i, j) - range) <= allowed && ++agreeing >= kNeighboursWanted) return false;
-        }
+// The ranges of a line with a cell on either side; what is no range agrees with nothing.
+void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
+    out.assign(static_cast<std::size_t>(scan.beams()) + 2, std::numeric_limits<float>::quiet_NaN());
+    if (line < 0 || line >= scan.lines()) return;
+    const float* ranges = scan.rangeMm.line(line);
+    const CellState* states = scan.state.line(line);
+    for (int beam = 0; beam < scan.beams(); ++beam) {
+        if (states[beam] == CellState::Valid) out[static_cast<std::size_t>(beam) + 1] = ranges[beam];
     }
-    return true;
 }
 
 } // namespace
@@ -35,12 +37,30 @@ Grid<std::uint8_t> missingCells(const Scan& scan) {
     return missing;
 }
 
-Grid<std::uint8_t> isolatedCells(const Scan& scan) {
-    Grid<std::uint8_t> isolated(scan.lines(), scan.beams());
-    for (int i = 0; i < scan.lines(); ++i) {
-        for (int j = 0; j < scan.beams(); ++j) {
-            if (scan.state.at(i, j) == CellState::Valid && standsAlone(scan, i, j)) isolated.at(i, j) = 255;
+Grid<std::uint8_t> isolatedCells(const Scan& scan) { return isolatedCells(scan, 0, scan.lines()); }
+
+Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine) {
+    Grid<std::uint8_t> isolated(endLine - firstLine, scan.beams());
+    std::array<std::vector<float>, 3> ranges; // of the lines before, at and after
+    takeRanges(ranges[1], scan, firstLine - 1);
+    takeRanges(ranges[2], scan, firstLine);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    std::vector<int> agreeing(beams);
+    for (int line = firstLine; line < endLine; ++line) {
+        std::rotate(ranges.begin(), ranges.begin() + 1, ranges.end());
+        takeRanges(ranges[2], scan, line + 1);
+        const float* here = ranges[1].data() + 1;
+        std::fill(agreeing.begin(), agreeing.end(), 0);
+        for (const std::vector<float>& row : ranges) {
+            for (std::size_t shift = 0; shift < 3; ++shift) { // the cell itself agrees too
+                const float* there = row.data() + shift;
+                for (std::size_t j = 0; j < beams; ++j)
+                    agreeing[j] += std::abs(there[j] - here[j]) <= kAgreeShare * here[j] + kAgreeMm ? 1 : 0;
+            }
         }
+        std::uint8_t* out = isolated.line(line - firstLine);
+        // A cell without a range does not even agree with itself.
+        for (std::size_t j = 0; j < beams; ++j) out[j] = agreeing[j] > 0 && agreeing[j] <= kNeighboursWanted ? 255 : 0;
     }
     return isolated;
 }

@@ -11,6 +11,8 @@ namespace edgescan {
 
 /// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (METHOD.md step 1).
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
+/// Only the lines [firstLine, endLine).
+[[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine);
 
 /// 255 where a cell takes no part in the gray methods under these settings; empty (0 x 0) when all take part.
 [[nodiscard]] Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings);

@@ -3,7 +3,6 @@
 
 #include "core/edges/canny.h"
 #include "core/edges/holes.h"
-#include "core/edges/smooth.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,30 +12,7 @@ namespace edgescan {
 namespace {
 
 constexpr int kWholeMm = 1 << 17; // ranges of whole millimetres that are looked up
-
-Grid<std::uint8_t> rowsFrom(const Grid<std::uint8_t>& grid, int first) {
-    return {grid.lines - first, grid.beams,
-            std::vector<std::uint8_t>(grid.cells.begin() + static_cast<std::ptrdiff_t>(grid.index(first, 0)), grid.cells.end())};
-}
-
-/// Ranges and states of some rows.
-Scan rowsOf(const Scan& scan, int first) {
-    Scan rows;
-    const auto begin = static_cast<std::ptrdiff_t>(scan.rangeMm.index(first, 0));
-    rows.rangeMm =
-        Grid<float>(scan.lines() - first, scan.beams(), std::vector<float>(scan.rangeMm.cells.begin() + begin, scan.rangeMm.cells.end()));
-    rows.state = Grid<CellState>(scan.lines() - first, scan.beams(),
-                                 std::vector<CellState>(scan.state.cells.begin() + begin, scan.state.cells.end()));
-    return rows;
-}
-
-/// Puts the rows of `part` from `row` on into the same rows of `whole`; row 0 of `part` is row `start` of `whole`.
-void replaceRows(Grid<std::uint8_t>& whole, const Grid<std::uint8_t>& part, int start, int row) {
-    whole.lines = start + part.lines;
-    whole.cells.resize(whole.index(whole.lines, 0));
-    std::copy(part.cells.begin() + static_cast<std::ptrdiff_t>(part.index(row - start, 0)), part.cells.end(),
-              whole.cells.begin() + static_cast<std::ptrdiff_t>(whole.index(row, 0)));
-}
+constexpr int kLooked = 4;        // every how many cells are looked at to know a scan again
 
 /// One line that holds these ranges, all valid.
 Scan lineOf(std::vector<float> ranges) {
@@ -82,20 +58,24 @@ int LiveEdges::unsettledRows() const { return gray_.lines - hysteresis_.settledR
 
 void LiveEdges::reset(int beams) {
     gray_ = masked_ = smoothed_ = Grid<std::uint8_t>(0, beams);
+    gradient_ = GradientRows(beams);
     hysteresis_ = LiveHysteresis(beams);
     saturated_ = 0;
 }
 
 std::uint8_t LiveEdges::levelOf(float rangeMm) const {
-    if (rangeMm >= 0 && rangeMm < kWholeMm && rangeMm == std::floor(rangeMm)) return levels_[static_cast<std::size_t>(rangeMm)];
+    if (rangeMm >= 0 && rangeMm < kWholeMm) {
+        const int mm = static_cast<int>(rangeMm);
+        if (static_cast<float>(mm) == rangeMm) return levels_[static_cast<std::size_t>(mm)];
+    }
     return grayImage(lineOf({rangeMm}), settings_).levels[0];
 }
 
-/// The first and the last row taken are still there.
+/// The first and the last row taken are still there, as far as a sample of their cells tells.
 bool LiveEdges::continues(const Scan& scan) const {
     if (scan.lines() < gray_.lines || scan.beams() != gray_.beams) return false;
     for (const int row : {0, gray_.lines - 1}) {
-        for (int beam = 0; row >= 0 && beam < gray_.beams; ++beam) {
+        for (int beam = 0; row >= 0 && beam < gray_.beams; beam += kLooked) {
             const std::size_t k = gray_.index(row, beam);
             if (gray_[k] != (scan.state[k] == CellState::Valid ? levelOf(scan.rangeMm[k]) : 0)) return false;
         }
@@ -111,9 +91,13 @@ void LiveEdges::update(const Scan& scan) {
     takeMasked(scan, first);
     // A new row changes whether its neighbour stands alone, and takes the mirrored border away from those above.
     const int alone = 1;
-    smoothFrom(std::max(0, first - alone - smoothReach()));
-    const int unsettled = alone + smoothReach() + gradientReach() + 1; // 1: neighbours in non-maximum suppression
-    classifyFrom(std::max(0, first - unsettled), std::max(0, scan.lines() - unsettled));
+    const Grid<std::uint8_t>* masked = settings_.maskMissing ? &masked_ : nullptr;
+    smoothRows(smoothed_, gray_, masked, settings_, std::max(0, first - alone - smoothReach()));
+    const int unsteady = alone + smoothReach() + gradientReach();
+    const int unsettled = unsteady + 1; // neighbours in non-maximum suppression
+    gradient_.update(smoothed_, masked, settings_, std::max(0, first - unsteady), std::max(0, first - unsettled - 1));
+    const int row = std::max(0, first - unsettled);
+    hysteresis_.update(gradient_.classes(settings_, row), std::max(0, scan.lines() - unsettled) - row);
 }
 
 void LiveEdges::takeGray(const Scan& scan, int first) {
@@ -130,43 +114,13 @@ void LiveEdges::takeGray(const Scan& scan, int first) {
 void LiveEdges::takeMasked(const Scan& scan, int first) {
     const bool isolated = settings_.maskMissing && settings_.maskIsolated;
     const int changed = isolated ? std::max(0, first - 1) : first;
-    const int start = std::max(0, changed - 1);
-    const Scan rows = rowsOf(scan, start);
-    Grid<std::uint8_t> masked = missingCells(rows);
-    if (isolated) {
-        const Grid<std::uint8_t> alone = isolatedCells(rows);
-        for (std::size_t k = 0; k < masked.size(); ++k) masked[k] |= alone[k];
-    }
-    replaceRows(masked_, masked, start, changed);
-}
-
-void LiveEdges::smoothFrom(int row) {
-    const int start = std::max(0, row - smoothReach());
-    const Grid<std::uint8_t> gray = rowsFrom(gray_, start);
-    const Grid<std::uint8_t> smoothed =
-        settings_.maskMissing ? smoothAroundHoles(gray, rowsFrom(masked_, start), settings_) : smooth(gray, settings_);
-    replaceRows(smoothed_, smoothed, start, row);
-}
-
-/// With both thresholds alike Canny tells which cells are beyond: beyond the lower one weak, beyond the upper one strong.
-void LiveEdges::classifyFrom(int row, int settled) {
-    const int start = std::max(0, row - 1 - gradientReach());
-    const Grid<std::uint8_t> smoothed = rowsFrom(smoothed_, start);
-    const Grid<std::uint8_t> masked = rowsFrom(masked_, start);
-    const auto beyond = [&](double threshold) {
-        Settings one = settings_;
-        one.lower = threshold;
-        one.ratio = 1.0;
-        return settings_.maskMissing ? cannyAroundHoles(smoothed, masked, one) : canny(smoothed, one);
-    };
-    const Grid<std::uint8_t> weak = beyond(std::min(settings_.lower, settings_.upper()));
-    const Grid<std::uint8_t> strong = beyond(std::max(settings_.lower, settings_.upper()));
-    Grid<EdgeClass> classes(smoothed.lines - (row - start), smoothed.beams, EdgeClass::None);
-    const std::size_t offset = smoothed.index(row - start, 0);
-    for (std::size_t k = 0; k < classes.size(); ++k) {
-        if (weak[k + offset] != 0) classes[k] = strong[k + offset] != 0 ? EdgeClass::Strong : EdgeClass::Weak;
-    }
-    hysteresis_.update(classes, settled - row);
+    masked_.lines = scan.lines();
+    masked_.cells.resize(scan.cells());
+    const std::size_t from = masked_.index(changed, 0);
+    for (std::size_t k = from; k < scan.cells(); ++k) masked_[k] = scan.state[k] == CellState::Valid ? 0 : 255;
+    if (!isolated) return;
+    const Grid<std::uint8_t> alone = isolatedCells(scan, changed, scan.lines());
+    for (std::size_t k = 0; k < alone.size(); ++k) masked_[from + k] |= alone[k];
 }
 
 std::shared_ptr<const Frame> LiveEdges::frame(const std::shared_ptr<const Scan>& scan) const {

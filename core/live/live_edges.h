@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/edges/frame.h"
 #include "core/live/live_hysteresis.h"
+#include "core/live/live_rows.h"
 
 namespace edgescan {
 
@@ -40,8 +41,6 @@ private:
     [[nodiscard]] bool continues(const Scan& scan) const;
     void takeGray(const Scan& scan, int first);
     void takeMasked(const Scan& scan, int first);
-    void smoothFrom(int row);
-    void classifyFrom(int row, int settled);
     [[nodiscard]] std::uint8_t levelOf(float rangeMm) const;
     [[nodiscard]] int smoothReach() const { return settings_.kernel / 2; }
     [[nodiscard]] int gradientReach() const { return settings_.aperture / 2; }
@@ -51,6 +50,7 @@ private:
     GrayScale scale_;
     std::size_t saturated_ = 0;
     Grid<std::uint8_t> gray_, masked_, smoothed_;
+    GradientRows gradient_; // of the last rows
     LiveHysteresis hysteresis_;
 };
 

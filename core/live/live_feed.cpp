@@ -6,12 +6,13 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kLinesOfRate = 64; // that the rate is taken from
+constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
+constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 
 } // namespace
 
-LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed)
-    : changed_(std::move(changed)), sweepSettings_(sweep), feed_(sweep) {
+LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed, std::size_t keptBytes)
+    : changed_(std::move(changed)), sweepSettings_(sweep), recent_(kKeptNs, keptBytes), feed_(sweep) {
     SessionEvents events;
     events.stateChanged = [this](const SessionState& state) {
         {

@@ -30,8 +30,8 @@ struct LiveStatus {
 class LiveFeed {
 public:
     /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
-    /// into the feed.
-    LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed);
+    /// into the feed. `keptBytes`: of the last minute at most.
+    LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed, std::size_t keptBytes = 128U << 20U);
     ~LiveFeed();
     LiveFeed(const LiveFeed&) = delete;
     LiveFeed& operator=(const LiveFeed&) = delete;

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
-
 using namespace edgescan;
 using namespace edgescan::test;
 
@@ -59,12 +57,6 @@ Settings randomSettings(std::mt19937& random) {
     settings.maskMissing = random() % 3 != 0;
     settings.maskIsolated = random() % 2 == 0;
     return settings;
-}
-
-double threadSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 } // namespace
@@ -147,29 +139,5 @@ TEST(LiveEdges, AutomaticWindowsAreFixedFirst) {
         ASSERT_TRUE(live);
         live->update(*scan);
         EXPECT_EQ(live->mask(), *detectEdges(scan, settings)->mask) << static_cast<int>(scaling);
-    }
-}
-
-TEST(LiveEdges, CostOfALine) {
-    const Scan whole = boxesScan(240, 1141, 5, 0.05);
-    Settings settings = withFixedWindow(cannySettings(), whole);
-    for (const int together : {1, 4}) { // 25 frames are drawn a second: of 100 lines a second 4 come at once
-        std::vector<std::shared_ptr<const Scan>> parts;
-        for (int lines = together; lines <= whole.lines(); lines += together) parts.push_back(firstLines(whole, lines));
-        for (const int kernel : {3, 5}) {
-            settings.kernel = kernel;
-            auto live = LiveEdges::make(settings);
-            ASSERT_TRUE(live);
-            const double start = threadSeconds();
-            for (const auto& part : parts) live->update(*part);
-            const double perLine = (threadSeconds() - start) / whole.lines();
-            const double frameStart = threadSeconds();
-            for (int i = 0; i < 10; ++i) static_cast<void>(live->frame(parts.back()));
-            const double perFrame = (threadSeconds() - frameStart) / 10;
-            std::printf("[ measured ] live edges, 1141 beams, kernel %d, %d lines at once: %.0f us of thread CPU per line; frame %.2f ms\n",
-                        kernel, together, perLine * 1e6, perFrame * 1e3);
-            RecordProperty("us_per_line_kernel_" + std::to_string(kernel) + "_by_" + std::to_string(together),
-                           std::to_string(perLine * 1e6));
-        }
     }
 }
