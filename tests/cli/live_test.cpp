@@ -1,12 +1,16 @@
 // serve, record and replay from outside: what is served, recorded and played again has the edges of the file.
+#include "core/edges/pipeline.h"
 #include "core/files/save_scan.h"
+#include "core/live/growing_pipeline.h"
+#include "core/live/live_feed.h"
+#include "core/report/report.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/support/served_program.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <csignal>
 #include <sstream>
 #include <thread>
 
@@ -16,34 +20,7 @@ namespace {
 using nlohmann::json;
 using test::runCli;
 
-// An emulated scanner in a process of its own, gone with the object.
-class Served {
-public:
-    Served(const std::filesystem::path& folder, const std::string& arguments) : out_(folder / "serve.out") {
-        const std::string command =
-            "exec " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli serve " + arguments + " --seconds 60 >" + out_.string() + " 2>&1";
-        process_ = fork();
-        if (process_ == 0) {
-            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-            _exit(127);
-        }
-        for (int wait = 0; wait < 200 && test::fileText(out_).find('\n') == std::string::npos; ++wait)
-            std::this_thread::sleep_for(std::chrono::milliseconds(25));
-    }
-    ~Served() {
-        kill(process_, SIGTERM);
-        waitpid(process_, nullptr, 0);
-    }
-    Served(const Served&) = delete;
-    Served& operator=(const Served&) = delete;
-    [[nodiscard]] std::string address() const {
-        return "127.0.0.1:" + std::to_string(json::parse(test::fileText(out_))["port"].get<int>());
-    }
-
-private:
-    std::filesystem::path out_;
-    pid_t process_ = 0;
-};
+using Served = test::ServedProgram;
 
 struct Live : public ::testing::Test {
     test::TemporaryFolder folder;
@@ -61,7 +38,7 @@ struct Live : public ::testing::Test {
 TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     const std::string recording = (folder / "bell.mcap").string();
     {
-        const Served served(folder.path(), scan + " --port 0 --rate 0");
+        const Served served(scan + " --rate 0");
         const auto record =
             runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 30");
         ASSERT_EQ(record.code, 0) << record.err;
@@ -81,9 +58,48 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
 }
 
+// The whole way of a scan through the viewer's core: socket, assembly, edges while it grows, and the sweep as it ends.
+TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
+    const std::string bell = (folder / "draw-bell.json").string();
+    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
+    const Served served(bell + " --rate 0 --split");
+    ASSERT_GT(served.port(), 0);
+    SessionSettings scanner;
+    scanner.host = "127.0.0.1";
+    scanner.port = static_cast<std::uint16_t>(served.port());
+    SweepSettings sweep;
+    sweep.expectedLines = 1000;
+    sweep.firstLineDeg = -90;
+    sweep.degPerLine = 0.18;
+    sweep.axis = Axis::Sweep;
+    LiveFeed feed(scanner, sweep, [] {});
+    GrowingPipeline pipeline;
+    Settings canny;
+    canny.method = Method::Canny;
+    SweepSoFar now;
+    int looks = 0;
+    for (int wait = 0; wait < 2500; ++wait) {
+        now = feed.sweep();
+        if (now.scan && !now.progress.growing) break;
+        if (now.scan) {
+            static_cast<void>(pipeline.run(now.scan, canny, {now.progress.growth, true, 1000}));
+            ++looks;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_TRUE(now.scan && !now.progress.growing) << now.progress.text() << ' ' << feed.status().session.sentence;
+    EXPECT_TRUE(now.progress.complete()) << now.progress.text();
+    EXPECT_GT(looks, 3);
+    EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny, {now.progress.growth, false, 1000})->mask), hashOf(bell + " --method canny"));
+    EXPECT_EQ(maskSha256(*detectEdges(now.scan, Settings{})->mask), hashOf(bell));
+    // Kept growing until the end, with the window of the whole: the same again.
+    EXPECT_EQ(maskSha256(*GrowingPipeline().run(now.scan, canny, {now.progress.growth, true, 1000})->mask),
+              hashOf(bell + " --method canny"));
+}
+
 TEST_F(Live, LostLinesAreTold) {
     const std::string recording = (folder / "lossy.mcap").string();
-    const Served served(folder.path(), scan + " --port 0 --rate 0 --lose-every 20 --split --merge --garbage-every 7");
+    const Served served(scan + " --rate 0 --lose-every 20 --split --merge --garbage-every 7");
     const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 80 --expected-lines 90 --seconds 30");
     ASSERT_EQ(record.code, 0) << record.err;
     const json summary = json::parse(record.out);

@@ -97,6 +97,16 @@ Bytes plainRecords() {
     records.record(McapOpcode::Message, message.bytes());
     return records.take();
 }
+bool builtWith([[maybe_unused]] const std::string& compression) {
+#ifdef EDGESCAN_ZSTD
+    if (compression == "zstd") return true;
+#endif
+#ifdef EDGESCAN_LZ4
+    if (compression == "lz4") return true;
+#endif
+    return false;
+}
+
 const std::vector<std::pair<std::string, std::string>> kPacked{
     {"zstd", "28b52ffd20e7b500004805de000100010000610400441c3531ef8280073004"},
     {"lz4", "04224d186040821b0000003205de000100110107000206000608001f610100af50616161616100000000"}};
@@ -228,6 +238,7 @@ TEST(Mcap, CompressedChunksAreReadOrRefusedInWords) {
         const Bytes file = packedFile(name, packed, plain.size(), crc32(plain));
         const auto content = readMcap(file, "test");
         ASSERT_TRUE(content);
+        EXPECT_TRUE(unpacked || !builtWith(name)) << name;
         if (!unpacked) {
             EXPECT_NE(unpacked.error().sentence().find("built without"), std::string::npos);
             EXPECT_EQ(content->badChunks, 1U);

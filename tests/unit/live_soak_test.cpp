@@ -80,7 +80,8 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     settings.faults.stallEvery = 6000;
     settings.faults.stallS = 0.6;
     const auto scanner = served(numberedScan(kLines), settings);
-    LiveFeed feed(settingsFor(*scanner), soakSweep(), [] {}, kKeptBytes);
+    LiveFeed feed(
+        settingsFor(*scanner), soakSweep(), [] {}, kKeptBytes);
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
@@ -138,15 +139,16 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     const std::uint16_t port = acceptor.local_endpoint().port();
     acceptor.close();
     constexpr double kLoss = 0.01;
-    const Process mock({"python3", (protocolFolder() / "tools" / "mock_lms511.py").string(), "--port", std::to_string(port), "--rate", "1e9",
-                        "--stream", (folder / "stream.bin").string(), "--chunk", "random", "--garbage", "0.02", "--telegram-loss", "0.01",
-                        "--drop-after", "3000"});
+    const Process mock({"python3", (protocolFolder() / "tools" / "mock_lms511.py").string(), "--port", std::to_string(port), "--rate",
+                        "1e9", "--stream", (folder / "stream.bin").string(), "--chunk", "random", "--garbage", "0.02", "--telegram-loss",
+                        "0.01", "--drop-after", "3000"});
     SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = port;
     settings.patience = hasty();
     settings.patience.detect = 1s;
-    LiveFeed feed(settings, soakSweep(), [] {}, kKeptBytes);
+    LiveFeed feed(
+        settings, soakSweep(), [] {}, kKeptBytes);
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
