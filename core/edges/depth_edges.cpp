@@ -121,7 +121,8 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams);
     const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines);
 
-    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise};
+    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise,
+                          limits.jumpMm};
     suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, result.jump,
              strongerWay);
 

@@ -28,6 +28,7 @@ struct DepthResponses {
     Grid<float> jump;   ///< lines x beams
     Grid<float> crease; ///< lines x beams; positive: convex, negative: concave
     RangeNoise noise;   ///< used
+    double jumpMm = 0;  ///< J0 used
 };
 
 struct DepthEdges {

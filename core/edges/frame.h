@@ -8,7 +8,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct Frame {
     std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, what the gradient saw; null where the method has none
     std::shared_ptr<const Grid<std::uint8_t>> mask;          ///< lines x beams, 255 = edge
     std::shared_ptr<const Grid<DepthEdge>> classes;          ///< lines x beams; null where the method tells no classes apart
-    std::optional<RangeNoise> noise;                         ///< that the thresholds follow, where the method measures it
+    std::shared_ptr<const DepthResponses> responses;         ///< what EdgeScan+ measured; null for other methods
     std::shared_ptr<const std::vector<std::uint32_t>> edges; ///< indices of the edge cells, ascending
     std::vector<StageTime> timings;                          ///< only the stages that were run again
     double totalMs = 0.0;

@@ -28,6 +28,11 @@ bool sameSmoothing(const Settings& a, const Settings& b) {
     return a.kernel == b.kernel && same(a.sigma, b.sigma) && a.maskMissing == b.maskMissing && a.maskIsolated == b.maskIsolated;
 }
 
+bool sameResponses(const Settings& a, const Settings& b) {
+    return same(a.jumpMm, b.jumpMm) && a.growthPercent == b.growthPercent && a.creaseDeg == b.creaseDeg && a.grazing == b.grazing &&
+           same(a.noiseMm, b.noiseMm);
+}
+
 Grid<std::uint8_t> missingOrIsolated(const Scan& scan, const Grid<std::uint8_t>& missing) {
     Grid<std::uint8_t> both = isolatedCells(scan);
     for (std::size_t k = 0; k < both.size(); ++k) both[k] |= missing[k];
@@ -60,9 +65,9 @@ void Pipeline::runGray(Frame& frame, bool smoothHolds) {
     const Settings& settings = frame.settings;
     const Grid<std::uint8_t>* missing = masked(frame);
     const Grid<std::uint8_t>& levels = frame.gray->levels;
-    if (smoothsItself(settings.method))
-        frame.smoothed.reset();
-    else if (!smoothHolds || !frame.smoothed)
+    const bool smoothed = !smoothsItself(settings.method);
+    if (smoothed && smoothHolds && last_->smoothed) frame.smoothed = last_->smoothed;
+    if (smoothed && !frame.smoothed)
         redo(frame, "smooth", frame.smoothed,
              [&] { return missing != nullptr ? smoothAroundHoles(levels, *missing, settings) : smooth(levels, settings); });
     if (settings.method == Method::Canny) {
@@ -72,39 +77,40 @@ void Pipeline::runGray(Frame& frame, bool smoothHolds) {
         redo(frame, "detector", frame.mask,
              [&] { return detectorMask(settings.method, frame.smoothed ? *frame.smoothed : levels, missing, settings); });
     }
-    frame.classes.reset();
 }
 
 void Pipeline::runLogRange(Frame& frame) {
     redo(frame, "log range", frame.mask, [&] { return logRangeEdges(*frame.scan, frame.settings); });
-    frame.smoothed.reset();
-    frame.classes.reset();
-    frame.noise.reset();
 }
 
+// What was measured holds while only the decision is turned.
 void Pipeline::runDepth(Frame& frame) {
+    const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
+    if (!responses_ || !sameResponses(measuredWith_, frame.settings))
+        redo(frame, "jumps and creases", responses_, [&] { return depthResponses(*frame.scan, settings); });
+    measuredWith_ = frame.settings;
     const auto start = Clock::now();
-    DepthEdges found = depthEdges(*frame.scan, depthEdgeSettings(frame.settings));
+    DepthEdges found = decideDepthEdges(*responses_, settings);
     frame.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
     frame.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.kind));
-    frame.noise = found.noise;
-    frame.smoothed.reset();
-    frame.timings.push_back({"jumps and creases", millisecondsSince(start)});
+    frame.responses = responses_;
+    frame.timings.push_back({"decision", millisecondsSince(start)});
 }
 
 std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const bool sameScan = last_ && last_->scan == scan;
     if (sameScan && last_->settings == settings) return last_;
     const auto start = Clock::now();
-    Frame frame = sameScan ? *last_ : Frame{};
     const bool grayHolds = sameScan && sameGray(last_->settings, settings);
     const bool smoothHolds = grayHolds && sameSmoothing(last_->settings, settings);
+    Frame frame;
     frame.scan = scan;
     frame.settings = settings;
-    frame.timings.clear();
+    if (grayHolds) frame.gray = last_->gray;
     if (!sameScan) {
         missing_.reset();
         isolated_.reset();
+        responses_.reset();
     }
     // The gray image is what the edges are seen on, whatever the method.
     if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });

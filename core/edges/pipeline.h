@@ -17,12 +17,14 @@ public:
 private:
     void runGray(Frame& frame, bool smoothHolds);
     static void runLogRange(Frame& frame);
-    static void runDepth(Frame& frame);
+    void runDepth(Frame& frame);
     [[nodiscard]] const Grid<std::uint8_t>* masked(Frame& frame);
 
     std::shared_ptr<const Frame> last_;
     std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
     std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
+    std::shared_ptr<const DepthResponses> responses_;    // of the scan of last_, null until wanted
+    Settings measuredWith_;
 };
 
 /// One run from nothing.

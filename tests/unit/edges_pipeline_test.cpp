@@ -1,4 +1,5 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
+#include "core/edges/depth_settings.h"
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
 #include "core/edges/presets.h"
@@ -66,6 +67,36 @@ TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
     const auto third = pipeline.run(scan, settings);
     EXPECT_EQ(third->gray, first->gray);
     EXPECT_NE(third->smoothed, first->smoothed);
+}
+
+TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(60, 80, 1));
+    Pipeline pipeline;
+    Settings settings;
+    const auto first = pipeline.run(scan, settings);
+    settings.sensitivity = 2.0;
+    settings.hysteresisPercent = 60;
+    settings.minimumLength = 9;
+    settings.classes = kClassJump;
+    const auto second = pipeline.run(scan, settings);
+    EXPECT_EQ(second->responses, first->responses);
+    EXPECT_NE(second->edges->size(), first->edges->size());
+    settings.creaseDeg = 60;
+    EXPECT_NE(pipeline.run(scan, settings)->responses, first->responses);
+}
+
+TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
+    const DepthEdgeSettings sliders = depthEdgeSettings(Settings{});
+    const DepthEdgeSettings method;
+    EXPECT_EQ(sliders.jumpMm, method.jumpMm);
+    EXPECT_EQ(sliders.jumpGrowth, method.jumpGrowth);
+    EXPECT_EQ(sliders.creaseDeg, method.creaseDeg);
+    EXPECT_EQ(sliders.sensitivity, method.sensitivity);
+    EXPECT_EQ(sliders.hysteresisLow, method.hysteresisLow);
+    EXPECT_EQ(sliders.minimumLength, method.minimumLength);
+    EXPECT_EQ(sliders.grazing, method.grazing);
+    EXPECT_EQ(sliders.noiseAt5mMm, method.noiseAt5mMm);
+    EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
 }
 
 TEST(Worker, ManyPostingsEndWithTheLastOne) {

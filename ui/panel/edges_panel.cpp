@@ -183,7 +183,8 @@ void EdgesPanel::show(const Settings& settings) {
 
 void EdgesPanel::showResult(const Frame& frame) {
     scale_ = frame.gray->scale;
-    noise_ = frame.noise;
+    noiseMm_ = frame.responses ? frame.responses->noise.at(5.0) : kAutomatic;
+    jumpMm_ = frame.responses ? frame.responses->jumpMm : kAutomatic;
     classesKnown_ = frame.classes != nullptr;
     classCounts_ = countClasses(frame);
     showInUse();
@@ -210,7 +211,8 @@ void EdgesPanel::showInUse() {
         if (key == "near" && scale_.farMm > 0) inUse = scale_.nearMm;
         if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
         if (key == "sigma") inUse = 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
-        if (key == "noise" && noise_) inUse = noise_->at(5.0);
+        if (key == "noise") inUse = noiseMm_;
+        if (key == "jump") inUse = jumpMm_;
         row->show(row->parameter().get(shown_), inUse);
         row->setVisible(row->parameter().usedBy(shown_));
     }

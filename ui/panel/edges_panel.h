@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -68,7 +67,8 @@ private:
 
     Settings shown_;
     GrayScale scale_;
-    std::optional<RangeNoise> noise_;
+    double noiseMm_ = kAutomatic; // at 5 m, in use
+    double jumpMm_ = kAutomatic;  // in use
     std::array<std::size_t, 4> classCounts_{}; // by DepthEdge
     bool classesKnown_ = false;
     QColor jumpColour_{0, 255, 0};
