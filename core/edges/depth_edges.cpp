@@ -3,6 +3,7 @@
 
 #include "core/edges/depth_crease.h"
 #include "core/edges/depth_jump.h"
+#include "core/edges/interlace.h"
 #include "core/edges/veil.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ constexpr double kPerMetreShare = 0.037;
 constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 5.0;
 constexpr double kWindowMm = 60.0;
-constexpr double kNoisy = 1.5; // x nominal
+constexpr double kNoisy = 1.5;             // x nominal
+constexpr float kInterlacedGrazing = 0.5F; // what is left of the displacements, index steps
 
 DepthLimits limitsOf(const InverseRange& inverse, const DepthEdgeSettings& settings) {
     DepthLimits limits;
@@ -109,17 +111,19 @@ Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, in
 } // namespace
 
 DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
-    const InverseRange inverse = inverseRange(scan);
+    InverseRange inverse = inverseRange(scan);
+    const SweepSlips slips = straighten(inverse);
     const AngularSteps steps = angularSteps(scan);
-    const DepthLimits limits = limitsOf(inverse, settings);
+    DepthLimits limits = limitsOf(inverse, settings);
+    if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     DepthField field = fieldOf(inverse);
     snapVeils(field, inverse, steps, Along::Beams, limits);
     snapVeils(field, inverse, steps, Along::Lines, limits);
 
-    const PaddedGrid<float> jumpBeams = crackJumps(field, Along::Beams, limits);
-    const PaddedGrid<float> jumpLines = crackJumps(field, Along::Lines, limits);
-    const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams);
-    const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines);
+    const PaddedGrid<float> jumpBeams = crackJumps(field, Along::Beams, slips, limits);
+    const PaddedGrid<float> jumpLines = crackJumps(field, Along::Lines, slips, limits);
+    const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams, slips);
+    const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines, slips);
 
     DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise,
                           limits.jumpMm};

@@ -15,11 +15,17 @@ struct LineWeights {
 constexpr LineWeights kTwoCells{1.5F, -0.5F, 0.0F};
 constexpr LineWeights kThreeCells{1.083F, 0.333F, -0.417F}; // least squares through three: calmer
 
+float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity) {
+    const std::vector<float>& extra = slips.extra[parity];
+    const bool inside = line >= 0 && line < static_cast<int>(extra.size());
+    return along == Along::Lines && inside ? extra[static_cast<std::size_t>(line)] : 0.0F;
+}
+
 std::ptrdiff_t stepOf(const PaddedGrid<float>& grid, Along along) { return along == Along::Beams ? 1 : grid.stride; }
 
 } // namespace
 
-PaddedGrid<float> crackJumps(const DepthField& field, Along along, const DepthLimits& limits) {
+PaddedGrid<float> crackJumps(const DepthField& field, Along along, const SweepSlips& slips, const DepthLimits& limits) {
     const std::ptrdiff_t s = field.step(along);
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
     PaddedGrid<float> jumps(field.u.lines, field.u.beams);
@@ -27,19 +33,24 @@ PaddedGrid<float> crackJumps(const DepthField& field, Along along, const DepthLi
         const float* u = field.u.line(i);
         const float* solid = field.solid.line(i);
         float* out = jumps.line(i);
+        const float even = extraAt(slips, along, i, 0);
+        const float odd = extraAt(slips, along, i, 1);
         for (int j = -1; j <= field.u.beams; ++j) {
-            const float a = u[j];
-            const float b = u[j + s];
-            const float a1 = a + solid[j - s] * (u[j - s] - a);
-            const float a2 = a1 + solid[j - s] * solid[j - 2 * s] * (u[j - 2 * s] - a1);
-            const float b1 = b + solid[j + 2 * s] * (u[j + 2 * s] - b);
-            const float b2 = b1 + solid[j + 2 * s] * solid[j + 3 * s] * (u[j + 3 * s] - b1);
+            const float slant = 0.25F * (even + static_cast<float>(j & 1) * (odd - even)) *
+                                (solid[j - s] * (u[j] - u[j - s]) + solid[j + 2 * s] * (u[j + 2 * s] - u[j + s]));
+            const float a = u[j] + slant;
+            const float b = u[j + s] - slant;
+            const float a1 = a + solid[j - s] * (u[j - s] - u[j]);
+            const float a2 = a1 + solid[j - s] * solid[j - 2 * s] * (u[j - 2 * s] - u[j - s]);
+            const float b1 = b + solid[j + 2 * s] * (u[j + 2 * s] - u[j + s]);
+            const float b2 = b1 + solid[j + 2 * s] * solid[j + 3 * s] * (u[j + 3 * s] - u[j + 2 * s]);
             const float left = std::max(w.first * a + w.second * a1 + w.third * a2, 1e-6F);
             const float right = std::max(w.first * b + w.second * b1 + w.third * b2, 1e-6F);
-            const float rangeA = 1000.0F / a;
-            const float rangeB = 1000.0F / b;
+            const float rangeA = 1000.0F / std::max(a, 1e-6F);
+            const float rangeB = 1000.0F / std::max(b, 1e-6F);
             const float step = std::min(std::abs(rangeA - rangeB), std::abs(1000.0F / left - 1000.0F / right));
-            const float slope = 0.5F * (std::abs(rangeA - 1000.0F / a1) + std::abs(1000.0F / b1 - rangeB));
+            const float slope =
+                0.5F * (std::abs(rangeA - 1000.0F / std::max(a1, 1e-6F)) + std::abs(1000.0F / std::max(b1, 1e-6F) - rangeB));
             const float allowed = limits.jumpMm + limits.growth * std::min(rangeA, rangeB) + limits.grazing * slope;
             out[j] = step / allowed * solid[j] * solid[j + s];
         }
@@ -47,14 +58,17 @@ PaddedGrid<float> crackJumps(const DepthField& field, Along along, const DepthLi
     return jumps;
 }
 
-PaddedGrid<float> surfaceLinks(const DepthField& field, const PaddedGrid<float>& jumps, Along along) {
+PaddedGrid<float> surfaceLinks(const DepthField& field, const PaddedGrid<float>& jumps, Along along, const SweepSlips& slips) {
     const std::ptrdiff_t s = field.step(along);
     PaddedGrid<float> links(jumps.lines, jumps.beams);
     for (int i = -1; i <= jumps.lines; ++i) {
         const float* solid = field.solid.line(i);
         const float* jump = jumps.line(i);
         float* out = links.line(i);
-        for (int j = -1; j <= jumps.beams; ++j) out[j] = jump[j] <= 1.0F ? solid[j] * solid[j + s] : 0.0F;
+        const float even = extraAt(slips, along, i, 0) == 0 ? 1.0F : 0.0F;
+        const float odd = extraAt(slips, along, i, 1) == 0 ? 1.0F : 0.0F;
+        for (int j = -1; j <= jumps.beams; ++j)
+            out[j] = jump[j] <= 1.0F ? solid[j] * solid[j + s] * (even + static_cast<float>(j & 1) * (odd - even)) : 0.0F;
     }
     return links;
 }
