@@ -3,7 +3,9 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/eval/truth_files.h"
+#include "core/files/open_scan.h"
 #include "core/files/save_scan.h"
+#include "core/scan/cartesian.h"
 
 #include <unistd.h>
 
@@ -14,7 +16,9 @@ namespace edgescan::cli {
 namespace {
 
 struct Simulate {
-    std::string out, truth;
+    std::string out, truth, surface;
+    std::string hole = "none";
+    double surfaceScale = 1.0;
     std::string profile = "high";
     std::string axis = "sweep";
     bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
@@ -27,10 +31,24 @@ SimulationSettings settingsOf(const Simulate& simulate) {
     settings.profile = simulate.profile == "high" ? DeviceProfile::HighResolution : DeviceProfile::Standard;
     settings.axis = simulate.axis == "spin" ? Axis::Spin : Axis::Sweep;
     settings.truth = !simulate.truth.empty();
+    settings.hole = simulate.hole == "round" ? WallHole::Round : simulate.hole == "square" ? WallHole::Square : WallHole::None;
     settings.footprint = !simulate.noFootprint;
     settings.mixedPixels = !simulate.noMixedPixels;
     settings.echoLoss = !simulate.noEchoLoss;
     return settings;
+}
+
+/// The points of a cloud, metres.
+Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
+    const Result<Scan> cloud = openScan(path);
+    if (!cloud) return cloud.error();
+    const CartesianTables tables(*cloud);
+    std::vector<Eigen::Vector3f> points;
+    for (std::size_t k = 0; k < cloud->cells(); ++k) {
+        if (cloud->state[k] == CellState::Valid) points.emplace_back(tables.point(k).cast<float>());
+    }
+    for (const AttachedPoint& point : cloud->attached) points.emplace_back(point.pointM.cast<float>());
+    return points;
 }
 
 int run(const Simulate& simulate) {
@@ -46,7 +64,16 @@ int run(const Simulate& simulate) {
             return true;
         };
     }
-    const SimulationSettings settings = settingsOf(simulate);
+    SimulationSettings settings = settingsOf(simulate);
+    if (!simulate.surface.empty()) {
+        Result<std::vector<Eigen::Vector3f>> surface = surfaceOf(simulate.surface);
+        if (!surface) {
+            complain(surface.error());
+            return kRefused;
+        }
+        settings.surface = std::move(*surface);
+        for (Eigen::Vector3f& point : settings.surface) point *= static_cast<float>(simulate.surfaceScale);
+    }
     const Result<Simulation> simulation = edgescan::simulate(settings, progress);
     if (!simulation) {
         complain(simulation.error());
@@ -92,12 +119,32 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back")
         ->capture_default_str()
         ->group(scene);
+    command.add_option("--surface", simulate->surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(scene);
+    command.add_option("--surface-scale", simulate->surfaceScale, "Times its size")
+        ->check(CLI::Range(0.001, 1000.0))
+        ->capture_default_str()
+        ->group(scene);
+    command.add_option("--distance", s.distanceM, "Distance of wall, staircase or rescan [m]")->capture_default_str()->group(scene);
+    command.add_option("--hole", simulate->hole, "An open hole in the wall")
+        ->check(CLI::IsMember({"none", "round", "square"}))
+        ->capture_default_str()
+        ->group(scene);
+    command.add_option("--hole-size", s.holeM, "Its diameter or side [m]")->capture_default_str()->group(scene);
     const char* measurement = "Measurement";
     command.add_option("--noise", s.noise, "Times the range noise of the device")->capture_default_str()->group(measurement);
     command.add_option("--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1")->capture_default_str()->group(measurement);
     command.add_option("--dust", s.dust, "Share of cells with an echo from dust, 0 to 1")->capture_default_str()->group(measurement);
     command.add_option("--line-jitter", s.lineJitterDeg, "Jitter of the line angle [degrees]")->capture_default_str()->group(measurement);
     command.add_option("--interlace", s.interlaceDeg, "Line angle of odd beams minus that of even beams [degrees]")
+        ->capture_default_str()
+        ->group(measurement);
+    command.add_option("--motor-skew", s.motorSkewDeg, "How far the stepper moves on while the mirror sweeps the fan [degrees]")
+        ->capture_default_str()
+        ->group(measurement);
+    command.add_option("--slips", s.slips, "Share of lines on which the stepper lags one step behind, 0 to 1")
+        ->capture_default_str()
+        ->group(measurement);
+    command.add_option("--status-codes", s.statusCodes, "Share of cells with a device status code instead of a range, 0 to 1")
         ->capture_default_str()
         ->group(measurement);
     command.add_option("--max-range", s.maxRangeM, "Farthest range [m]")->capture_default_str()->group(measurement);

@@ -95,7 +95,11 @@ Json sceneJson(const SimulationSettings& s) {
             {"range_step_mm", s.rangeStepMm},
             {"max_range_m", s.maxRangeM},
             {"line_jitter_deg", s.lineJitterDeg},
-            {"interlace_deg", s.interlaceDeg}};
+            {"interlace_deg", s.interlaceDeg},
+            {"motor_skew_deg", s.motorSkewDeg},
+            {"slips", s.slips},
+            {"status_codes", s.statusCodes},
+            {"surface_points", s.surface.size()}};
 }
 
 // Numbers of a 16-bit picture; empty when there is no such file.

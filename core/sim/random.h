@@ -26,7 +26,9 @@ enum class Purpose : std::uint64_t {
     Sizes,
     Places,
     Shapes,
-    Rubble
+    Rubble,
+    Slips,
+    Status
 };
 
 constexpr std::uint64_t hashOf(std::uint64_t seed, Purpose purpose, std::uint64_t index) {

@@ -22,4 +22,8 @@ namespace edgescan::sim {
 /// Treads at right angles to the middle beam, the middle one nearest, kStaircaseMm falling away to both sides.
 [[nodiscard]] Scene staircaseScene(double distanceM);
 
+/// A measured surface, seen from the side of its greatest z: the points as a relief, its highest one at the distance.
+/// @param points metres, two at least that differ in x and in y
+[[nodiscard]] Scene rescanScene(const std::vector<Eigen::Vector3f>& points, double distanceM);
+
 } // namespace edgescan::sim

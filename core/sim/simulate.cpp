@@ -22,6 +22,7 @@ using namespace sim;
 constexpr double kFirstBeamDeg = -5.0;
 constexpr double kFanDeg = 190.0;
 constexpr double kSweepDeg = 180.0;
+constexpr std::uint32_t kStatusCode = 65533; // no LMS511 reports a range as far as this
 
 struct Patch {
     Eigen::Vector3d direction;
@@ -57,6 +58,9 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                             {"maximum range", s.maxRangeM, 1, 1000},
                             {"line jitter", s.lineJitterDeg, 0, 1},
                             {"interlace", s.interlaceDeg, -5, 5},
+                            {"motor skew", s.motorSkewDeg, -5, 5},
+                            {"slips", s.slips, 0, 1},
+                            {"status codes", s.statusCodes, 0, 1},
                             {"threads", 1.0 * s.threads, 0, 1024}};
     const auto text = [](double value) {
         std::string digits = std::to_string(value);
@@ -80,6 +84,13 @@ Result<Scene> sceneOf(const SimulationSettings& settings) {
     if (settings.scene == "empty") return emptyScene(settings.seed);
     if (settings.scene == "wall") return wallScene(settings.distanceM, settings.hole, settings.holeM);
     if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
+    if (settings.scene == "rescan") {
+        Eigen::AlignedBox3f box;
+        for (const Eigen::Vector3f& p : settings.surface) box.extend(p);
+        if (settings.surface.size() < 3 || !(box.sizes().head<2>().minCoeff() > 0))
+            return Error{"the scene \"rescan\" has no surface to scan", "simulate", "give a cloud of points with --surface"};
+        return rescanScene(settings.surface, settings.distanceM);
+    }
     std::string names;
     for (const SimulationScene& scene : simulationScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
     return Error{"there is no scene \"" + settings.scene + "\"", "simulate", "use one of " + names};
@@ -101,6 +112,10 @@ PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nom
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) {
         polar.lineDeg[i] += s.lineJitterDeg * normalOf(hashOf(s.seed, Purpose::LineJitter, i));
         if (odd) polar.lineDeg[i] += s.interlaceDeg;
+        if (uniformOf(hashOf(s.seed, Purpose::Slips, i)) < s.slips) polar.lineDeg[i] -= kSweepDeg / s.lines;
+    }
+    if (s.motorSkewDeg != 0.0) {
+        for (int j = 0; j < s.beams; ++j) polar.lineSkewDeg.push_back(s.motorSkewDeg * j / (s.beams - 1));
     }
     return polar;
 }
@@ -152,6 +167,10 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Cartesi
         const auto range = static_cast<float>(measuredMm(echo, k, settings));
         out.scan.rangeMm[k] = range;
         out.scan.state[k] = range > 0.0F ? CellState::Valid : CellState::NoReturn;
+        if (uniformOf(hashOf(settings.seed, Purpose::Status, k)) < settings.statusCodes) {
+            out.scan.rangeMm[k] = static_cast<float>(kStatusCode * settings.rangeStepMm);
+            out.scan.state[k] = CellState::DeviceStatus;
+        }
         if (!out.truth) continue;
         out.truth->absorbed[k] = absorbed ? 1 : 0;
         if (hits.surface[0] < 0) continue;
@@ -204,6 +223,7 @@ Result<Simulation> sweepOf(const SimulationSettings& settings, Scene scene, cons
     out.scan.format = "simulated";
     out.scan.geometry = nominal;
     out.scan.unitMm = settings.rangeStepMm;
+    if (settings.statusCodes > 0) out.scan.statusCodes = {kStatusCode};
     out.scan.rangeMm = {settings.lines, settings.beams};
     out.scan.state = {settings.lines, settings.beams, CellState::NoReturn};
     if (settings.truth) out.truth = emptyTruth(settings, scene);
@@ -226,6 +246,7 @@ const std::vector<SimulationScene>& simulationScenes() {
         {"empty", "the bell without rocks"},
         {"wall", "a flat wall, with a round or square hole on demand"},
         {"staircase", "treads that fall away to both sides by known steps"},
+        {"rescan", "a measured surface, given with --surface, over the scanner"},
     };
     return scenes;
 }

@@ -37,10 +37,11 @@ struct SimulationSettings {
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
     double wallRoughnessMm = 30.0;
-    int absorbingPatches = 6;       ///< round spots that send nothing back
-    double distanceM = 6.0;         ///< of the wall or of the staircase's middle tread
-    WallHole hole = WallHole::None; ///< an open void in the middle of the wall
-    double holeM = 2.0;             ///< its diameter or side
+    int absorbingPatches = 6;             ///< round spots that send nothing back
+    double distanceM = 6.0;               ///< of the wall or of the staircase's middle tread
+    WallHole hole = WallHole::None;       ///< an open void in the middle of the wall
+    double holeM = 2.0;                   ///< its diameter or side
+    std::vector<Eigen::Vector3f> surface; ///< points of the scene "rescan", metres, z towards the surveyor
 
     // The measurement; each ingredient can be switched off.
     double noise = 1.0;         ///< times (5.5 + 0.25 r[m]) mm x (1 + 0.35 (1/cos - 1))
@@ -53,6 +54,9 @@ struct SimulationSettings {
     double maxRangeM = 40.0;    ///< nothing comes back from farther away
     double lineJitterDeg = 0.0; ///< standard deviation of the true line angle round the recorded one
     double interlaceDeg = 0.0;  ///< true line angle of odd beams minus that of even beams
+    double motorSkewDeg = 0.0;  ///< how far the stepper moves on while the mirror sweeps the fan
+    double slips = 0.0;         ///< probability that the stepper lags one step behind on a line
+    double statusCodes = 0.0;   ///< probability that the device reports a status code instead of a range
 
     bool truth = false; ///< also fill Simulation::truth
     int threads = 0;    ///< 0: one per core
@@ -76,7 +80,7 @@ struct SimulationTruth {
 };
 
 struct Simulation {
-    Scan scan; ///< name "<scene>-seed<seed>", format "simulated", whole range steps; cells are Valid or NoReturn (range 0)
+    Scan scan; ///< name "<scene>-seed<seed>", format "simulated", whole range steps; cells are Valid, NoReturn (range 0) or DeviceStatus
     std::optional<SimulationTruth> truth;
 };
 

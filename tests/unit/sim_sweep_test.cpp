@@ -42,6 +42,15 @@ Simulation swept(const SimulationSettings& settings) {
     return result ? std::move(*result) : Simulation{};
 }
 
+/// Points of a floor with a raised half, for the scene that scans a cloud.
+std::vector<Eigen::Vector3f> steps() {
+    std::vector<Eigen::Vector3f> points;
+    for (int i = 0; i < 200; ++i)
+        for (int j = 0; j < 200; ++j)
+            points.emplace_back(0.2F * static_cast<float>(j), 0.2F * static_cast<float>(i), j < 100 ? 0.0F : 1.0F);
+    return points;
+}
+
 TEST(SimSweep, NominalGeometry) {
     SimulationSettings settings = perfect("wall");
     settings.lines = 1000;
@@ -68,6 +77,7 @@ TEST(SimSweep, EverySceneSweepsInBothMountings) {
             SimulationSettings settings = small(scene.name);
             settings.axis = axis;
             settings.truth = true;
+            settings.surface = steps();
             const Simulation result = swept(settings);
             const auto counts = countCells(result.scan);
             EXPECT_EQ(counts[0] + counts[1], result.scan.cells()) << scene.name;
@@ -277,6 +287,33 @@ TEST(SimSweep, HangupFillsTheMiddleOfThePicture) {
     }
 }
 
+TEST(SimSweep, AScannedCloudHangsOverTheScannerWithItsHighestPointNearest) {
+    SimulationSettings settings = perfect("rescan");
+    settings.surface = steps();
+    const Simulation result = swept(settings);
+    const CartesianTables tables(result.scan);
+    for (std::size_t k = 0; k < result.scan.cells(); ++k) {
+        const Eigen::Vector3d point = tables.point(k);
+        if (result.scan.state[k] != CellState::Valid || point.head<2>().cwiseAbs().maxCoeff() > 19.0) continue;
+        EXPECT_GT(point.z(), settings.distanceM - 0.002);
+        EXPECT_LT(point.z(), settings.distanceM + 1.002);
+    }
+    settings.surface.clear();
+    EXPECT_EQ(simulate(settings).error().sentence(),
+              "simulate: the scene \"rescan\" has no surface to scan; give a cloud of points with --surface.");
+}
+
+TEST(SimSweep, StatusCodesAreNoRanges) {
+    SimulationSettings settings = small("wall");
+    settings.statusCodes = 0.1;
+    const Simulation result = swept(settings);
+    const auto counts = countCells(result.scan);
+    const auto status = counts[static_cast<std::size_t>(CellState::DeviceStatus)];
+    EXPECT_NEAR(static_cast<double>(status), 0.1 * static_cast<double>(result.scan.cells()),
+                0.02 * static_cast<double>(result.scan.cells()));
+    EXPECT_EQ(result.scan.statusCodes.size(), 1U);
+}
+
 TEST(SimSweep, NonsenseIsRefusedInOneSentence) {
     const auto sentence = [](auto change) {
         SimulationSettings settings = small("hangup");
@@ -285,7 +322,7 @@ TEST(SimSweep, NonsenseIsRefusedInOneSentence) {
         return result ? std::string() : result.error().sentence();
     };
     EXPECT_EQ(sentence([](auto& s) { s.scene = "moon"; }),
-              "simulate: there is no scene \"moon\"; use one of hangup, pile, empty, wall, staircase.");
+              "simulate: there is no scene \"moon\"; use one of hangup, pile, empty, wall, staircase, rescan.");
     EXPECT_EQ(sentence([](auto& s) { s.lines = 1; }), "simulate: lines is 1; use 2 to 100000.");
     EXPECT_NE(sentence([](auto& s) { s.beams = 100001; }), "");
     EXPECT_NE(sentence([](auto& s) { s.lines = s.beams = 100000; }), "");
