@@ -261,6 +261,24 @@ private slots:
         QVERIFY2(worstRest < 100.0 && worstRest > 50.0, qPrintable(QString::number(worstRest)));
     }
 
+    // 2 ms + 1 ms per 10 000 points, while the points become ten times as many: what was learnt from few holds for many.
+    void budgetFollowsACloudThatGrows() {
+        DrawingBudget budget(1000.0);
+        double points = 100'000.0;
+        double worst = 0.0;
+        for (int i = 0; i < 40; ++i) {
+            const double fraction = kPartEnds[static_cast<std::size_t>(budget.lastPart(true))];
+            const double ms = 2.0 + fraction * points / 10'000.0;
+            budget.measured(fraction, ms);
+            if (i > 8) worst = std::max(worst, ms);
+            const double more = std::min(1'000'000.0, points * 1.08);
+            budget.grown(points / more);
+            points = more;
+        }
+        QVERIFY2(worst < 1.25 * DrawingBudget::kMovingMs, qPrintable(QString::number(worst)));
+        QCOMPARE(points, 1'000'000.0);
+    }
+
     void budgetDrawsAllOnAFastMachine() {
         DrawingBudget budget;
         for (int i = 0; i < 12; ++i) budget.measured(kPartEnds[static_cast<std::size_t>(budget.lastPart(i % 2 == 0))], 2.0);

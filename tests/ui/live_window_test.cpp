@@ -27,10 +27,47 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <ctime>
+#include <map>
+#include <random>
 #include <set>
 
 using namespace edgescan;
 using namespace edgescan::ui;
+
+namespace {
+
+double threadMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// Knows which single event kept the GUI thread longest.
+class TimedApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (depth_ > 0 || !watching) return QApplication::notify(receiver, event);
+        ++depth_;
+        const QString name = QString("%1 of %2 %3").arg(event->type()).arg(receiver->metaObject()->className(), receiver->objectName());
+        QElapsedTimer clock;
+        clock.start();
+        const double cpu = threadMs();
+        const bool result = QApplication::notify(receiver, event);
+        const auto ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+        if (ms > 60) events[name] = std::max(events[name], std::pair(ms, threadMs() - cpu));
+        --depth_;
+        return result;
+    }
+    bool watching = false;
+    std::map<QString, std::pair<double, double>> events; ///< longer than 60 ms: wall time and CPU time of the longest of its kind
+
+private:
+    int depth_ = 0;
+};
+
+} // namespace
 
 class LiveWindowTest : public QObject {
     Q_OBJECT
@@ -314,6 +351,42 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return !timeline.active() && !timeline.isVisible(); }, 5000));
     }
 
+    // Three sweeps in one recording: each is found, and going back shows the right one.
+    void aRecordingOfSeveralSweepsIsScrubbed() {
+        const std::string path = (folder_ / "three.mcap").string();
+        {
+            const test::ServedProgram served(bell_ + " --rate 600 --loop --lose-every 33");
+            const auto run = test::runCli("record " + served.address() + " -o " + path + " --lines 390 --expected-lines 160 --axis sweep" +
+                                          " --first-line -90 --line-step 1.125 --seconds 30");
+            QCOMPARE(run.code, 0);
+        }
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        window.openFile(QString::fromStdString(path));
+        Timeline& timeline = window.timeline();
+        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.session().behind(); }, 10000));
+        QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
+        QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
+        const std::string opened = shownMask(window);
+        const auto recording = Recording::open(path);
+        QVERIFY(recording);
+        std::mt19937 random(4);
+        for (int i = 0; i < 12; ++i) {
+            const int line = 1 + static_cast<int>(random() % static_cast<unsigned>(timeline.lines()));
+            timeline.goTo(line);
+            Replay fresh(*recording);
+            fresh.seek(line);
+            const auto expected = fresh.snapshot();
+            QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.session().behind(); }, 5000));
+            QVERIFY(window.session().picture()->frame->scan->rangeMm == expected->rangeMm);
+            QVERIFY(window.session().picture()->frame->scan->state == expected->state);
+        }
+        timeline.goTo(timeline.home());
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->path == path && !window.session().behind(); }, 5000));
+        QCOMPARE(shownMask(window), opened);
+    }
+
     // Prints how long the GUI thread is away while a full-size sweep grows; asserts no time.
     void responsiveness() {
         const std::string full = (folder_ / "full.json").string();
@@ -337,6 +410,8 @@ private slots:
             last = clock.elapsed();
         });
         timer.start(1);
+        auto& application = *static_cast<TimedApplication*>(QCoreApplication::instance());
+        application.watching = true;
         int pictures = 0;
         const auto counting = connect(&window, &MainWindow::pictureShown, this, [&] { ++pictures; });
         QSlider* slider = window.panel().row("lower")->slider();
@@ -349,13 +424,15 @@ private slots:
         const auto of = [&](double share) { return gaps[static_cast<std::size_t>(share * static_cast<double>(gaps.size() - 1))]; };
         qInfo("a sweep of 1000 x 1141 grew in %lld ms, %d pictures; the GUI thread was away for at most %lld ms (99 %%: %lld ms)",
               clock.elapsed(), pictures, of(0), of(0.01));
+        for (const auto& [name, times] : application.events)
+            qInfo("event %s: %.0f ms, of these %.0f ms at work", qPrintable(name), times.first, times.second);
         QVERIFY(pictures > 5);
     }
 };
 
 int main(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    QApplication application(argc, argv);
+    TimedApplication application(argc, argv);
     LiveWindowTest test;
     return QTest::qExec(&test, argc, argv);
 }

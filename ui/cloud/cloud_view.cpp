@@ -58,10 +58,12 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     marked_ = std::nullopt;
     leaveHover();
     scene_->setCloud(cloud_);
-    if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
+    growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0 && cloud_->validCount > 0;
+    if (growing_) {
+        budget_.grown(static_cast<double>(before->validCount) / static_cast<double>(cloud_->validCount));
+    } else if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
         budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0);
     }
-    growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0;
     restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse
     if (growing_) {
         const Vector3d shift = before->originM - cloud_->originM;

@@ -28,6 +28,11 @@ void DrawingBudget::measured(double fraction, double ms) {
     fit();
 }
 
+void DrawingBudget::grown(double share) {
+    for (Frame& frame : frames_) frame.fraction *= share;
+    slope_ /= share;
+}
+
 void DrawingBudget::fit() {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     double weight = 1.0; // old frames count less: the machine may have become busier

@@ -19,6 +19,8 @@ public:
     /// Index into kPartEnds: draw parts 0 .. index.
     [[nodiscard]] int lastPart(bool moving) const;
     [[nodiscard]] double expectedMs(double fraction) const;
+    /// The same scan with more points: what was a share of them is now `share` times that share of all.
+    void grown(double share);
     /// A new scan: forget the frames of the old one.
     void restart(double allPointsMs = 150.0);
 
