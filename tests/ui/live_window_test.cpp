@@ -337,12 +337,13 @@ private slots:
         QVERIFY(at(kLines - 10));
         window.findChild<QSlider*>("timeline-slider")->setValue(40);
         QVERIFY(at(40));
-        timeline.setSpeed(10.0);
+        timeline.setSpeed(0.25);
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(timeline.playing());
         QVERIFY(QTest::qWaitFor([&] { return linesShown(window) > 60; }, 5000));
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(!timeline.playing());
+        timeline.setSpeed(10.0);
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(QTest::qWaitFor([&] { return !timeline.playing() && !window.session().behind() && linesShown(window) == kLines; }, 20000));
         QCOMPARE(shownMask(window), live);
