@@ -1,9 +1,12 @@
 // Creases. Blocks of plain arithmetic without branches, so that the compiler makes vectors of them.
 #include "core/edges/depth_crease.h"
 
+#include "core/edges/vectors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -25,7 +28,8 @@ struct SideSums {
 };
 
 // Cells `count` from `u` on; `sign` -1: towards lower indices.
-void addUp(SideSums& side, const float* u, const float* links, std::ptrdiff_t step, int sign, const Block& reach, int farthest) {
+inline __attribute__((always_inline)) void addUp(SideSums& side, const float* u, const float* links, std::ptrdiff_t step, int sign,
+                                                 const Block& reach, int farthest) {
     Block alive;
     alive.fill(1.0F);
     side.cells.fill(0.0F);
@@ -50,7 +54,7 @@ void addUp(SideSums& side, const float* u, const float* links, std::ptrdiff_t st
 struct SideLine {
     Block slope, height;
 };
-void fitLine(const SideSums& side, SideLine& line) {
+inline __attribute__((always_inline)) void fitLine(const SideSums& side, SideLine& line) {
     for (std::size_t n = 0; n < kBlock; ++n) {
         const float count = side.cells[n] + 1;
         const float mean = 0.5F * side.cells[n];
@@ -61,7 +65,7 @@ void fitLine(const SideSums& side, SideLine& line) {
 }
 
 // Angle whose tangent is y / x, y >= 0, degrees. A polynomial (Abramowitz and Stegun 4.4.49): within 0.01 degrees on every machine alike.
-float angleDeg(float y, float x) {
+inline __attribute__((always_inline)) float angleDeg(float y, float x) {
     const float size = std::abs(x);
     const float t = std::min(y, size) / std::max(std::max(y, size), 1e-30F);
     const float t2 = t * t;
@@ -71,6 +75,17 @@ float angleDeg(float y, float x) {
     return angle * kDegPerRad;
 }
 
+// One line: what its two sides say about each cell.
+struct LineFits {
+    explicit LineFits(int beams) {
+        for (auto* values : {&before, &after, &noise, &misfit, &fitted}) values->resize(static_cast<std::size_t>(beams));
+    }
+    std::vector<float> before, after; ///< tangents of the angle at which the surface recedes; equal where only one side was fitted
+    std::vector<float> noise;         ///< standard deviation of the difference of the tangents
+    std::vector<float> misfit;        ///< distance of the two lines at the cell along the beam, mm
+    std::vector<float> fitted;        ///< 1 where both sides have enough cells
+};
+
 struct Cells {
     const float* u;
     const float* links;
@@ -79,8 +94,8 @@ struct Cells {
 };
 
 // One block; `count` of its cells are wanted. Results go to the lines of `fits`.
-void fitBlock(const Cells& at, int count, const DepthLimits& limits, float* before, float* after, float* noise, float* misfit,
-              float* fitted) {
+EDGESCAN_VECTORS void fitBlock(const Cells& at, int count, const DepthLimits& limits, float* before, float* after, float* noise,
+                               float* misfit, float* fitted) {
     Block reach;
     reach.fill(0.0F);
     float farthest = 0;
@@ -119,54 +134,60 @@ void fitBlock(const Cells& at, int count, const DepthLimits& limits, float* befo
     }
 }
 
-} // namespace
-
-SideFits fitSides(const PaddedGrid<float>& u, const PaddedGrid<float>& links, const AngularSteps& steps, Along along,
-                  const DepthLimits& limits) {
-    const PaddedGrid<float> none(u.lines, u.beams);
-    SideFits fits{none, none, none, none, none};
+void fitLineOf(const PaddedGrid<float>& u, const PaddedGrid<float>& links, const AngularSteps& steps, Along along, int line,
+               const DepthLimits& limits, LineFits& fits) {
+    const float* angle = anglesOf(steps, along, line);
     const std::ptrdiff_t step = along == Along::Beams ? 1 : u.stride;
-    for (int i = 0; i < u.lines; ++i) {
-        const float* angle = anglesOf(steps, along, i);
-        for (int j = 0; j < u.beams; j += kBlock) {
-            // The last block starts early rather than to read beyond the margin.
-            const int first = std::max(0, std::min(j, u.beams - kBlock));
-            const int count = std::min(kBlock, u.beams - first);
-            fitBlock({u.line(i) + first, links.line(i) + first, angle + first, step}, count, limits, fits.before.line(i) + first,
-                     fits.after.line(i) + first, fits.noise.line(i) + first, fits.misfit.line(i) + first, fits.fitted.line(i) + first);
-        }
+    for (int j = 0; j < u.beams; j += kBlock) {
+        // The last block starts early rather than to read beyond the margin.
+        const int first = std::max(0, std::min(j, u.beams - kBlock));
+        const int count = std::min(kBlock, u.beams - first);
+        fitBlock({u.line(line) + first, links.line(line) + first, angle + first, step}, count, limits, fits.before.data() + first,
+                 fits.after.data() + first, fits.noise.data() + first, fits.misfit.data() + first, fits.fitted.data() + first);
     }
-    return fits;
 }
 
-PaddedGrid<float> foldStrength(const SideFits& along, const SideFits& across, const DepthLimits& limits) {
-    PaddedGrid<float> strength(along.before.lines, along.before.beams);
-    for (int i = 0; i < strength.lines; ++i) {
-        const float* before = along.before.line(i);
-        const float* after = along.after.line(i);
-        const float* noise = along.noise.line(i);
-        const float* misfit = along.misfit.line(i);
-        const float* fitted = along.fitted.line(i);
-        const float* tiltBefore = across.before.line(i);
-        const float* tiltAfter = across.after.line(i);
-        float* out = strength.line(i);
-        for (int j = 0; j < strength.beams; ++j) {
-            const float a = before[j];
-            const float b = after[j];
-            const float tilt = 0.5F * (tiltBefore[j] + tiltAfter[j]);
-            const float tilted = 1 + tilt * tilt;
-            const float fold = angleDeg(std::abs(a - b) * std::sqrt(tilted), a * b + tilted);
-            const float flatter = std::min(a * a, b * b);
-            const float floor = kNoiseFloor * kDegPerRad * noise[j] * std::sqrt(tilted) / (flatter + tilted);
-            // Distance across the surface, not along the beam.
-            const float mean = 0.5F * (a + b);
-            const float apart = misfit[j] / limits.misfitMm;
-            const float meets = 1.0F / std::sqrt(1 + apart * apart / (mean * mean + tilted));
-            const float size = fitted[j] * fold * meets / std::max(limits.creaseDeg, floor);
-            out[j] = a < b ? size : -size;
-        }
+EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
+    const float* before = along.before.data();
+    const float* after = along.after.data();
+    const float* noise = along.noise.data();
+    const float* misfit = along.misfit.data();
+    const float* fitted = along.fitted.data();
+    const float* tiltBefore = across.before.data();
+    const float* tiltAfter = across.after.data();
+    const float least = limits.creaseDeg;
+    const float misfitMm = limits.misfitMm;
+    for (int j = 0; j < beams; ++j) {
+        const float a = before[j];
+        const float b = after[j];
+        const float tilt = 0.5F * (tiltBefore[j] + tiltAfter[j]);
+        const float tilted = 1 + tilt * tilt;
+        const float fold = angleDeg(std::abs(a - b) * std::sqrt(tilted), a * b + tilted);
+        const float flatter = std::min(a * a, b * b);
+        const float floor = kNoiseFloor * kDegPerRad * noise[j] * std::sqrt(tilted) / (flatter + tilted);
+        // Distance across the surface, not along the beam.
+        const float mean = 0.5F * (a + b);
+        const float apart = misfit[j] / misfitMm;
+        const float meets = 1.0F / std::sqrt(1 + apart * apart / (mean * mean + tilted));
+        const float size = fitted[j] * fold * meets / std::max(least, floor);
+        out[j] = a < b ? size : -size;
     }
-    return strength;
+}
+
+} // namespace
+
+FoldStrengths foldStrengths(const PaddedGrid<float>& u, const PaddedGrid<float>& linksAlongBeams, const PaddedGrid<float>& linksAlongLines,
+                            const AngularSteps& steps, const DepthLimits& limits) {
+    FoldStrengths strengths{PaddedGrid<float>(u.lines, u.beams), PaddedGrid<float>(u.lines, u.beams)};
+    LineFits beamwise(u.beams);
+    LineFits linewise(u.beams);
+    for (int i = 0; i < u.lines; ++i) {
+        fitLineOf(u, linksAlongBeams, steps, Along::Beams, i, limits, beamwise);
+        fitLineOf(u, linksAlongLines, steps, Along::Lines, i, limits, linewise);
+        strengthsOf(beamwise, linewise, limits, u.beams, strengths.alongBeams.line(i));
+        strengthsOf(linewise, beamwise, limits, u.beams, strengths.alongLines.line(i));
+    }
+    return strengths;
 }
 
 } // namespace edgescan

@@ -4,6 +4,7 @@
 #include "core/edges/depth_crease.h"
 #include "core/edges/depth_jump.h"
 #include "core/edges/interlace.h"
+#include "core/edges/vectors.h"
 #include "core/edges/veil.h"
 
 #include <algorithm>
@@ -50,32 +51,33 @@ DepthField fieldOf(const InverseRange& inverse) {
     return field;
 }
 
-// Of both ways: along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other. Kept
-// cells get the strength of both ways together where they fold alike; a fold that runs askew shows only part of itself in each.
-template <class Together>
-void suppress(const PaddedGrid<float>& alongBeams, const PaddedGrid<float>& alongLines, const InverseRange& inverse, Grid<float>& kept,
-              Together together) {
-    for (int i = 0; i < kept.lines; ++i) {
-        const float* b = alongBeams.line(i);
-        const float* l = alongLines.line(i);
-        const Support* support = inverse.support.line(i);
-        float* out = kept.line(i);
-        for (int j = 0; j < kept.beams; ++j) {
-            const bool beamwise = std::abs(b[j]) >= std::abs(l[j]);
-            const float* response = (beamwise ? b : l) + j;
-            const std::ptrdiff_t step = beamwise ? 1 : alongLines.stride;
-            const float here = std::abs(*response);
-            if (here == 0 || support[j] != Support::Measured) continue;
-            if (std::abs(response[-step]) > here || std::abs(response[step]) >= here) continue;
-            out[j] = together(*response, beamwise ? l[j] : b[j]);
-        }
+// Two responses at a cell as one: the stronger alone, or both together where they fold alike; a fold that runs askew shows only part of
+// itself in each way.
+float together(float stronger, float weaker, bool both) {
+    const float add = both && stronger * weaker > 0 ? weaker * weaker : 0.0F;
+    return std::copysign(std::sqrt(stronger * stronger + add), stronger);
+}
+
+// One line: along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
+EDGESCAN_VECTORS void suppressLine(const float* beamwise, const float* linewise, std::ptrdiff_t stride, const Support* support, int beams,
+                                   bool both, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float b = std::abs(beamwise[j]);
+        const float l = std::abs(linewise[j]);
+        const bool keepB = (b >= l) & (std::abs(beamwise[j - 1]) <= b) & (std::abs(beamwise[j + 1]) < b);
+        const bool keepL = (b < l) & (std::abs(linewise[j - stride]) <= l) & (std::abs(linewise[j + stride]) < l);
+        const float stronger = b >= l ? beamwise[j] : linewise[j];
+        const float weaker = b >= l ? linewise[j] : beamwise[j];
+        const float value = together(stronger, weaker, both);
+        out[j] = ((keepB | keepL) & (support[j] == Support::Measured)) ? value : 0.0F;
     }
 }
 
-float strongerWay(float stronger, float /*weaker*/) { return stronger; }
-float bothWays(float stronger, float weaker) {
-    if (stronger * weaker <= 0) return stronger;
-    return std::copysign(std::sqrt(stronger * stronger + weaker * weaker), stronger);
+void suppress(const PaddedGrid<float>& alongBeams, const PaddedGrid<float>& alongLines, const InverseRange& inverse, bool both,
+              Grid<float>& kept) {
+    for (int i = 0; i < kept.lines; ++i) {
+        suppressLine(alongBeams.line(i), alongLines.line(i), alongLines.stride, inverse.support.line(i), kept.beams, both, kept.line(i));
+    }
 }
 
 // Keeps chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least.
@@ -125,18 +127,15 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams, slips);
     const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines, slips);
 
-    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise,
-                          limits.jumpMm};
-    suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, result.jump,
-             strongerWay);
+    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise, limits.jumpMm};
+    suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, false, result.jump);
 
     for (int pass = 0; pass < limits.passes; ++pass) {
         smoothSurfaces(field.u, linkBeams, Along::Beams);
         smoothSurfaces(field.u, linkLines, Along::Lines);
     }
-    const SideFits beamwise = fitSides(field.u, linkBeams, steps, Along::Beams, limits);
-    const SideFits linewise = fitSides(field.u, linkLines, steps, Along::Lines, limits);
-    suppress(foldStrength(beamwise, linewise, limits), foldStrength(linewise, beamwise, limits), inverse, result.crease, bothWays);
+    const FoldStrengths folds = foldStrengths(field.u, linkBeams, linkLines, steps, limits);
+    suppress(folds.alongBeams, folds.alongLines, inverse, true, result.crease);
     return result;
 }
 

@@ -14,6 +14,7 @@ constexpr float kLeastParity = 0.15F; // index steps
 constexpr float kLeastExtra = 0.5F;
 constexpr float kAgree = 0.35F; // spread of the values of a line, index steps or share of the slip
 constexpr int kFewestLines = 10;
+constexpr int kSampledLines = 64;
 constexpr float kExplained = 0.5F; // of the deviations on a line
 
 struct Slip {
@@ -91,14 +92,14 @@ void addParity(const InverseRange& inverse, int line, std::vector<Slip>& slips) 
 void addExtra(const InverseRange& inverse, int line, int parity, std::vector<Slip>& slips) {
     const Grid<float>& u = inverse.u;
     for (int j = parity; j < u.beams; j += 2) {
-        bool all = true;
-        for (int i = line - 3; i <= line + 4; ++i) all = all && measured(inverse, i, j);
-        if (!all) continue;
         const float before = 0.5F * (u.at(line - 1, j) - u.at(line - 3, j));
         const float after = 0.5F * (u.at(line + 4, j) - u.at(line + 2, j));
         const float slant = 0.5F * (before + after);
         const float share = std::abs(slant) / u.at(line, j);
         if (share < kLeastSlant || share > kMostSlant || std::abs(before - after) > std::abs(slant)) continue;
+        bool all = true;
+        for (int i = line - 3; i <= line + 4; ++i) all = all && measured(inverse, i, j);
+        if (!all) continue;
         slips.push_back({(u.at(line + 1, j) - u.at(line, j)) / slant - 1, share, slant});
     }
 }
@@ -118,13 +119,13 @@ float slantAt(const InverseRange& inverse, int line, int beam) {
     return std::abs(larger) > 3 * std::abs(smaller) ? smaller : 0.5F * (before + after);
 }
 
-// How far odd beams are ahead, per line; all 0 unless most lines tell of it.
-std::vector<float> parities(const InverseRange& inverse) {
+// How far odd beams are ahead on every so many lines; all 0 unless most of these tell of it.
+std::vector<float> parities(const InverseRange& inverse, int every) {
     std::vector<float> parity(static_cast<std::size_t>(inverse.u.lines));
     int told = 0;
     int shifted = 0;
     std::vector<Slip> slips;
-    for (int i = 1; i + 1 < inverse.u.lines; ++i) {
+    for (int i = 1; i + 1 < inverse.u.lines; i += every) {
         slips.clear();
         addParity(inverse, i, slips);
         const Median median = medianOf(slips);
@@ -167,10 +168,14 @@ void moveBeams(InverseRange& inverse, const std::vector<float>& parity) {
 
 SweepSlips straighten(InverseRange& inverse) {
     const int lines = inverse.u.lines;
-    SweepSlips result{parities(inverse), {}, false, 0};
+    // A sample of the lines tells whether it is worth looking at all of them.
+    SweepSlips result{parities(inverse, std::max(1, lines / kSampledLines)), {}, false, 0};
     result.extra.fill(std::vector<float>(static_cast<std::size_t>(lines)));
     result.interlaced = std::any_of(result.parity.begin(), result.parity.end(), [](float steps) { return steps != 0; });
-    if (result.interlaced) moveBeams(inverse, result.parity);
+    if (result.interlaced) {
+        result.parity = parities(inverse, 1);
+        moveBeams(inverse, result.parity);
+    }
     for (int i = 3; i + 4 < lines; ++i) {
         for (int parity = 0; parity < 2; ++parity) {
             const float steps = extraStep(inverse, i, parity);

@@ -1,6 +1,8 @@
 // A grid with a margin, so that a filter can look a few cells in any direction without asking where the grid ends.
 #pragma once
 
+#include "core/base/large_block.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -27,7 +29,7 @@ public:
 
 private:
     [[nodiscard]] std::ptrdiff_t place(int i) const { return (i + kMargin) * stride + kMargin; }
-    std::vector<T> cells_;
+    std::vector<T, LargeBlockAllocator<T>> cells_;
 };
 
 } // namespace edgescan

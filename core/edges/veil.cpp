@@ -1,9 +1,12 @@
 // Mixed pixels.
 #include "core/edges/veil.h"
 
+#include "core/edges/vectors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -12,6 +15,7 @@ constexpr int kLongestRun = 3;
 constexpr float kSpotM = 0.013F;
 constexpr float kSpotRad = 0.0046F;
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
+constexpr float kBend = 0.25F;         // of the least distance of the surfaces
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least
 
 float gapMm(float u, float v) { return std::abs(1000.0F / u - 1000.0F / v); }
@@ -74,24 +78,41 @@ bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<f
     return farthest >= kOffSurface;
 }
 
+// 1 where the surfaces on both sides can be two thresholds apart at all; on a smooth surface they are not, and that is most cells.
+EDGESCAN_VECTORS void markWorthwhile(const float* u, std::ptrdiff_t step, const DepthLimits& limits, std::vector<std::uint8_t>& worth) {
+    const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
+    const int count = static_cast<int>(worth.size());
+    std::uint8_t* out = worth.data();
+    for (int j = 0; j < count; ++j) {
+        const float before = 2 * u[j - step] - u[j - 2 * step];
+        const float after = 2 * u[j + step] - u[j + 2 * step];
+        const float first = u[j - step];
+        const float second = u[j + 2 * step];
+        const float third = u[j + 3 * step];
+        const bool one = std::abs(before - after) > apart * before * after;
+        // The ends of a run must be apart, and its first cell off a line through them.
+        const bool bent =
+            std::abs(u[j - 2 * step] - 2 * first + u[j]) + std::abs(u[j + step] - 2 * u[j] + first) > kBend * apart * u[j] * u[j];
+        const bool two = (std::abs(first - second) > apart * first * second) & bent;
+        const bool three = (std::abs(first - third) > apart * first * third) & bent;
+        out[j] = static_cast<std::uint8_t>(one | two | three);
+    }
+}
+
 } // namespace
 
 void snapVeils(DepthField& field, const InverseRange& inverse, const AngularSteps& steps, Along along, const DepthLimits& limits) {
     const std::ptrdiff_t step = field.step(along);
     const PaddedGrid<float> from = field.u;
+    std::vector<std::uint8_t> worth(static_cast<std::size_t>(from.beams));
     for (int i = 0; i < from.lines; ++i) {
+        markWorthwhile(from.line(i), step, limits, worth);
         const float* angle = anglesOf(steps, along, i);
         const Support* support = inverse.support.line(i);
         float* out = field.u.line(i);
         for (int j = 0; j < from.beams; ++j) {
+            if (worth[static_cast<std::size_t>(j)] == 0 || support[j] == Support::Void) continue;
             const Place at{from.line(i) + j, field.solid.line(i) + j, step};
-            if (support[j] == Support::Void) continue;
-            // Nothing to do on a smooth surface.
-            const float bend = std::abs(at.u[-step] + at.u[step] - 2 * at.u[0]);
-            if (bend * 1000.0F < 0.25F * limits.jumpMm * at.u[0] * at.u[0]) {
-                // Runs bend at their ends, seen from their first cell or the next.
-                if (std::abs(at.u[0] + at.u[2 * step] - 2 * at.u[step]) * 1000.0F < 0.25F * limits.jumpMm * at.u[0] * at.u[0]) continue;
-            }
             if (support[j] == Support::Measured && snapOne(at, limits, out[j])) continue;
             const float rangeM = 1.0F / at.u[0];
             const float cell = rangeM * angle[j];
