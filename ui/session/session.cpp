@@ -175,8 +175,10 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
 
 std::shared_ptr<const Frame> Session::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     PictureSource source;
+    std::vector<std::shared_ptr<const Picture>> retired;
     {
         const std::lock_guard lock(slotMutex_);
+        retired.swap(retired_);
         if (postedScan_ != scan) return nullptr; // a newer scan was posted; its own frame follows
         source = postedSource_;
     }
@@ -218,8 +220,12 @@ void Session::takePicture() {
         newest = std::exchange(slot_, nullptr);
     }
     if (!newest) return;
-    picture_ = std::move(newest);
+    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
     emit pictureReady();
+    // Now that nothing shows it any more the worker's thread lets go of it: giving back so much memory, line after line, takes its time.
+    if (!last || !last->source.growth.growing) return;
+    const std::lock_guard lock(slotMutex_);
+    retired_.push_back(std::move(last));
 }
 
 } // namespace edgescan::ui

@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -79,7 +80,8 @@ private:
     int jobs_ = 0;                     // under way, openings given up included
 
     std::mutex slotMutex_;
-    std::shared_ptr<const Picture> slot_; // newest picture that the GUI thread did not take yet
+    std::shared_ptr<const Picture> slot_;                 // newest picture that the GUI thread did not take yet
+    std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
     std::shared_ptr<const Scan> postedScan_;
     PictureSource postedSource_;
 
