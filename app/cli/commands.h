@@ -19,5 +19,6 @@ void addServe(CLI::App& app, int& code);
 void addRecord(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addWhy(CLI::App& app, int& code);
+void addCompare(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     cli::addRecord(app, code);
     cli::addReplay(app, code);
     cli::addWhy(app, code);
+    cli::addCompare(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -30,7 +30,8 @@ ThresholdMap thresholdMapOf(const Frame& frame) {
         return responseThresholdMap(detectorResponse(settings.method, levels, masked.size() > 0 ? &masked : nullptr, settings));
     }
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    return linkedThresholdMap(depthEdges(*frame.scan, depth).strength, depth.hysteresisLow, depth.minimumLength);
+    const DepthEdges found = frame.responses ? decideDepthEdges(*frame.responses, depth) : depthEdges(*frame.scan, depth);
+    return linkedThresholdMap(found.strength, depth.hysteresisLow, depth.minimumLength);
 }
 
 } // namespace edgescan

@@ -120,7 +120,7 @@ void judgeResponse(Why& why, const Frame& frame) {
 // EdgeScan+ and its parts. Returns the suppressed strengths.
 Grid<float> judgeDepth(Why& why, const Frame& frame) {
     const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
-    DepthEdges found = depthEdges(*frame.scan, settings);
+    DepthEdges found = frame.responses ? decideDepthEdges(*frame.responses, settings) : depthEdges(*frame.scan, settings);
     why.upper = settings.sensitivity;
     why.lower = settings.sensitivity * settings.hysteresisLow;
     why.strength = found.strength[why.probe.cell];

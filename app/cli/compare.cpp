@@ -1,0 +1,147 @@
+// edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/edges/gray.h"
+#include "core/files/png.h"
+#include "core/files/whole_file.h"
+#include "core/report/comparison_report.h"
+#include "core/report/contact_sheet.h"
+#include "core/report/report.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include <unistd.h>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kColumns = 4;
+constexpr int kTilePixels = 460;
+
+struct CompareFlags {
+    std::string file, truth, json, pictures;
+    ComparisonSettings settings;
+    bool slow = false, noPeers = false;
+    ReadFlags read;
+};
+
+// "BoundaryEstimation k=30" -> "boundaryestimation-k-30".
+std::string fileName(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+';
+        if (plain)
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!result.empty() && result.back() != '-')
+            result += '-';
+    }
+    while (!result.empty() && result.back() == '-') result.pop_back();
+    return result;
+}
+
+// What stands below a picture's title.
+std::string caption(const ComparedMethod& method) {
+    if (method.edges == 0 && !method.note.empty()) return "not run: see the table";
+    std::string text = std::to_string(method.edges) + " edge cells";
+    char number[64];
+    std::snprintf(number, sizeof number, ", %.1f ms", method.steps.total());
+    text += number;
+    if (method.share < 1.0) return text + " (not all points done)";
+    if (!method.score) return text;
+    std::snprintf(number, sizeof number, ", F %.3f", method.score->score.all.f());
+    return text + number;
+}
+
+Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std::vector<ComparedMethod>& methods) {
+    std::error_code failed;
+    fs::create_directories(flags.pictures, failed);
+    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", flags.pictures, "give one that can be written to"};
+    std::vector<SheetTile> tiles{{grayImage(scan, Settings{}).levels, false, "range image", "logarithmic gray levels"}};
+    for (const ComparedMethod& method : methods) {
+        tiles.push_back({method.mask, true, method.name, caption(method)});
+        if (method.edges == 0 && !method.note.empty()) continue;
+        const Result<Done> saved = savePng8(method.mask, fs::path(flags.pictures) / (fileName(method.key) + ".png"));
+        if (!saved) return saved.error();
+    }
+    const std::string title = scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
+    return savePng8(contactSheet(tiles, kColumns, kTilePixels, title), fs::path(flags.pictures) / "comparison.png");
+}
+
+Result<Done> compare(const CompareFlags& flags) {
+    Result<Scan> opened = openScan(flags.file, openOptions(flags.read));
+    if (!opened) return opened.error();
+    const auto scan = std::make_shared<const Scan>(std::move(*opened));
+    std::optional<TruthSet> truth;
+    if (!flags.truth.empty()) {
+        Result<TruthSet> read = readTruth(flags.truth);
+        if (!read) return read.error();
+        if (read->edges.edgeClass.lines != scan->lines() || read->edges.edgeClass.beams != scan->beams())
+            return Error{"the truth is not of this scan's shape", flags.truth, "give the folder that was written with the scan"};
+        truth = std::move(*read);
+    }
+    ComparisonSettings settings = flags.settings;
+    settings.peers = !flags.noPeers;
+    if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
+    const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
+    const auto progress = [&](const char* name, double fraction) {
+        if (tell) std::fprintf(stderr, "\r%3.0f %% %-40s", 100 * fraction, name);
+        return true;
+    };
+    const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
+    if (tell) std::fprintf(stderr, "\r%-48s\r", "");
+    if (!flags.pictures.empty()) {
+        const Result<Done> saved = savePictures(flags, *scan, methods);
+        if (!saved) return saved.error();
+    }
+    const std::string json = reportText(comparisonReport(*scan, methods, settings), true) + "\n";
+    if (flags.json == "-") {
+        std::cout << json;
+        return Done{};
+    }
+    std::cout << comparisonText(*scan, methods);
+    return flags.json.empty() ? Done{} : writeWholeFile(flags.json, json);
+}
+
+} // namespace
+
+void addCompare(CLI::App& app, int& code) {
+    auto flags = std::make_shared<CompareFlags>();
+    CLI::App& command = *app.add_subcommand("compare", "Every method of the thesis, the PCL peers and EdgeScan+ on one scan, in one run");
+    command.add_option("FILE", flags->file, "Scan")->required();
+    command.add_option("--truth", flags->truth, "Folder with ground truth of simulate --truth: also scores");
+    command.add_option("--json", flags->json, "All figures; - is stdout, instead of the tables");
+    command.add_option("--pictures", flags->pictures, "Folder for a labelled sheet (comparison.png) and one mask per method");
+    command.add_option("--tolerance", flags->settings.tolerance, "How far a detection may lie from a true edge [cells]")
+        ->check(CLI::Range(0.0, 20.0))
+        ->capture_default_str();
+    command.add_flag("--best", flags->settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
+    command
+        .add_option("--repeats", flags->settings.repeats, "Runs of each of our methods, interleaved; medians of thread CPU time are told")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_option("--radius", flags->settings.peerLimits.radiusM, "Radius of PCL's BoundaryEstimation [m]")
+        ->check(CLI::Range(0.001, 10.0))
+        ->capture_default_str();
+    command
+        .add_option("--peer-seconds", flags->settings.peerLimits.seconds, "A PCL peer that works point by point stops after this time [s]")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command.add_flag("--slow", flags->slow, "Let every PCL peer end, however long it takes");
+    command.add_flag("--no-peers", flags->noPeers, "Leave the PCL peers out");
+    addReadFlags(command, flags->read);
+    command.callback([flags, &code] {
+        const Result<Done> result = compare(*flags);
+        code = result ? kDone : kRefused;
+        if (!result) complain(result.error());
+    });
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,100 @@
+// edgescan-cli why and compare from outside.
+#include "core/files/png.h"
+#include "core/files/save_scan.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+using test::runCli;
+
+struct CliCompare : public ::testing::Test {
+    test::TemporaryFolder folder;
+    std::string scanPath = (folder / "boxes.json").string();
+
+    void SetUp() override { ASSERT_TRUE(saveScan(test::boxesScan(60, 80, 3, 0.02), scanPath)); }
+};
+
+TEST_F(CliCompare, WhyAnswersForACellAndItsThresholdHolds) {
+    const std::string cell = "why " + scanPath + " --line 20 --beam 30 --preset log";
+    const auto run = runCli(cell);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report["line"], 20);
+    EXPECT_EQ(report["beam"], 30);
+    EXPECT_EQ(report["thresholds"]["upper"], 18.0);
+    EXPECT_FALSE(report["verdict"].get<std::string>().empty());
+    if (report["appears_at"].is_null()) return;
+    const std::string limit = std::to_string(report["appears_at"]["lower"].get<double>());
+    EXPECT_TRUE(json::parse(runCli(cell + " --lower " + limit).out)["edge"].get<bool>());
+}
+
+TEST_F(CliCompare, WhyRefusesCellsThatDoNotExist) {
+    const auto run = runCli("why " + scanPath + " --line 60 --beam 0");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("lines run from 0 to 59"), std::string::npos) << run.err;
+    EXPECT_EQ(runCli("why " + scanPath + " --line 3").code, 2);
+}
+
+TEST_F(CliCompare, ALowerThresholdCanBeADepth) {
+    const auto metres = runCli("detect " + scanPath + " --preset window --near 0 --far 25500 --lower 0.5m --json -");
+    ASSERT_EQ(metres.code, 0) << metres.err;
+    EXPECT_EQ(json::parse(metres.out)["settings"]["lower"], 15); // 5 levels x 3
+    const auto share = runCli("detect " + scanPath + " --preset log --near 2000 --far 8000 --lower 5% --json -");
+    ASSERT_EQ(share.code, 0) << share.err;
+    EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5%").code, 1);
+    EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5x").code, 2);
+}
+
+TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
+    const std::string pictures = (folder / "pictures").string();
+    const auto run = runCli("compare " + scanPath + " --json - --repeats 1 --peer-seconds 2 --pictures " + pictures);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    std::set<std::string> names;
+    for (const json& method : report["methods"]) {
+        names.insert(method["method"].get<std::string>());
+        EXPECT_TRUE(method["run"].get<bool>() || method.contains("note")) << method.dump();
+        if (!method["run"].get<bool>()) continue;
+        EXPECT_GT(method["ms"]["total"].get<double>(), 0.0) << method["name"];
+    }
+    for (const char* name : {"thesis", "canny", "log-range", "roberts", "sobel", "prewitt", "kirsch", "robinson", "marr-hildreth", "log",
+                             "jumps", "outlines", "edgescan+"})
+        EXPECT_EQ(names.count(name), 1U) << name;
+    EXPECT_EQ(names.size(), 18U);
+    EXPECT_EQ(report["table_6_1"]["total"]["thesis_printed_ms"], 297);
+    EXPECT_EQ(report["table_6_2"]["pcl_boundary"]["thesis_printed_ms"], 1852880);
+    const auto sheet = readPng8(pictures + "/comparison.png");
+    ASSERT_TRUE(sheet) << sheet.error().sentence();
+    EXPECT_GT(sheet->beams, 4 * 460);
+    const auto mask = readPng8(pictures + "/sobel.png");
+    ASSERT_TRUE(mask);
+    EXPECT_EQ(mask->lines, 60);
+}
+
+TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
+    const std::string bell = (folder / "bell.json").string();
+    const std::string truth = (folder / "truth").string();
+    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 90 --beams 110 --seed 4 --truth " + truth).code, 0);
+    const auto run = runCli("compare " + bell + " --truth " + truth + " --no-peers --best --repeats 1 --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    for (const json& method : json::parse(run.out)["methods"]) {
+        const double fixed = method["score"]["all"]["f"].get<double>();
+        EXPECT_GT(fixed, 0.0) << method["name"];
+        EXPECT_LE(fixed, 1.0);
+    }
+    const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");
+    EXPECT_NE(table.out.find("Thesis, table 6.1"), std::string::npos);
+    EXPECT_NE(table.out.find("1852880 ms"), std::string::npos);
+    EXPECT_EQ(runCli("compare " + scanPath + " --truth " + truth + " --no-peers").code, 1); // of another shape
+}
+
+} // namespace
+} // namespace edgescan
