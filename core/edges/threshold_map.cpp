@@ -263,11 +263,10 @@ Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     return mask;
 }
 
-EdgeCountCurve edgeCountCurve(const ThresholdMap& map, double from, double to, int count) {
+EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds) {
     EdgeCountCurve curve;
-    const auto places = static_cast<std::size_t>(std::max(count, 2));
-    for (std::size_t n = 0; n < places; ++n)
-        curve.thresholds.push_back(from + (to - from) * static_cast<double>(n) / static_cast<double>(places - 1));
+    curve.thresholds = std::move(thresholds);
+    const std::size_t places = curve.thresholds.size();
     // A cell counts at every threshold up to its highest one: the histogram, summed from its end.
     curve.edges.assign(places, 0);
     for (const double highest : map.highest.cells) {
@@ -276,7 +275,7 @@ EdgeCountCurve edgeCountCurve(const ThresholdMap& map, double from, double to, i
     }
     for (std::size_t n = places - 1; n > 0; --n) curve.edges[n - 1] += curve.edges[n];
 
-    curve.stableFrom = curve.stableTo = from;
+    curve.stableFrom = curve.stableTo = curve.thresholds.front();
     double best = 1.0;
     const double fewest = kSmallestShare * static_cast<double>(curve.edges.front());
     std::size_t end = 0;

@@ -37,15 +37,15 @@ struct ThresholdMap {
 
 /// Number of edge cells at every threshold, and where it hardly changes.
 struct EdgeCountCurve {
-    std::vector<double> thresholds; ///< ascending, evenly spaced
+    std::vector<double> thresholds; ///< ascending
     std::vector<std::size_t> edges; ///< never rising
     double stableFrom = 0.0;        ///< the plateau; stableTo == stableFrom when there is none
     double stableTo = 0.0;
 };
 
-/// `count` thresholds from `from` to `to`. The plateau is the longest stretch, as ratio of its ends, over which no more than 10 % of the
-/// edges go; stretches that hold under 5 % of the edges at `from` do not count.
-[[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, double from, double to, int count);
+/// At these thresholds (ascending, two at least). The plateau is the longest stretch, as ratio of its ends, over which no more than 10 % of
+/// the edges go; stretches that hold under 5 % of the edges at the first do not count.
+[[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds);
 
 /// Largest threshold at which `holds` is true, to the last bit; `holds` must be true for small ones and false for large ones. Below 0: for
 /// none from 0; infinity: for all. `guess` should be close.

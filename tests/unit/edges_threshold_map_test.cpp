@@ -18,7 +18,7 @@ namespace {
 Grid<std::uint8_t> blocks(int lines, int beams, std::uint32_t seed) {
     std::mt19937 random(seed);
     Grid<std::uint8_t> image(lines, beams);
-    const unsigned noise = 1 + random() % 40;
+    const auto noise = static_cast<unsigned>(1 + random() % 40);
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j)
             image.at(i, j) = static_cast<std::uint8_t>((static_cast<unsigned>(i / 5 * 37 + j / 7 * 91) + random() % noise) % 256);
@@ -152,12 +152,18 @@ TEST(ThresholdMap, LargestThresholdIsExactWhateverTheGuess) {
     EXPECT_EQ(largestThreshold([](double) { return true; }, 3), std::numeric_limits<double>::infinity());
 }
 
+std::vector<double> wholeNumbers(int count) {
+    std::vector<double> all;
+    for (int n = 0; n < count; ++n) all.push_back(n);
+    return all;
+}
+
 TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
     // 1000 cells of noise up to 2, 200 edges between 40 and 60, nothing between.
     ThresholdMap map{Grid<double>(30, 50, -1.0)};
     for (std::size_t k = 0; k < 1000; ++k) map.highest[k] = static_cast<double>(k) / 500.0;
     for (std::size_t k = 1000; k < 1200; ++k) map.highest[k] = 40.0 + static_cast<double>(k - 1000) / 10.0;
-    const EdgeCountCurve curve = edgeCountCurve(map, 0.0, 100.0, 101);
+    const EdgeCountCurve curve = edgeCountCurve(map, wholeNumbers(101));
     ASSERT_EQ(curve.thresholds.size(), 101U);
     for (std::size_t n = 0; n < curve.edges.size(); ++n) {
         const auto mask = edgesAt(map, curve.thresholds[n]);
@@ -165,7 +171,7 @@ TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
     }
     EXPECT_EQ(curve.stableFrom, 2.0);
     EXPECT_EQ(curve.stableTo, 42.0);
-    const EdgeCountCurve none = edgeCountCurve({Grid<double>(3, 3, -1.0)}, 0, 10, 11);
+    const EdgeCountCurve none = edgeCountCurve({Grid<double>(3, 3, -1.0)}, wholeNumbers(11));
     EXPECT_EQ(none.stableFrom, none.stableTo);
 }
 

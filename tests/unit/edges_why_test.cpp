@@ -40,7 +40,7 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
             const Why why = whyCell(*frame, k);
             const Parameter& parameter = *findParameter(why.parameter);
             EXPECT_EQ(why.probe.edge, (*frame->mask)[k] != 0);
-            if (why.probe.edge) EXPECT_TRUE(why.appearsAt && *why.appearsAt >= parameter.get(settings)) << why.verdict;
+            EXPECT_TRUE(!why.probe.edge || (why.appearsAt && *why.appearsAt >= parameter.get(settings))) << why.verdict;
             if (!why.appearsAt) continue;
             Settings at = settings;
             parameter.set(at, *why.appearsAt);
