@@ -110,6 +110,19 @@ Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, in
     return state;
 }
 
+std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
+    std::vector<std::uint32_t> cells;
+    const auto empty = [&](int i, int j) { return support.contains(i, j) && support.at(i, j) == Support::Void; };
+    for (int i = 0; i < support.lines; ++i) {
+        for (int j = 0; j < support.beams; ++j) {
+            if (support.at(i, j) != Support::Measured) continue;
+            if (empty(i - 1, j) || empty(i + 1, j) || empty(i, j - 1) || empty(i, j + 1))
+                cells.push_back(static_cast<std::uint32_t>(support.index(i, j)));
+        }
+    }
+    return cells;
+}
+
 } // namespace
 
 DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
@@ -127,7 +140,8 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams, slips);
     const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines, slips);
 
-    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise, limits.jumpMm};
+    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise, limits.jumpMm,
+                          borderCells(inverse.support)};
     suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, false, result.jump);
 
     for (int pass = 0; pass < limits.passes; ++pass) {
@@ -155,6 +169,12 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
         if (result.mask[k] == 0) continue;
         const bool jump = settings.jumps && responses.jump[k] >= result.strength[k];
         result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;
+    }
+    if (!settings.border) return result;
+    for (const std::uint32_t k : responses.border) {
+        if (result.mask[k] != 0) continue;
+        result.mask[k] = 255;
+        result.kind[k] = DepthEdge::Border;
     }
     return result;
 }

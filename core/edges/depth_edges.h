@@ -18,17 +18,20 @@ struct DepthEdgeSettings {
     bool jumps = true;
     bool convex = true;
     bool concave = true;
+    bool border = false; ///< where the data end: nobody knows what is there, so it is no edge of a rock (OPERATOR.md S3)
 };
 
-enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3 };
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };
+inline constexpr int kDepthEdges = 5; // None included
 
 /// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger, nothing was measured or
 /// nothing is there. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders need only decide().
 struct DepthResponses {
-    Grid<float> jump;   ///< lines x beams
-    Grid<float> crease; ///< lines x beams; positive: convex, negative: concave
-    RangeNoise noise;   ///< used
-    double jumpMm = 0;  ///< J0 used
+    Grid<float> jump;                  ///< lines x beams
+    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
+    RangeNoise noise;                  ///< used
+    double jumpMm = 0;                 ///< J0 used
+    std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
 };
 
 struct DepthEdges {

@@ -21,11 +21,12 @@ DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     depth.jumps = (classes & kClassJump) != 0;
     depth.convex = (classes & kClassConvex) != 0;
     depth.concave = (classes & kClassConcave) != 0;
+    depth.border = (classes & kClassBorder) != 0;
     return depth;
 }
 
 const char* edgeClassName(DepthEdge kind) {
-    static constexpr const char* kNames[]{"none", "jump", "convex", "concave"};
+    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -32,6 +32,6 @@ struct Frame {
 };
 
 /// Edge cells by DepthEdge; all 0 where the method tells no classes apart.
-[[nodiscard]] std::array<std::size_t, 4> countClasses(const Frame& frame);
+[[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Frame& frame);
 
 } // namespace edgescan

@@ -27,7 +27,10 @@ const std::vector<Choice> kMethods{{0, "edgescan+", "EdgeScan+"},
                                    {9, "robinson", "Robinson"},
                                    {10, "marr-hildreth", "Marr-Hildreth"},
                                    {11, "log", "Laplacian of Gaussian"}};
-const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"}, {kClassConvex, "convex", "convex"}, {kClassConcave, "concave", "concave"}};
+const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
+                                   {kClassConvex, "convex", "convex"},
+                                   {kClassConcave, "concave", "concave"},
+                                   {kClassBorder, "border", "data border"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -84,8 +87,8 @@ const std::vector<Parameter>& table() {
          15, 90, 90, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), creases},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
          1, 50, 50, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), depth},
-        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks).",
-         0, kClassAll, kClassAll, 1, 0, !kAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), classes},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.",
+         0, 15, 15, 1, 0, !kAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), classes},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
          30, 100, 100, 1, 0, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), depth},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",

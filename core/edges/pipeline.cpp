@@ -126,8 +126,8 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     return last_;
 }
 
-std::array<std::size_t, 4> countClasses(const Frame& frame) {
-    std::array<std::size_t, 4> counts{};
+std::array<std::size_t, kDepthEdges> countClasses(const Frame& frame) {
+    std::array<std::size_t, kDepthEdges> counts{};
     if (!frame.classes) return counts;
     for (const std::uint32_t k : *frame.edges) ++counts[static_cast<std::size_t>((*frame.classes)[k])];
     return counts;

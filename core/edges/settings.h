@@ -45,7 +45,7 @@ enum class LogMask : std::uint8_t {
 };
 
 /// The classes of edges that EdgeScan+ tells apart, as bits of Settings::classes.
-enum EdgeClassBits : std::uint8_t { kClassJump = 1, kClassConvex = 2, kClassConcave = 4, kClassAll = 7 };
+enum EdgeClassBits : std::uint8_t { kClassJump = 1, kClassConvex = 2, kClassConcave = 4, kClassBorder = 8, kClassRock = 7 };
 
 struct Settings {
     Method method = Method::EdgeScanPlus;
@@ -56,7 +56,7 @@ struct Settings {
     double growthPercent = 1.0;      ///< p: what is added to it, % of the range
     double creaseDeg = 36.0;         ///< C0: smallest fold, degrees
     int minimumLength = 4;           ///< cells of the shortest chain
-    int classes = kClassAll;         ///< EdgeClassBits
+    int classes = kClassRock;        ///< EdgeClassBits
     double hysteresisPercent = 70.0; ///< low threshold, % of the high one
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured

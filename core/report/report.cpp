@@ -119,7 +119,7 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
 nlohmann::ordered_json classesReport(const Frame& frame) {
     if (!frame.classes) return nullptr;
     const auto counts = countClasses(frame);
-    return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}};
+    return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}, {"border", counts[4]}};
 }
 
 std::string reportText(const nlohmann::ordered_json& report, bool indented) {

@@ -16,7 +16,7 @@ namespace edgescan {
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
 [[nodiscard]] nlohmann::ordered_json detectReport(const Frame& frame, double loadMs);
 
-/// {"jump": n, "convex": n, "concave": n}, or null where the method tells no classes apart.
+/// {"jump": n, "convex": n, "concave": n, "border": n}, or null where the method tells no classes apart.
 [[nodiscard]] nlohmann::ordered_json classesReport(const Frame& frame);
 
 /// The report as text, indented or on one line. A path that is not UTF-8 is told with replacement characters.

@@ -90,7 +90,7 @@ TEST(Parameters, ASetTakesNamesInAnyOrder) {
     const Parameter& classes = *findParameter("classes");
     EXPECT_EQ(*parseValue(classes, "concave,jump"), kClassJump | kClassConcave);
     EXPECT_EQ(formatValue(classes, kClassJump | kClassConcave), "jump,concave");
-    EXPECT_EQ(*parseValue(classes, "all"), kClassAll);
+    EXPECT_EQ(*parseValue(classes, "all"), 15);
     EXPECT_EQ(*parseValue(classes, "none"), 0);
     for (const char* text : {"jump,", ",", "jump,border2", "jump concave", "3"}) EXPECT_FALSE(parseValue(classes, text)) << text;
 }

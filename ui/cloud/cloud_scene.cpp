@@ -210,7 +210,7 @@ void CloudScene::setLook(const CloudLook& look) {
         part.actor->GetProperty()->SetLighting(look.shaded);
     }
     pointSize_ = look.pointSize;
-    const std::array<QColor, kEdgeClasses> classColours{look.edge, kConvexColour, kConcaveColour};
+    const std::array<QColor, kEdgeClasses> classColours{look.edge, kConvexColour, kConcaveColour, kBorderColour};
     setColour(edge_.actor, look.edge);
     edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
     for (std::size_t n = 0; n < classes_.size(); ++n) {

@@ -10,7 +10,7 @@
 
 namespace edgescan::ui {
 
-inline constexpr int kEdgeClasses = 3; // jump, convex, concave: DepthEdge - 1
+inline constexpr int kEdgeClasses = 4; // jump, convex, concave, data border: DepthEdge - 1
 
 struct EdgeCells {
     using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
@@ -19,9 +19,10 @@ struct EdgeCells {
     bool operator==(const EdgeCells&) const = default;
 };
 
-/// Colours of convex and concave edges beside that of a jump, which has the colour of every edge. Each has a contrast of 3 : 1 and
+/// Colours of the other classes beside that of a jump, which has the colour of every edge. Each has a contrast of 3 : 1 and
 /// more to the cloud's gray (VIEWER.md 2.5).
 inline const QColor kConvexColour{0, 255, 255};
 inline const QColor kConcaveColour{255, 205, 255};
+inline const QColor kBorderColour{255, 215, 150};
 
 } // namespace edgescan::ui

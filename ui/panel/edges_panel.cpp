@@ -197,7 +197,7 @@ void EdgesPanel::setJumpColour(const QColor& colour) {
 }
 
 void EdgesPanel::showClasses() {
-    const std::array<QColor, kEdgeClasses> colours{jumpColour_, kConvexColour, kConcaveColour};
+    const std::array<QColor, kEdgeClasses> colours{jumpColour_, kConvexColour, kConcaveColour, kBorderColour};
     for (std::size_t n = 0; n < colours.size(); ++n) {
         const QString count = QLocale(QLocale::English).toString(static_cast<qulonglong>(classCounts_[n + 1]));
         row("classes")->mark(n, colours[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());

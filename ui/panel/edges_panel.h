@@ -67,9 +67,9 @@ private:
 
     Settings shown_;
     GrayScale scale_;
-    double noiseMm_ = kAutomatic; // at 5 m, in use
-    double jumpMm_ = kAutomatic;  // in use
-    std::array<std::size_t, 4> classCounts_{}; // by DepthEdge
+    double noiseMm_ = kAutomatic;                        // at 5 m, in use
+    double jumpMm_ = kAutomatic;                         // in use
+    std::array<std::size_t, kDepthEdges> classCounts_{}; // by DepthEdge
     bool classesKnown_ = false;
     QColor jumpColour_{0, 255, 0};
     Preset preset_;

@@ -92,7 +92,8 @@ QImage edgePicture(const Frame& frame, int rows) {
 QImage classPicture(const Frame& frame, const QColor& jump, int rows) {
     QImage image = edgePicture(frame, rows);
     if (!frame.classes) return image;
-    const std::array<QRgb, 4> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb()};
+    const std::array<QRgb, kEdgeClasses + 1> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb(),
+                                                     kBorderColour.rgb()};
     const int beams = frame.scan->beams();
     for (const std::uint32_t k : *frame.edges) {
         const int cell = static_cast<int>(k);
