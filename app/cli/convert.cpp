@@ -11,22 +11,32 @@ namespace {
 
 struct Convert {
     std::string in, out;
-    bool ascii = false;
     ReadFlags read;
+    WriteFlags write;
 };
 
 int run(const Convert& convert) {
     if (!saveFormatOf(convert.out)) {
-        complain({"the extension names no format that can be written", convert.out, "use .json, .pcd, .ply, .csv or .xyz"});
+        complain({"the extension names no format that can be written", convert.out,
+                  "use .json, .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx, .obj or .mcap"});
         return kWrongUsage;
     }
-    const Result<Scan> scan = openScan(convert.in, openOptions(convert.read));
-    if (!scan) {
-        complain(scan.error());
+    Result<Scan> opened = openScan(convert.in, openOptions(convert.read));
+    if (!opened) {
+        complain(opened.error());
         return kRefused;
     }
-    for (const std::string& warning : scan->warnings) std::cerr << "edgescan-cli: " << convert.in << ": " << warning << '\n';
-    const Result<Done> saved = saveScan(*scan, convert.out, {convert.ascii});
+    Frame frame;
+    frame.scan = std::make_shared<const Scan>(std::move(*opened));
+    const Scan& scan = *frame.scan;
+    // In the scanner's frame a scan opens again as it was, its place beside it.
+    const ExportOptions options = exportOptions(convert.write, CoordinateFrame::Scanner);
+    const std::vector<std::string> lost =
+        lostOnSaving(scan, convert.out, {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached});
+    for (const auto& sentences : {scan.warnings, lost}) {
+        for (const std::string& sentence : sentences) std::cerr << "edgescan-cli: " << convert.in << ": " << sentence << '\n';
+    }
+    const auto saved = exportWithProvenance(ExportContent::WholeScan, frame, convert.out, options);
     if (saved) return kDone;
     complain(saved.error());
     return kRefused;
@@ -38,9 +48,10 @@ void addConvert(CLI::App& app, int& code) {
     auto convert = std::make_shared<Convert>();
     CLI::App& command = *app.add_subcommand("convert", "Any readable scan to any writable format; the grid stays");
     command.add_option("IN", convert->in, "Scan")->required();
-    command.add_option("OUT", convert->out, "New file: .json (raw grid) .pcd .ply .csv .xyz")->required();
-    command.add_flag("--ascii", convert->ascii, "PCD and PLY as text");
+    command.add_option("OUT", convert->out, "New file: .json (raw grid) .pcd .ply .csv .xyz .las .dxf .ptx .obj .mcap (recording)")
+        ->required();
     addReadFlags(command, convert->read);
+    addWriteFlags(command, convert->write);
     command.callback([convert, &code] { code = run(*convert); });
 }
 

@@ -25,6 +25,7 @@ struct Detect {
     std::vector<std::string> files;
     std::string json, mask, gray, range, edges, cloud, folder;
     ReadFlags read;
+    WriteFlags write;
     MethodFlags method;
 };
 
@@ -37,21 +38,21 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
     Outputs out{detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud};
     if (detect.folder.empty()) return out;
     const std::string stem = (fs::path(detect.folder) / scan.name).string();
-    const auto fill = [&](std::string& path, const char* tail) {
+    const auto fill = [&](std::string& path, const std::string& tail) {
         if (path.empty()) path = stem + tail;
     };
     fill(out.json, "_edges.json");
     fill(out.mask, "_edges.png");
     fill(out.gray, "_gray.png");
     fill(out.range, "_range.png");
-    fill(out.edges, "_edges.pcd");
-    fill(out.cloud, "_cloud.pcd");
+    const CoordinateFrame frame = exportOptions(detect.write, usualFrame(scan)).frame;
+    fill(out.edges, std::string("_edges") + frameTail(frame) + ".pcd");
+    fill(out.cloud, std::string("_cloud") + frameTail(frame) + ".pcd");
     return out;
 }
 
-Result<Done> writeOutputs(const Outputs& out, const Frame& frame, double loadMs, bool several) {
-    ExportOptions options;
-    options.frame = usualFrame(*frame.scan);
+Result<Done> writeOutputs(const Outputs& out, const Frame& frame, const WriteFlags& write, double loadMs, bool several) {
+    const ExportOptions options = exportOptions(write, usualFrame(*frame.scan));
     const std::vector<std::pair<ExportContent, std::string>> exports{{ExportContent::EdgeImage, out.mask},
                                                                      {ExportContent::GrayImage, out.gray},
                                                                      {ExportContent::RangeImage, out.range},
@@ -89,7 +90,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file, bool sever
                   << " lines x " << frame->scan->beams() << " beams), " << std::fixed << std::setprecision(1) << frame->totalMs << " ms\n";
         return Done{};
     }
-    return writeOutputs(out, *frame, loadMs, several);
+    return writeOutputs(out, *frame, detect.write, loadMs, several);
 }
 
 // One output file cannot hold the results of several scans.
@@ -104,7 +105,7 @@ Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     for (const std::string& path : {detect.edges, detect.cloud}) {
         if (!path.empty() && saveFormatOf(path).value_or(SaveFormat::RawGrid) == SaveFormat::RawGrid)
-            return Error{"the extension names no format for points", path, "use .pcd, .ply, .csv or .xyz"};
+            return Error{"the extension names no format for points", path, "use .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx or .obj"};
     }
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
@@ -151,11 +152,12 @@ void addDetect(CLI::App& app, int& code) {
     command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
     command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
     command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
-    command.add_option("--edges", detect->edges, "Edge points in metres: .pcd .ply .csv .xyz")->group(group);
-    command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: .pcd .ply .csv .xyz")->group(group);
+    command.add_option("--edges", detect->edges, "Edge points in metres: .pcd .ply .csv .xyz .las .dxf .ptx .obj")->group(group);
+    command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: the same formats")->group(group);
     command.add_option("-o,--output", detect->folder, "Folder for all of these, under the scan's name")->group(group);
     addMethodFlags(command, detect->method);
     addReadFlags(command, detect->read);
+    addWriteFlags(command, detect->write);
     command.callback([detect, &code] { code = run(*detect); });
 }
 

@@ -4,6 +4,7 @@
 #include "app/shared/options.h"
 #include "core/base/sha256.h"
 #include "core/edges/pipeline.h"
+#include "core/live/recorded_robot.h"
 #include "core/report/report.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ struct ReplayWanted {
     std::string file;
     double speed = 0.0;
     bool quiet = false;
+    OpenOptions place;
     MethodFlags method;
 };
 
@@ -75,6 +77,10 @@ int run(const ReplayWanted& wanted) {
         complain(settings.error());
         return kRefused;
     }
+    if (const auto placed = placeRecordedSweep(scan, **recording, wanted.place, wanted.file); !placed) {
+        complain(placed.error());
+        return kRefused;
+    }
     const auto frame = detectEdges(std::make_shared<const Scan>(std::move(scan)), *settings);
     std::cout << reportText({{"result", detectReport(*frame, 0.0)}}, false) << '\n';
     return kDone;
@@ -89,6 +95,7 @@ void addReplay(CLI::App& app, int& code) {
     command.add_option("FILE", wanted->file, "Recording (.mcap)")->required();
     command.add_option("--speed", wanted->speed, "1 = as it was recorded; 0 = as fast as it goes")->capture_default_str();
     command.add_flag("--quiet", wanted->quiet, "Only the result");
+    addPlaceFlags(command, wanted->place);
     addMethodFlags(command, wanted->method);
     command.callback([wanted, &code] { code = run(*wanted); });
 }

@@ -93,6 +93,43 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
         ->group(group);
     command.add_option("--scan", flags.options.scanIndex, "Which scan of a file that holds several, from 0")->group(group);
     command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group(group);
+    addPlaceFlags(command, flags.options);
+}
+
+void addPlaceFlags(CLI::App& command, OpenOptions& options) {
+    const char* group = "Place in the mine (docs/coordinates.md)";
+    command.add_option("--pose", options.pose, "Pose file of the scan; a recording may hold its own")->group(group);
+    command.add_option("--calibration", options.calibration, "Calibration file of the robot; a recording may hold its own")->group(group);
+}
+
+void addWriteFlags(CLI::App& command, WriteFlags& flags) {
+    const char* group = "Writing";
+    command
+        .add_option("--frame", flags.frame,
+                    "Coordinates of clouds: mine (Easting, Northing, Elevation), local (metres from an origin in the header), scanner, "
+                    "or auto: the usual one")
+        ->check(CLI::IsMember({"auto", "scanner", "local", "mine"}))
+        ->group(group);
+    command.add_flag("--ascii", flags.ascii, "PCD and PLY as text")->group(group);
+    command
+        .add_flag("--include-attached", flags.includeAttached,
+                  "Of a cloud that was projected: also the points that lie behind the nearest of their cell")
+        ->group(group);
+    command.add_option("--operator", flags.operatorName, "Who exports, for the record")->group(group);
+    command.add_option("--role", flags.role, "As what, for the record")->group(group);
+}
+
+ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual) {
+    ExportOptions options;
+    options.frame = flags.frame == "scanner" ? CoordinateFrame::Scanner
+                    : flags.frame == "local" ? CoordinateFrame::MineLocal
+                    : flags.frame == "mine"  ? CoordinateFrame::Mine
+                                             : usual;
+    options.ascii = flags.ascii;
+    options.includeAttached = flags.includeAttached;
+    options.operatorName = flags.operatorName;
+    options.role = flags.role;
+    return options;
 }
 
 OpenOptions openOptions(const ReadFlags& flags) {

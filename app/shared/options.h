@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/edges/presets.h"
 #include "core/files/open_scan.h"
+#include "core/report/provenance.h"
 #include "core/scan/scan.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +15,7 @@
 
 namespace edgescan::cli {
 
-/// --beam-start --beam-step --line-start --line-step --axis --unit --sensor --grid-step --project --scan --progress.
+/// --beam-start --beam-step --line-start --line-step --axis --unit --sensor --grid-step --project --scan --pose --calibration --progress.
 struct ReadFlags {
     OpenOptions options;
     std::string axis;
@@ -25,8 +26,23 @@ struct ReadFlags {
 };
 void addReadFlags(CLI::App& command, ReadFlags& flags);
 
+/// --pose and --calibration alone, for what plays recordings.
+void addPlaceFlags(CLI::App& command, OpenOptions& options);
+
 /// The options to open with; progress goes to stderr, on a terminal or with --progress.
 [[nodiscard]] OpenOptions openOptions(const ReadFlags& flags);
+
+/// --frame --ascii --include-attached --operator --role: how clouds and records are written.
+struct WriteFlags {
+    std::string frame = "auto";
+    bool ascii = false;
+    bool includeAttached = false;
+    std::string operatorName, role;
+};
+void addWriteFlags(CLI::App& command, WriteFlags& flags);
+
+/// For this scan; `usual` is the frame of "auto".
+[[nodiscard]] ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual);
 
 /// --preset and one flag per row of the parameter table.
 struct MethodFlags {

@@ -9,12 +9,6 @@
 namespace edgescan {
 namespace {
 
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
 std::vector<std::string> differences(const Settings& from, const Settings& to) {
     std::vector<std::string> flags;
     for (const Parameter& p : parameters()) {
@@ -26,6 +20,12 @@ std::vector<std::string> differences(const Settings& from, const Settings& to) {
 
 } // namespace
 
+std::string shellQuoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
 std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
     const auto presets = builtInPresets();
     std::string nearest = presets.front().name;
@@ -36,7 +36,7 @@ std::string detectCommand(const std::string& program, const std::string& path, c
         nearest = preset.name;
         fewest = std::move(flags);
     }
-    std::string command = program + " detect " + quoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " --preset " + nearest;
+    std::string command = program + " detect " + shellQuoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " --preset " + nearest;
     for (const std::string& flag : fewest) command += " " + flag;
     return command + " --json -";
 }

@@ -1,6 +1,7 @@
 // Everything known about one cell.
 #include "core/edges/probe.h"
 
+#include "core/frames/placed_points.h"
 #include "core/scan/cartesian.h"
 
 namespace edgescan {
@@ -20,6 +21,7 @@ Probe probeCell(const Frame& frame, std::size_t k) {
     probe.rangeMm = scan.rangeMm[k];
     probe.gray = frame.gray->levels[k];
     probe.pointM = pointOfCell(scan, k);
+    if (scan.placement && probe.state == CellState::Valid) probe.mineM = minePoint(scan, k).enhM;
     probe.edge = (*frame.mask)[k] != 0;
     if (frame.classes) probe.kind = (*frame.classes)[k];
     return probe;

@@ -3,6 +3,8 @@
 
 #include "core/edges/frame.h"
 
+#include <optional>
+
 namespace edgescan {
 
 struct Probe {
@@ -14,7 +16,8 @@ struct Probe {
     CellState state = CellState::NoReturn;
     double rangeMm = 0.0; ///< raw value times unit; a range only where state is Valid
     int gray = 0;
-    Eigen::Vector3d pointM; ///< scanner frame, metres; NaN where not valid
+    Eigen::Vector3d pointM;               ///< scanner frame, metres; NaN where not valid
+    std::optional<Eigen::Vector3d> mineM; ///< Easting, Northing, Elevation; empty when the scan has no pose
     bool edge = false;
     DepthEdge kind = DepthEdge::None; ///< of an edge, where the method tells classes apart
 };

@@ -1,6 +1,7 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/files/description.h"
 
+#include "core/files/acquisition_json.h"
 #include "core/frames/placement_json.h"
 
 #include <nlohmann/json.hpp>
@@ -219,6 +220,11 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
     auto placement = readPlacement(keys, grid, where);
     if (!placement) return placement.error();
     grid.placement = *placement;
+    if (keys.has("acquisition")) {
+        auto acquisition = acquisitionFromJson(keys.at("acquisition"), where);
+        if (!acquisition) return acquisition.error();
+        grid.acquisition = *acquisition;
+    }
     return grid;
 }
 
@@ -261,6 +267,9 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
         object["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
     if (scan.placement) object["placement"] = placementToJson(*scan.placement);
+    if (scan.acquisition) {
+        if (auto acquisition = acquisitionToJson(*scan.acquisition); !acquisition.empty()) object["acquisition"] = std::move(acquisition);
+    }
     for (const StateRun& run : stateRunsOf(scan)) object["state_runs"].push_back({cellStateName(run.state), run.firstCell, run.cells});
     if (!scan.note.empty()) object["note"] = scan.note;
     return object.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -43,7 +43,8 @@ struct GridDescription {
     std::optional<Eigen::Vector3d> sensorM; ///< key "sensor_m": an organised cloud without angles
     std::vector<StateRun> stateRuns;        ///< key "state_runs", written only when there are some; inside the grid
     std::string note;
-    std::shared_ptr<const Placement> placement; ///< key "placement"; null when there is none
+    std::shared_ptr<const Placement> placement;     ///< key "placement"; null when there is none
+    std::shared_ptr<const Acquisition> acquisition; ///< key "acquisition"; null when there is none
 };
 
 /// Error: not JSON, nested too deep, a key is missing or has the wrong type, numbers out of all reason. `where` is the path.

@@ -91,6 +91,7 @@ Result<Done> checkPoints(const LasHeader& header, const Source& source) {
 /// Our own records of a file that this program saved.
 struct OwnRecords {
     std::string description;
+    std::string provenance;
     std::span<const std::byte> cells;
 };
 
@@ -101,6 +102,7 @@ void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::sp
     const auto id = valueAt<std::uint16_t>(source, at + las::kRecordId);
     if (id == las::kDescriptionId) own.description.assign(reinterpret_cast<const char*>(content.data()), content.size());
     if (id == las::kCellsId) own.cells = content;
+    if (id == las::kProvenanceId) own.provenance.assign(reinterpret_cast<const char*>(content.data()), content.size());
 }
 
 /// Records behind the points (LAS 1.4). Damaged ones end the search: the points are there all the same.
@@ -161,7 +163,13 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
 
 bool looksLikeLas(std::string_view text) { return text.starts_with("LASF"); }
 
-Result<Scan> readLas(const Source& source) {
+std::string lasRecord(std::string_view bytes) {
+    const Source source{{}, std::as_bytes(std::span(bytes.data(), bytes.size())), nullptr};
+    const auto header = readHeader(source);
+    return header ? ownRecords(*header, source).provenance : std::string();
+}
+
+Result<PointTable> readLasPoints(const Source& source) {
     const auto header = readHeader(source);
     if (!header) return header.error();
     PointTable table;
@@ -184,7 +192,13 @@ Result<Scan> readLas(const Source& source) {
         if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();
     }
     table.width = table.points.size();
-    return scanFromPoints(std::move(table), source);
+    return table;
+}
+
+Result<Scan> readLas(const Source& source) {
+    auto table = readLasPoints(source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
 }
 
 } // namespace edgescan

@@ -61,7 +61,7 @@ bool looksLikeObj(std::string_view text) {
     return false;
 }
 
-Result<Scan> readObj(const Source& source) {
+Result<PointTable> readObjPoints(const Source& source) {
     // A vertex takes eight bytes of text at least ("v 1 2 3") and 24 in memory, twice while it grows.
     if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 6, source.path.string()); !enough) return enough.error();
     PointTable table;
@@ -89,7 +89,13 @@ Result<Scan> readObj(const Source& source) {
     if (table.points.empty()) return source.refused("this OBJ file has no vertices", "choose another file");
     table.width = table.points.size();
     table.precision = precisionOf(digits);
-    return scanFromPoints(std::move(table), source);
+    return table;
+}
+
+Result<Scan> readObj(const Source& source) {
+    auto table = readObjPoints(source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
 }
 
 } // namespace edgescan

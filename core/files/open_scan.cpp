@@ -15,6 +15,7 @@
 #include "core/files/source.h"
 #include "core/files/text_layout.h"
 #include "core/files/whole_file.h"
+#include "core/frames/poses.h"
 #include "core/live/replay.h"
 
 #include <array>
@@ -79,6 +80,17 @@ Result<Scan> readByContent(const Source& source) {
     return readText(source);
 }
 
+/// The place that --pose and --calibration give. A recording has placed itself already: it may hold one of the two.
+Result<Done> placeAsAsked(Scan& scan, const OpenOptions& options, const std::string& where) {
+    if (options.pose.empty() && options.calibration.empty()) return Done{};
+    if (options.calibration.empty()) return Error{"a pose needs the robot's calibration", where, "give --calibration ROBOT.json too"};
+    if (options.pose.empty()) return Error{"a calibration alone gives no place", where, "give --pose POSE.json too"};
+    auto placement = openPlacement(options.pose, options.calibration, scan);
+    if (!placement) return placement.error();
+    scan.placement = *placement;
+    return Done{};
+}
+
 /// Angles that the user gave win over what the file says or what was recognised.
 void applyAngles(std::vector<double>& degrees, std::optional<double> start, std::optional<double> step) {
     if (!start && !step) return;
@@ -103,6 +115,9 @@ Result<Scan> readWhole(const Source& source) {
     auto scan = readByContent(source);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
+    if (!source.text().starts_with(kMcapMagic)) {
+        if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
+    }
     scan->openedWith = openOptionsText(*source.options);
     scan->name = source.path.stem().string();
     if (scan->sha256.empty()) scan->sha256 = sha256Hex(source.bytes);

@@ -33,6 +33,8 @@ struct OpenOptions {
     std::optional<Eigen::Vector3d> sensorM; ///< where a cloud was taken from, metres, in the frame of its points (--sensor)
     std::optional<double> gridStepDeg;      ///< cells of a projected cloud (--grid-step); empty = from the spacing of its points
     Projection projection = Projection::Auto;
+    std::string pose;          ///< pose file (--pose); with the calibration it gives the scan its place in the mine
+    std::string calibration;   ///< the robot's calibration file (--calibration)
     std::size_t scanIndex = 0; ///< which scan of a file that holds several, from 0 (--scan)
 
     /// Told the stage and how much of it is done (0..1), from the thread that opens; false cancels: Error "cancelled".

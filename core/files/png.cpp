@@ -162,4 +162,28 @@ Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
     return gray;
 }
 
+Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string& where) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const FreeImage freeImage{&image};
+    const auto damaged = [&] {
+        return Error{std::string("this is not a readable PNG picture: ") + image.message, where, "export it again"};
+    };
+    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return damaged();
+    const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+    if (pixels / 8 > std::uint64_t{bytes.size()} * 1032) return damaged();
+    if (auto enough = checkMemory(pixels * 4, where); !enough) return enough.error();
+    Grid<std::uint16_t> values(static_cast<int>(image.height), static_cast<int>(image.width));
+    if ((image.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
+        image.format = PNG_FORMAT_LINEAR_Y;
+        if (png_image_finish_read(&image, nullptr, values.cells.data(), 0, nullptr) == 0) return damaged();
+        return values;
+    }
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<std::uint8_t> samples(values.size());
+    if (png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr) == 0) return damaged();
+    std::copy(samples.begin(), samples.end(), values.cells.begin());
+    return values;
+}
+
 } // namespace edgescan

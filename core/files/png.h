@@ -18,6 +18,9 @@ inline constexpr const char* kPngRecordKeyword = "edgescan-record";
 Result<std::string> png8Bytes(const Grid<std::uint8_t>& gray, const std::string& where, const std::string& record = {});
 Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::string& where, const std::string& record = {});
 
+/// The gray values of an 8 or 16 bit picture that this program wrote, as they are. Error: another kind of picture, damaged.
+Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string& where);
+
 /// The record in a picture's bytes; empty when there is none.
 [[nodiscard]] std::string pngRecord(std::string_view bytes);
 

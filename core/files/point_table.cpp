@@ -75,6 +75,8 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     if (!states) return states.error();
     const int lines = static_cast<int>(grid->lines);
     const int beams = static_cast<int>(grid->beams);
+    if (source.options->unitMm && *source.options->unitMm != 1000.0)
+        return source.refused("--unit does not apply: this program saved the file, in metres", "leave --unit out");
     Scan scan;
     scan.format = table.format;
     scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
@@ -88,6 +90,7 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     scan.statusCodes = grid->statusCodes;
     scan.note = grid->note;
     scan.placement = grid->placement;
+    scan.acquisition = grid->acquisition;
     if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
     if (grid->sensorM) {
         scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
@@ -240,13 +243,47 @@ Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, 
     return recogniseGrid(list);
 }
 
-/// The sensor's place that the user gave, in the file's own numbers.
+/// Distance in metres that few points exceed.
+double farDistanceM(std::vector<double> ranges, double mmPerUnit) {
+    std::erase_if(ranges, [](double r) { return !(r > 0); });
+    if (ranges.empty()) return 0;
+    const auto far = ranges.begin() + static_cast<std::ptrdiff_t>((ranges.size() - 1) * 95 / 100);
+    std::nth_element(ranges.begin(), far, ranges.end());
+    return *far * mmPerUnit * kMetresPerMm;
+}
+
+/// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
+/// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
 void takeGivenSensor(PointTable& table, const Source& source) {
     if (!source.options->sensorM) return;
-    table.sensor = *source.options->sensorM;
-    if (table.leftHanded) table.sensor.y() *= -1;
-    const double perMetre = 1000.0 / unitOf(table, rangesOf(table), source).mmPerUnit;
-    if (perMetre != 1.0) table.sensor *= perMetre;
+    Eigen::Vector3d given = *source.options->sensorM;
+    if (table.leftHanded) given.y() *= -1;
+    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
+    if (known) {
+        table.sensor = given * (1000.0 / *known);
+        return;
+    }
+    constexpr double kReachM = 1000.0;
+    double best = 0, bestFarM = 0;
+    bool agrees = false;
+    for (const double unit : {1000.0, 1.0, 10.0}) {
+        table.sensor = given * (1000.0 / unit);
+        const std::vector<double> ranges = rangesOf(table);
+        const RangeUnit found = unitOf(table, ranges, source);
+        const double farM = farDistanceM(ranges, unit);
+        const bool whole = found.wholeMm && found.mmPerUnit == unit;
+        const bool nearer = farM < bestFarM && bestFarM > kReachM && unit != 10.0; // centimetres only when they are whole
+        if (best != 0 && !whole && !nearer) continue;
+        best = unit;
+        bestFarM = farM;
+        agrees = found.mmPerUnit == unit;
+        if (whole) break;
+    }
+    table.sensor = given * (1000.0 / best);
+    if (agrees) return;
+    table.unitMm = best;
+    table.remarks.push_back(std::string("Unit taken as ") + (best == 1000.0 ? "metres" : "millimetres") +
+                            ", in which the numbers fit the sensor position given.");
 }
 
 /// Points of a left-handed file as they are in space; lines that are recognised say it by their direction instead.

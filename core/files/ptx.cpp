@@ -3,17 +3,22 @@
 
 #include "core/base/memory.h"
 #include "core/files/point_columns.h"
+#include "core/frames/chain.h"
+#include "core/scan/placement.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 namespace edgescan {
 namespace {
 
 constexpr std::size_t kHeaderLines = 10;
 constexpr std::uint64_t kMostAlongOneSide = 1U << 30U;
+constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
 
 struct PtxHeader {
     std::uint64_t columns = 0, rows = 0;
@@ -158,18 +163,43 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     return Done{};
 }
 
-void tellPose(PointTable& table, const PtxHeader& header) {
-    if (header.place.isZero(0.0) && header.turn.isIdentity(0.0)) return;
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(),
-                  "The file places the scanner at (%.10g, %.10g, %.10g) m; the points are kept about the scanner, as they were measured.",
-                  header.place.x(), header.place.y(), header.place.z());
-    table.remarks.emplace_back(text.data());
+/// The header's matrix as the scan's place, when it moves and turns and does nothing else.
+void placeByHeader(Scan& scan, const PtxHeader& header, const Source& source) {
+    if (scan.placement || (header.place.isZero(0.0) && header.turn.isIdentity(0.0))) return;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(header.turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose(); // printed with few digits: the nearest rotation
+    if (!((header.turn - turn).cwiseAbs().maxCoeff() < kMostOffRotation) || turn.determinant() < 0) {
+        scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
+        return;
+    }
+    const Eigen::Vector3d place = header.place * (source.options->unitMm.value_or(1000.0) / 1000.0);
+    auto placement = std::make_shared<Placement>();
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    placement->mount.axis = polar != nullptr && polar->axis == Axis::Sweep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+    placement->originEnhM = chooseOrigin(place);
+    placement->poses = {{turn, place - placement->originEnhM}};
+    placement->grid = "as the PTX file has it";
+    placement->source = "the header of " + source.path.filename().string();
+    placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
+    placement->warnings = {"The place is the one written in the PTX file: whether that is the mine grid, who registered it knows."};
+    scan.placement = std::move(placement);
 }
 
 } // namespace
 
 bool looksLikePtx(std::string_view text) { return headerAt(text.substr(0, 8192), 0, 1).has_value(); }
+
+Result<std::vector<Eigen::Vector3d>> readPtxPoints(const Source& source) {
+    const auto found = findScan(source);
+    if (!found) return found.error();
+    PointTable table;
+    Source part = source;
+    part.bytes = source.bytes.first(found->endByte);
+    if (auto read = readPoints(table, found->header, part); !read) return read.error();
+    std::erase_if(table.points, [](const Eigen::Vector3d& p) { return p.isZero(0.0); });
+    for (Eigen::Vector3d& p : table.points) p = found->header.turn * p + found->header.place;
+    return std::move(table.points);
+}
 
 Result<Scan> readPtx(const Source& source) {
     const auto found = findScan(source);
@@ -184,12 +214,13 @@ Result<Scan> readPtx(const Source& source) {
     Source part = source;
     part.bytes = source.bytes.first(found->endByte);
     if (auto read = readPoints(table, header, part); !read) return read.error();
-    tellPose(table, header);
     if (found->inFile > 1) {
         table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
                                 std::to_string(source.options->scanIndex + 1) + ", --scan chooses another.");
     }
-    return scanFromPoints(std::move(table), source);
+    Result<Scan> scan = scanFromPoints(std::move(table), source);
+    if (scan) placeByHeader(*scan, header, source);
+    return scan;
 }
 
 } // namespace edgescan

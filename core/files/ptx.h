@@ -3,14 +3,20 @@
 
 #include "core/files/source.h"
 
+#include <Eigen/Core>
+
 #include <string_view>
+#include <vector>
 
 namespace edgescan {
 
 /// Two lines with one whole number, then rows of three, three, three and three numbers and of four.
 [[nodiscard]] bool looksLikePtx(std::string_view text);
 
-/// The scan that the options ask for. 0 0 0 is no return. Error: cut off, a count that lies, no such scan.
+/// The points of the scan that the options ask for, moved by its matrix; without 0 0 0, which is no return.
+Result<std::vector<Eigen::Vector3d>> readPtxPoints(const Source& source);
+
+/// The scan that the options ask for, placed by its matrix. 0 0 0 is no return. Error: cut off, a count that lies, no such scan.
 Result<Scan> readPtx(const Source& source);
 
 } // namespace edgescan

@@ -74,6 +74,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     scan.statusCodes = grid.statusCodes;
     scan.note = grid.note;
     scan.placement = grid.placement;
+    scan.acquisition = grid.acquisition;
     const auto states = statesByCount(grid);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
@@ -188,13 +189,13 @@ Result<Scan> readRawGridCounts(const Source& source) {
     return readPair(*grid, description, source.path, source.bytes);
 }
 
-Result<Done> saveRawGrid(const Scan& scan, const fs::path& path) {
+Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const fs::path& path) {
     const Error refused{"", path.string(), "save it as PCD, which carries every scan"};
     if (!std::holds_alternative<PolarGeometry>(scan.geometry)) {
         return Error{"a raw grid needs beam and line angles and this cloud has none", refused.where, refused.todo};
     }
     Counter counter(scan);
-    std::vector<std::byte> counts;
+    std::string counts;
     counts.reserve(scan.cells() * 2);
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         const auto count = counter.countOf(k);
@@ -204,8 +205,8 @@ Result<Done> saveRawGrid(const Scan& scan, const fs::path& path) {
             return Error{"a raw grid holds whole counts of its unit up to 65535, and the range at " + cell + " is none or means no return",
                          refused.where, refused.todo};
         }
-        counts.push_back(static_cast<std::byte>(*count & 255U));
-        counts.push_back(static_cast<std::byte>(*count >> 8U));
+        counts.push_back(static_cast<char>(*count & 255U));
+        counts.push_back(static_cast<char>(*count >> 8U));
     }
     const fs::path countsPath = withExtension(path, ".u16");
     Scan head; // the description needs no ranges, only their shape
@@ -218,8 +219,9 @@ Result<Done> saveRawGrid(const Scan& scan, const fs::path& path) {
     head.statusCodes = counter.statusCodes();
     head.note = scan.note;
     head.placement = scan.placement;
-    const std::string json = descriptionText(head, countsPath.filename().string(), 1) + "\n";
-    return writeWholeFiles({{countsPath, counts}, {withExtension(path, ".json"), std::as_bytes(std::span(json))}});
+    head.acquisition = scan.acquisition;
+    std::string json = descriptionText(head, countsPath.filename().string(), 1) + "\n";
+    return std::vector<FileBytes>{{countsPath, std::move(counts)}, {withExtension(path, ".json"), std::move(json)}};
 }
 
 } // namespace edgescan

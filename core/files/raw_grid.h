@@ -1,6 +1,7 @@
 // Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts, unsigned 16 bit little endian, row-major (CLI.md).
 #pragma once
 
+#include "core/files/file_bytes.h"
 #include "core/files/source.h"
 
 #include <cstdint>
@@ -15,8 +16,8 @@ Result<Scan> readRawGridJson(const Source& source);
 /// Opens the pair through its counts; the description is NAME.json beside them.
 Result<Scan> readRawGridCounts(const Source& source);
 
-/// The pair. `path` names either of the two. Error: a range is no whole count of unitMm up to 65535, there are no angles,
-/// or a file cannot be written.
-Result<Done> saveRawGrid(const Scan& scan, const std::filesystem::path& path);
+/// The pair, counts first: the description must not appear before them. `path` names either of the two. Error: a range is no whole
+/// count of unitMm up to 65535, or there are no angles.
+Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const std::filesystem::path& path);
 
 } // namespace edgescan

@@ -15,11 +15,9 @@ std::vector<std::size_t> rowOfCell(const CloudColumns& cloud) {
     const CloudColumn* line = columnNamed(cloud, "line");
     const CloudColumn* beam = columnNamed(cloud, "beam");
     const CloudColumn* state = columnNamed(cloud, "state");
-    const CloudColumn* attached = columnNamed(cloud, "attached");
     if (line == nullptr || beam == nullptr) return rows;
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         if (state != nullptr && numberIn(*state, row) != 0) continue;
-        if (attached != nullptr && numberIn(*attached, row) != 0) continue;
         rows[static_cast<std::size_t>(numberIn(*line, row)) * cloud.beams + static_cast<std::size_t>(numberIn(*beam, row))] = row;
     }
     return rows;
@@ -36,6 +34,9 @@ void appendThree(std::string& text, const Eigen::Vector3d& v, int decimals) {
 
 Result<std::string> ptxBytes(const CloudColumns& cloud, const std::string& where) {
     if (auto enough = checkMemory(std::uint64_t{cloud.lines * cloud.beams} * 48, where); !enough) return enough.error();
+    if (const CloudColumn* attached = columnNamed(cloud, "attached"); attached != nullptr)
+        return Error{"PTX holds one point per cell, and points behind the nearest of their cell were asked for", where,
+                     "use .pcd, .ply, .csv, .xyz, .las or .obj for them"};
     std::string text = std::to_string(cloud.lines) + "\n" + std::to_string(cloud.beams) + "\n";
     appendThree(text, cloud.sensorM, 6);
     text += "\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";

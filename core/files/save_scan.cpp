@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace edgescan {
 namespace {
@@ -76,8 +77,12 @@ Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const s
                  path.string(), "detect the edges of this scan again"};
 }
 
-/// Not ranges and angles.
-bool holdsPoints(std::optional<SaveFormat> format) { return format && *format != SaveFormat::RawGrid && *format != SaveFormat::Recording; }
+bool holdsPoints(std::optional<SaveFormat> format) { return format && edgescan::holdsPoints(*format); }
+
+Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result<std::string> bytes) {
+    if (!bytes) return bytes.error();
+    return std::vector<FileBytes>{{path, std::move(*bytes)}};
+}
 
 } // namespace
 
@@ -117,17 +122,54 @@ Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::stri
                  "give a pose and the robot's calibration, or save in the scanner's frame"};
 }
 
-Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+bool holdsPoints(SaveFormat format) { return format != SaveFormat::RawGrid && format != SaveFormat::Recording; }
+
+Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     const auto format = saveFormatOf(path);
     if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz, .csv, .las, .ptx, .obj, .dxf or .mcap");
     if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
-    if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return saveRawGrid(scan, path);
-    if (*format == SaveFormat::Recording && options.frame == CoordinateFrame::Scanner) return saveRecording(scan, path);
-    if (!holdsPoints(format))
+    if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return rawGridFiles(scan, path);
+    if (*format == SaveFormat::Recording && options.frame == CoordinateFrame::Scanner) {
+        auto bytes = recordingOf(scan, path.string());
+        if (!bytes) return bytes.error();
+        return oneFile(path, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+    }
+    if (!holdsPoints(*format))
         return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
                      std::string("save it without a frame, or as ") + kPointFormats};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return write(bytesOf(everyCell(scan, options.frame), *format, path, options), path);
+    const bool allPoints = options.includeAttached && !scan.attached.empty();
+    const CloudColumns columns = allPoints ? validPoints(scan, nullptr, options.frame, true) : everyCell(scan, options.frame);
+    return oneFile(path, bytesOf(columns, *format, path, options));
+}
+
+std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+    std::vector<std::string> lost;
+    const auto format = saveFormatOf(path);
+    if (!format) return lost;
+    const auto cells = countCells(scan);
+    const std::size_t valid = cells[static_cast<std::size_t>(CellState::Valid)];
+    const std::size_t noReturn = cells[static_cast<std::size_t>(CellState::NoReturn)];
+    const std::size_t without = scan.cells() - valid;
+    const bool attached = !scan.attached.empty();
+    if (attached && !options.includeAttached)
+        lost.push_back(std::to_string(scan.attached.size()) +
+                       " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
+    const bool list = *format == SaveFormat::Dxf || *format == SaveFormat::Obj || (attached && options.includeAttached);
+    if (list)
+        lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
+    else if (*format == SaveFormat::Ptx && without > noReturn)
+        lost.push_back("PTX knows only points and no returns: " + std::to_string(without - noReturn) +
+                       " cells of other states become no returns.");
+    return lost;
+}
+
+Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+    const auto files = scanFiles(scan, path, options);
+    if (!files) return files.error();
+    std::vector<FileContent> contents;
+    for (const FileBytes& file : *files) contents.push_back({file.path, std::as_bytes(std::span(file.bytes))});
+    return contents.size() == 1 ? writeWholeFile(path, contents.front().bytes) : writeWholeFiles(contents);
 }
 
 Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,

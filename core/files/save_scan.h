@@ -3,6 +3,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
+#include "core/files/file_bytes.h"
 #include "core/files/open_scan.h"
 #include "core/scan/placement.h"
 #include "core/scan/scan.h"
@@ -51,7 +52,18 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                               const SaveOptions& options = {});
 
-/// The whole grid with every cell, its state and the angles: openScan gives back the same ranges, states, angles and axis.
+/// A cloud or a grid of points, not ranges and angles.
+[[nodiscard]] bool holdsPoints(SaveFormat format);
+
+/// The files that saveScan writes, in the order they must appear; nothing is written. A raw grid has two.
+Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// Sentences about what of this scan a file of that name will not hold: attached points, the grid, states. Empty when it opens again as
+/// the same scan.
+[[nodiscard]] std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// The whole grid with every cell, its state and the angles: openScan gives back the same ranges, states, angles and axis. Points that
+/// are attached to cells are not part of a grid: with `includeAttached` a cloud of all points is saved in its place.
 /// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
 

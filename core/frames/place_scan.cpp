@@ -174,20 +174,25 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     return std::shared_ptr<const Placement>(placement);
 }
 
+Result<std::string> sourceOf(const std::filesystem::path& file) {
+    const auto hash = sha256OfFile(file);
+    if (!hash) return hash.error();
+    return file.filename().string() + " (SHA-256 " + *hash + ")";
+}
+
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS) {
     const auto robot = openCalibration(calibration);
     if (!robot) return robot.error();
     auto poses = openPoses(pose);
     if (!poses) return poses.error();
-    const auto poseHash = sha256OfFile(pose);
-    const auto robotHash = sha256OfFile(calibration);
-    if (!poseHash || !robotHash) return poseHash ? robotHash.error() : poseHash.error();
+    const auto poseSource = sourceOf(pose);
+    const auto robotSource = sourceOf(calibration);
+    if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();
     const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
     if (!placed) return Error{placed.error().what, pose.string(), placed.error().todo};
     auto named = std::make_shared<Placement>(**placed);
-    named->source =
-        pose.filename().string() + " (SHA-256 " + *poseHash + ") with " + calibration.filename().string() + " (SHA-256 " + *robotHash + ")";
+    named->source = *poseSource + " with " + *robotSource;
     return std::shared_ptr<const Placement>(named);
 }
 

@@ -90,9 +90,12 @@ MinePoint minePoint(const Scan& scan, std::size_t k) {
     return {placement.originEnhM + local, local};
 }
 
+const char* frameTail(CoordinateFrame frame) {
+    return frame == CoordinateFrame::Scanner ? "_LOCAL" : frame == CoordinateFrame::MineLocal ? "_OFFSET" : "";
+}
+
 std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension, CoordinateFrame frame) {
-    const char* tail = frame == CoordinateFrame::Scanner ? "_LOCAL" : frame == CoordinateFrame::MineLocal ? "_OFFSET" : "";
-    return scan.name + "_" + content + tail + extension;
+    return scan.name + "_" + content + frameTail(frame) + extension;
 }
 
 } // namespace edgescan

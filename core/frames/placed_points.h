@@ -44,6 +44,14 @@ struct MinePoint {
 /// One point without tables: for a probe, not for a loop. NaN where the cell is not valid. The scan must have a placement.
 [[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
 
+/// What is doubtful about a scan's place: empty without one.
+[[nodiscard]] inline std::vector<std::string> placeWarnings(const Scan& scan) {
+    return scan.placement ? scan.placement->warnings : std::vector<std::string>{};
+}
+
+/// What a name says of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin (OPERATOR.md S6).
+[[nodiscard]] const char* frameTail(CoordinateFrame frame);
+
 /// "boxes_edges.pcd"; without mine coordinates "boxes_edges_LOCAL.pcd", in local metres from an origin "boxes_edges_OFFSET.pcd"
 /// (OPERATOR.md S6). `extension` with the dot.
 [[nodiscard]] std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension,

@@ -71,6 +71,9 @@ Result<PoseTrack> openPoses(const std::filesystem::path& path);
 Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calibration& calibration, const PoseTrack& poses,
                                                    std::span<const double> lineTimesS = {});
 
+/// "pose.json (SHA-256 ...)": how a file is named in Placement::source.
+Result<std::string> sourceOf(const std::filesystem::path& file);
+
 /// Both files and the place of the scan: what --pose POSE.json --calibration ROBOT.json needs.
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS = {});

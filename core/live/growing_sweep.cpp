@@ -129,6 +129,7 @@ void GrowingSweep::noteStatus(const SweepLine& line, int row) {
         const auto place = std::lower_bound(statusCodes_.begin(), statusCodes_.end(), code);
         if (place == statusCodes_.end() || *place != code) statusCodes_.insert(place, code);
     }
+    if (line.serialNumber != 0) serialNumber_ = line.serialNumber;
     const DeviceFlags& now = line.device;
     if (firstFlagged_ < 0 && (now.error || now.contaminationWarning || now.contaminationError)) firstFlagged_ = row;
     deviceEver_.error |= now.error;
@@ -175,6 +176,7 @@ GrowingSweep GrowingSweep::cutFrom(int row) {
     rest.unitMm_ = unitMm_;
     rest.statusCodes_ = statusCodes_;
     rest.deviceEver_ = deviceEver_;
+    rest.serialNumber_ = serialNumber_;
     rest.firstFlagged_ = firstFlagged_ >= 0 ? std::max(0, firstFlagged_ - row) : -1;
     facts_.resize(static_cast<std::size_t>(row));
     missing_.resize(static_cast<std::size_t>(row));

@@ -16,6 +16,7 @@ struct SweepLine {
     double unitMm = 1.0;
     LineFacts facts;
     DeviceFlags device;
+    std::uint32_t serialNumber = 0;
 };
 
 /// The line in a telegram: ranges of the echo wanted, beams, device status. The facts hold nothing but the mirror's period.
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] double unitMm() const { return unitMm_; }
     [[nodiscard]] const std::vector<std::uint32_t>& statusCodes() const { return statusCodes_; }
     [[nodiscard]] const DeviceFlags& deviceEver() const { return deviceEver_; }
+    /// What the telegrams say the scanner's number is; 0 before the first.
+    [[nodiscard]] std::uint32_t serialNumber() const { return serialNumber_; }
     /// First row whose telegram had any of the flags; -1 when none had.
     [[nodiscard]] int firstFlagged() const { return firstFlagged_; }
 
@@ -92,6 +95,7 @@ private:
     std::vector<std::uint32_t> statusCodes_;
     DeviceFlags deviceEver_;
     int firstFlagged_ = -1;
+    std::uint32_t serialNumber_ = 0;
 
     int examined_ = 0; // rows whose angle was looked at for a reversal
     int direction_ = 0;

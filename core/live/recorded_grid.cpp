@@ -53,6 +53,8 @@ Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const st
     scan.noReturnCodes = grid->noReturnCodes;
     scan.statusCodes = grid->statusCodes;
     scan.note = grid->note;
+    if (grid->placement && grid->lines == lines) scan.placement = grid->placement;
+    scan.acquisition = grid->acquisition;
     return scan;
 }
 

@@ -12,6 +12,9 @@ namespace edgescan {
 /// Key of the metadata record "sweep" with the description of the grid (core/files/description.h).
 inline constexpr const char* kRecordedGridKey = "edgescan.grid";
 
+/// Key that a recording made of another file carries: what that was.
+inline constexpr const char* kMadeFromKey = "made_from";
+
 /// Angles, states, unit and note as the metadata describe them, for as many lines as there are; the scan as it is when they do not.
 Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const std::string& where);
 

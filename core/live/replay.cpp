@@ -2,6 +2,7 @@
 #include "core/live/replay.h"
 
 #include "core/live/recorded_grid.h"
+#include "core/live/recorded_robot.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +16,21 @@ bool isLine(const RecordedMessage& message) {
     constexpr std::size_t kBinaryPayload = 8;
     const bool binary = message.payload.size() > kBinaryPayload && message.payload[1] == 2;
     return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
+}
+
+/// What the recording says beside its telegrams: grid, scanner, place.
+Result<Scan> described(Scan scan, const Recording& recording, const std::string& where, const OpenOptions& options) {
+    if (recording.metadata().contains(kMadeFromKey))
+        scan.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
+    else
+        nameScanner(scan, recording);
+    if (options.unitMm && *options.unitMm != scan.unitMm)
+        return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};
+    auto whole = withRecordedGrid(std::move(scan), recording.metadata(), where);
+    if (!whole) return whole;
+    if (options.axis) std::get<PolarGeometry>(whole->geometry).axis = *options.axis;
+    if (auto placed = placeRecordedSweep(*whole, recording, options, where); !placed) return placed.error();
+    return whole;
 }
 
 } // namespace
@@ -90,7 +106,7 @@ void Replay::advanceTo(std::int64_t timeNs) {
     while (!atEnd() && recording_->messages()[next_].logNs <= timeNs) playOne();
 }
 
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where) {
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options) {
     Replay replay(recording);
     FinishedSweep best;
     int sweeps = 0;
@@ -120,7 +136,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
         scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
                                 " lines are there, how many there were is not known.");
     if (const auto note = recording->metadata().find("note"); note != recording->metadata().end()) scan.note = note->second;
-    return withRecordedGrid(std::move(scan), recording->metadata(), where);
+    return described(std::move(scan), *recording, where, options);
 }
 
 Result<Scan> openRecording(const std::filesystem::path& path) {
@@ -137,7 +153,7 @@ Result<Scan> readRecording(const Source& source) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
     const auto recording = Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string());
     if (!recording) return recording.error();
-    return scanOf(*recording, source.path.string());
+    return scanOf(*recording, source.path.string(), *source.options);
 }
 
 } // namespace edgescan

@@ -68,8 +68,9 @@ private:
     int position_ = 0;
 };
 
-/// The longest sweep of a recording. Warnings say what is missing: INCOMPLETE n/N, lost lines, a cut. Error: no line in it.
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where);
+/// The longest sweep of a recording, placed as placeRecordedSweep() does. Warnings say what is missing: INCOMPLETE n/N, lost lines, a
+/// cut. Error: no line in it.
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options = {});
 Result<Scan> openRecording(const std::filesystem::path& path);
 /// The same for openScan().
 Result<Scan> readRecording(const Source& source);

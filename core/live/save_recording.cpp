@@ -2,7 +2,6 @@
 #include "core/live/save_recording.h"
 
 #include "core/files/description.h"
-#include "core/files/whole_file.h"
 #include "core/live/recorded_grid.h"
 #include "core/live/recording.h"
 #include "core/live/replay.h"
@@ -140,12 +139,14 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     settings.outputInterval = 1;
     SweepMetadata metadata = metadataOf(settings);
     metadata["lidar.dialect"] = "cola-b";
-    metadata["made_from"] = scan.format;
+    metadata[kMadeFromKey] = scan.format;
     if (!scan.note.empty()) metadata["note"] = scan.note;
     const auto messages = messagesOf(scan, *polar, where);
     if (!messages) return messages.error();
     // What telegrams cannot say (uneven beams, masked cells ...) is described beside them.
+    const bool more = scan.placement != nullptr || scan.acquisition != nullptr;
     for (const bool described : {false, true}) {
+        if (more && !described) continue;
         if (described) metadata[kRecordedGridKey] = gridDescription(scan);
         Bytes bytes = recordingBytes(metadata, *messages);
         const auto recording = Recording::fromBytes(bytes, where);
@@ -154,12 +155,6 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
         if (opened && sameCells(scan, *opened)) return bytes;
     }
     return Error{"this scan cannot be told by telegrams", where, kUsePcd};
-}
-
-Result<Done> saveRecording(const Scan& scan, const std::filesystem::path& path) {
-    const auto bytes = recordingOf(scan, path.string());
-    if (!bytes) return bytes.error();
-    return writeWholeFile(path, std::as_bytes(std::span(*bytes)));
 }
 
 } // namespace edgescan

@@ -5,15 +5,12 @@
 #include "core/live/mcap_records.h"
 #include "core/scan/scan.h"
 
-#include <filesystem>
+#include <string>
 
 namespace edgescan {
 
 /// Opens again as the same ranges, states and angles. Error: a range is no whole count of unitMm up to 65535, the scan has no angles,
 /// or more beams or lines than telegrams can carry. `where` goes into the error.
 Result<Bytes> recordingOf(const Scan& scan, const std::string& where);
-
-/// The file appears whole or not at all.
-Result<Done> saveRecording(const Scan& scan, const std::filesystem::path& path);
 
 } // namespace edgescan

@@ -27,6 +27,7 @@ void takeLastEcho(SweepLine& line, const std::vector<ScanChannel>& channels, con
 SweepLine sweepLine(const ScanTelegram& telegram, Echo echo) {
     SweepLine line;
     line.device = deviceFlags(telegram);
+    line.serialNumber = telegram.serialNumber;
     const double frequency = scanFrequencyHz(telegram);
     line.facts.secondsPerTurn = frequency > 0 ? 1.0 / frequency : 0.04;
     const ScanChannel* channel = findChannel(telegram, "DIST1");

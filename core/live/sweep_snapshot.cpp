@@ -1,6 +1,8 @@
 // What a sweep looks like so far: as a scan and in words.
 #include "core/live/sweep.h"
 
+#include "core/live/sweep_acquisition.h"
+
 #include <algorithm>
 
 namespace edgescan {
@@ -77,6 +79,7 @@ void SweepAssembler::describe(Scan& scan) {
     scan.unitMm = sweep_->unitMm();
     scan.noReturnCodes = {0};
     scan.statusCodes = sweep_->statusCodes();
+    scan.acquisition = sweepAcquisition(*sweep_, rows, settings_);
     scan.warnings.clear();
     const auto warn = [&](std::string sentence) { scan.warnings.push_back(std::move(sentence)); };
     if (!now.complete()) warn(now.text() + ".");

@@ -8,6 +8,7 @@
 #include "core/frames/placement_json.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
+#include "core/scan/acquisition.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/utility.hpp>
@@ -25,12 +26,20 @@ constexpr const char* kNotInFile = "the scan file does not say";
 
 Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-/// Null for each key, and why.
-Json unknown(std::initializer_list<const char*> keys) {
+/// A text for each key, or null for all that are empty and why.
+Json known(std::initializer_list<std::pair<const char*, std::string>> texts) {
     Json object = Json::object();
-    for (const char* key : keys) object[key] = nullptr;
-    object["reason"] = kNotInFile;
+    bool all = true;
+    for (const auto& [key, text] : texts) {
+        object[key] = textOrNull(text);
+        all = all && !text.empty();
+    }
+    if (!all) object["reason"] = kNotInFile;
     return object;
+}
+
+Json scannerJson(const Acquisition& a) {
+    return known({{"vendor", a.vendor}, {"model", a.model}, {"serial", a.serial}, {"firmware", a.firmware}});
 }
 
 Json scanJson(const Scan& scan) {
@@ -51,7 +60,7 @@ Json scanJson(const Scan& scan) {
 }
 
 /// Lines of which nothing arrived, as runs: [first, count].
-Json acquisitionJson(const Scan& scan) {
+Json acquisitionJson(const Scan& scan, const Acquisition& a) {
     Json gaps = Json::array();
     int received = 0;
     for (int i = 0; i < scan.lines(); ++i) {
@@ -64,13 +73,18 @@ Json acquisitionJson(const Scan& scan) {
         else
             gaps.push_back({i, 1});
     }
-    Json object{{"lines_expected", scan.lines()}, {"lines_received", received}, {"gaps", gaps}};
-    object.update(unknown({"start_utc", "end_utc", "clock_source", "contamination", "echo_filter"}));
+    const int expected = std::max(a.linesExpected, scan.lines());
+    Json object{{"lines_expected", expected}, {"lines_received", received}, {"gaps", gaps}};
+    object.update(known({{"start_utc", a.startUtc},
+                         {"end_utc", a.endUtc},
+                         {"clock_source", a.clockSource},
+                         {"contamination", a.contamination},
+                         {"echo_filter", a.echoFilter}}));
     return object;
 }
 
 Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame frame) {
-    if (!isCloud(content))
+    if (!isCloud(content) && content != ExportContent::WholeScan)
         return {{"frame", "image"},
                 {"axis_order", {"line (row)", "beam (column)"}},
                 {"unit", content == ExportContent::RangeImage ? Json("mm") : Json()}};
@@ -91,14 +105,14 @@ std::string ascii(const Json& object) { return object.dump(-1, ' ', true, Json::
 } // namespace
 
 const char* exportContentName(ExportContent content) {
-    static constexpr const char* kNames[]{"edge cloud", "full cloud", "edge image", "gray image", "range image"};
+    static constexpr const char* kNames[]{"edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan"};
     return kNames[static_cast<std::size_t>(content)];
 }
 
 bool isCloud(ExportContent content) { return content == ExportContent::EdgeCloud || content == ExportContent::FullCloud; }
 
 std::optional<ExportContent> exportContentNamed(std::string_view name) {
-    for (int i = 0; i <= static_cast<int>(ExportContent::RangeImage); ++i) {
+    for (int i = 0; i <= static_cast<int>(ExportContent::WholeScan); ++i) {
         if (name == exportContentName(static_cast<ExportContent>(i))) return static_cast<ExportContent>(i);
     }
     return std::nullopt;
@@ -120,6 +134,7 @@ std::optional<CoordinateFrame> frameNamed(std::string_view name) {
 std::string gridSha256(const Scan& scan) {
     Scan head = scan;
     head.placement.reset();
+    head.acquisition.reset();
     head.note.clear();
     std::string all = descriptionText(head, "", -1);
     const auto append = [&](const auto& values) {
@@ -129,6 +144,7 @@ std::string gridSha256(const Scan& scan) {
     append(scan.rangeMm.cells);
     append(scan.state.cells);
     if (const auto* points = std::get_if<PointGeometry>(&scan.geometry)) append(points->pointsM.cells);
+    for (const AttachedPoint& point : scan.attached) append(std::vector<double>{point.pointM.x(), point.pointM.y(), point.pointM.z()});
     return sha256Hex(std::as_bytes(std::span(all)));
 }
 
@@ -157,19 +173,23 @@ std::string exportRecord(ExportContent content, const Frame& frame, const Export
     if (scan.placement) {
         for (const std::string& warning : scan.placement->warnings) warnings.push_back(warning);
     }
+    const Acquisition acquisition = scan.acquisition ? *scan.acquisition : Acquisition{};
     Json record{{"format", kRecordFormat},
                 {"content", exportContentName(content)},
                 {"text", options.ascii},
                 {"scan", scanJson(scan)},
                 {"cells", cellsReport(scan)},
-                {"scanner", unknown({"vendor", "model", "serial", "firmware"})},
-                {"acquisition", acquisitionJson(scan)},
+                {"scanner", scannerJson(acquisition)},
+                {"acquisition", acquisitionJson(scan, acquisition)},
                 {"coordinates", coordinatesJson(content, scan, options.frame)},
                 {"pose", scan.placement ? placementToJson(*scan.placement) : Json()}};
     if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
-    record["settings"] = settingsToJson(frame.settings);
-    record["edges"] = frame.edges->size();
-    record["edge_mask_sha256"] = maskSha256(*frame.mask);
+    record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
+    if (content != ExportContent::WholeScan) {
+        record["settings"] = settingsToJson(frame.settings);
+        record["edges"] = frame.edges->size();
+        record["edge_mask_sha256"] = maskSha256(*frame.mask);
+    }
     record["program"] = programOfRecords();
     record["warnings"] = warnings;
     record["operator"] = textOrNull(options.operatorName);

@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/files/cloud_columns.h"
+#include "core/files/las.h"
 #include "core/files/png.h"
 #include "core/files/save_scan.h"
 #include "core/files/text_layout.h"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kToleranceM = 5e-4; // far above what any format rounds, and half of what must survive (OPERATOR.md S9)
+constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (OPERATOR.md S9)
 constexpr std::size_t kMostHeaderLines = 4096;
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
@@ -40,21 +41,31 @@ struct Expected {
     std::optional<PointBounds> bounds;
 };
 
-Result<Expected> expectedOf(ExportContent content, const Frame& frame, const ExportOptions& options) {
-    if (!isCloud(content)) return Expected{frame.scan->cells(), std::nullopt};
-    const auto bounds = pointsToWrite(content, frame, options.frame);
-    if (!bounds) return bounds.error();
-    return Expected{bounds->count, *bounds};
+Expected expectedOf(ExportContent content, const Frame& frame, const fs::path& path, const ExportOptions& options) {
+    const bool points = isCloud(content) || (content == ExportContent::WholeScan && holdsPoints(saveFormatOf(path).value()));
+    if (!points) return Expected{frame.scan->cells(), std::nullopt};
+    const PointBounds bounds = pointsToWrite(content, frame, options);
+    return Expected{bounds.count, bounds};
 }
 
-std::string sidecarText(const fs::path& path, const std::string& bytes, const std::string& record, const Expected& expected) {
-    Json about{{"file", path.filename().string()},
-               {"sha256", sha256Hex(bytesOf(bytes))},
-               {"bytes", bytes.size()},
+/// The one that was asked for.
+const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& path) {
+    const auto named = std::ranges::find_if(files, [&](const FileBytes& file) { return file.path.extension() == path.extension(); });
+    return named == files.end() ? files.front() : *named;
+}
+
+std::string sidecarText(const FileBytes& file, const std::string& record, const Expected& expected, const std::vector<FileBytes>& files) {
+    Json about{{"file", file.path.filename().string()},
+               {"sha256", sha256Hex(bytesOf(file.bytes))},
+               {"bytes", file.bytes.size()},
                {"written_utc", utcText(utcNow())},
                {expected.bounds ? "points" : "cells", expected.count}};
     if (expected.bounds && expected.count > 0)
         about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
+    for (const FileBytes& other : files) {
+        if (&other != &file)
+            about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
+    }
     const Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", Json::parse(record)}};
     return sidecar.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
@@ -63,7 +74,9 @@ Error differs(const fs::path& path, const std::string& what) {
     return {"what was read back is not what was written: " + what, path.string(), "check the disk and export again"};
 }
 
-Result<Done> readBack(const fs::path& path, const std::string& bytes, const Expected& expected) {
+Result<Done> readBack(const FileBytes& file, const Expected& expected) {
+    const fs::path& path = file.path;
+    const std::string& bytes = file.bytes;
     const auto found = readWholeFile(path);
     if (!found) return found.error();
     if (!std::ranges::equal(*found, bytesOf(bytes))) return differs(path, "the bytes differ");
@@ -82,27 +95,34 @@ Result<Done> readBack(const fs::path& path, const std::string& bytes, const Expe
 
 } // namespace
 
-Result<std::string> exportBytes(ExportContent content, const Frame& frame, const fs::path& path, const std::string& record,
-                                const ExportOptions& options) {
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Frame& frame, const fs::path& path, const std::string& record,
+                                           const ExportOptions& options) {
     const Scan& scan = *frame.scan;
-    const SaveOptions save{options.ascii, options.frame, record};
+    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached};
+    const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
+        if (!bytes) return bytes.error();
+        return std::vector<FileBytes>{{path, std::move(*bytes)}};
+    };
     switch (content) {
     case ExportContent::EdgeCloud:
-        return edgeBytes(scan, *frame.mask, path, save);
+        return one(edgeBytes(scan, *frame.mask, path, save));
     case ExportContent::FullCloud:
-        return cloudBytes(scan, path, frame.mask.get(), save);
+        return one(cloudBytes(scan, path, frame.mask.get(), save));
     case ExportContent::EdgeImage:
-        return png8Bytes(*frame.mask, path.string(), record);
+        return one(png8Bytes(*frame.mask, path.string(), record));
     case ExportContent::GrayImage:
-        return png8Bytes(frame.gray->levels, path.string(), record);
+        return one(png8Bytes(frame.gray->levels, path.string(), record));
+    case ExportContent::WholeScan:
+        return scanFiles(scan, path, save);
     case ExportContent::RangeImage:
         break;
     }
-    return png16Bytes(rangePicture(scan), path.string(), record);
+    return one(png16Bytes(rangePicture(scan), path.string(), record));
 }
 
 std::string embeddedRecord(std::string_view bytes) {
     if (std::string record = pngRecord(bytes); !record.empty()) return record;
+    if (looksLikeLas(bytes)) return lasRecord(bytes);
     std::string record;
     const std::string_view mark = kRecordMark;
     std::size_t at = 0;
@@ -111,7 +131,7 @@ std::string embeddedRecord(std::string_view bytes) {
         at = text.next;
         const std::size_t found =
             text.text.substr(0, 16).find(mark.substr(0, 8)) == std::string_view::npos ? std::string_view::npos : text.text.find(mark);
-        if (found == std::string_view::npos && !record.empty()) break;
+        if (found == std::string_view::npos && !record.empty() && text.text != "999") break; // 999: DXF begins each comment so
         if (found != std::string_view::npos) record += text.text.substr(found + mark.size());
     }
     return record;
@@ -121,19 +141,24 @@ fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string
 
 Result<std::size_t> exportWithProvenance(ExportContent content, const Frame& frame, const fs::path& path, const ExportOptions& options) {
     const std::string record = exportRecord(content, frame, options);
-    const auto bytes = exportBytes(content, frame, path, record, options);
-    if (!bytes) return bytes.error();
-    const auto expected = expectedOf(content, frame, options);
-    if (!expected) return expected.error();
+    const auto files = exportFiles(content, frame, path, record, options);
+    if (!files) return files.error();
+    const Expected expected = expectedOf(content, frame, path, options);
     if (isDevice(path)) {
-        if (auto written = writeWholeFile(path, *bytes); !written) return written.error();
-        return expected->count;
+        if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
+        if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();
+        return expected.count;
     }
-    const std::string sidecar = sidecarText(path, *bytes, record, *expected);
-    const auto written = writeWholeFiles({{path, bytesOf(*bytes)}, {sidecarPath(path), bytesOf(sidecar)}});
-    if (!written) return written.error();
-    if (auto same = readBack(path, *bytes, *expected); !same) return same.error();
-    return expected->count;
+    const FileBytes& named = fileOf(*files, path);
+    const std::string sidecar = sidecarText(named, record, expected, *files);
+    std::vector<FileContent> contents;
+    for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
+    contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
+    if (auto written = writeWholeFiles(contents); !written) return written.error();
+    for (const FileBytes& file : *files) {
+        if (auto same = readBack(file, expected); !same) return same.error();
+    }
+    return expected.count;
 }
 
 } // namespace edgescan

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/edges/frame.h"
+#include "core/files/file_bytes.h"
 #include "core/scan/placement.h"
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgescan {
 
@@ -21,15 +23,17 @@ enum class ExportContent : std::uint8_t {
     EdgeImage,  ///< 8-bit PNG, 255 = edge
     GrayImage,  ///< 8-bit PNG
     RangeImage, ///< 16-bit PNG, millimetres
+    WholeScan,  ///< every cell with its state, as saveScan writes it; of the frame only the scan counts
 };
 
-/// "edge cloud", "full cloud", "edge image", "gray image", "range image".
+/// "edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan".
 [[nodiscard]] const char* exportContentName(ExportContent content);
 [[nodiscard]] bool isCloud(ExportContent content);
 
 struct ExportOptions {
     CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
     bool ascii = false;                               ///< PCD and PLY as text
+    bool includeAttached = false;                     ///< of a projected cloud: also the points behind the nearest of each cell
     std::string operatorName{};                       ///< who exports; empty = not said
     std::string role{};
 };
@@ -41,9 +45,10 @@ struct ExportOptions {
 /// True when a record's own SHA-256 is that of the rest of it.
 [[nodiscard]] bool recordIsWhole(const nlohmann::ordered_json& record);
 
-/// The bytes of an export. `path` chooses the format of a cloud; the record stands inside where the format has room.
-Result<std::string> exportBytes(ExportContent content, const Frame& frame, const std::filesystem::path& path, const std::string& record,
-                                const ExportOptions& options);
+/// The files of an export in the order they must appear: one, or two of a raw grid. `path` chooses the format of a cloud; the record stands
+/// inside where the format has room.
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Frame& frame, const std::filesystem::path& path,
+                                           const std::string& record, const ExportOptions& options);
 
 /// The record inside an export's bytes; empty when there is none.
 [[nodiscard]] std::string embeddedRecord(std::string_view bytes);

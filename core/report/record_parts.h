@@ -34,8 +34,8 @@ struct PointBounds {
     Eigen::Vector3d mostM = Eigen::Vector3d::Zero();
 };
 
-/// What a cloud should hold. Error as in exportBytes.
-Result<PointBounds> pointsToWrite(ExportContent content, const Frame& frame, CoordinateFrame coordinates);
+/// What a cloud should hold. The scan must have the place that the options ask for.
+[[nodiscard]] PointBounds pointsToWrite(ExportContent content, const Frame& frame, const ExportOptions& options);
 
 /// What a file of points holds, by the reader of its format; empty when no reader gives the bare points of that format.
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/edges/parameters.h"
+#include "core/files/acquisition_json.h"
 #include "core/frames/placement_json.h"
 
 #include <cmath>
@@ -81,6 +82,8 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
         report["geometry"] = "organised points";
         report["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
+    if (!scan.attached.empty()) report["attached_points"] = scan.attached.size();
+    if (scan.acquisition) report["acquisition"] = acquisitionToJson(*scan.acquisition);
     if (!scan.note.empty()) report["note"] = scan.note;
     return report;
 }
@@ -110,6 +113,9 @@ nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
         {"noise_mm_at_5_m", frame.responses ? json(tidy(frame.responses->noise.at(5.0), 1000)) : json()},
         {"jump_mm", frame.responses ? json(tidy(frame.responses->jumpMm, 1000)) : json()},
         {"edge_mask_sha256", maskSha256(*frame.mask)},
+        {"frame", scan.placement ? "mine grid" : "scanner"},
+        {"pose", poseReport(scan)},
+        {"attached_points", scan.attached.size()},
         {"timings_ms", timings},
         {"warnings", warnings},
         {"version", version()}};

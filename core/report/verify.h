@@ -19,6 +19,7 @@ struct Verification {
     std::filesystem::path scan;                   ///< what it was made from again
     std::optional<std::uint64_t> firstDifference; ///< byte of the export, from 0
     std::vector<std::string> findings;            ///< sentences: what differs, and what may explain it
+    std::vector<std::string> remarks;             ///< what is otherwise and no difference: a picture packed by another zlib
     std::string expectedSha256, foundSha256;      ///< of the export made again and of the one on the disk
 };
 

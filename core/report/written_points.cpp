@@ -1,8 +1,13 @@
 // Counts and bounds, once from the scan and once from the file.
 #include "core/files/cloud_columns.h"
+#include "core/files/dxf_points.h"
+#include "core/files/las.h"
+#include "core/files/obj.h"
 #include "core/files/pcd.h"
 #include "core/files/ply.h"
 #include "core/files/point_text.h"
+#include "core/files/ptx.h"
+#include "core/files/save_scan.h"
 #include "core/report/record_parts.h"
 
 #include <span>
@@ -14,6 +19,7 @@ template <class Points>
 PointBounds boundsOf(const Points& points) {
     PointBounds bounds;
     for (const Eigen::Vector3d& p : points) {
+        if (!p.allFinite()) continue; // a cell without a point
         if (bounds.count++ == 0) bounds.leastM = bounds.mostM = p;
         bounds.leastM = bounds.leastM.cwiseMin(p);
         bounds.mostM = bounds.mostM.cwiseMax(p);
@@ -38,23 +44,48 @@ Result<std::optional<PointBounds>> boundsIn(const Result<PointTable>& table) {
     return std::optional(boundsOf(table->points));
 }
 
+Result<std::optional<PointBounds>> boundsOfPoints(const Result<std::vector<Eigen::Vector3d>>& points) {
+    if (!points) return points.error();
+    return std::optional(boundsOf(*points));
+}
+
 } // namespace
 
-Result<PointBounds> pointsToWrite(ExportContent content, const Frame& frame, CoordinateFrame coordinates) {
-    const bool all = content == ExportContent::FullCloud;
-    return boundsOf(all ? validPoints(*frame.scan, frame.mask.get(), coordinates) : edgePoints(*frame.scan, *frame.mask, coordinates));
+PointBounds pointsToWrite(ExportContent content, const Frame& frame, const ExportOptions& options) {
+    const bool edges = content == ExportContent::EdgeCloud;
+    return boundsOf(edges ? edgePoints(*frame.scan, *frame.mask, options.frame, options.includeAttached)
+                          : validPoints(*frame.scan, frame.mask.get(), options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {
     const OpenOptions options;
     const Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
-    if (looksLikePcd(bytes)) return boundsIn(readPcdPoints(source));
-    if (looksLikePly(bytes)) return boundsIn(readPlyPoints(source));
-    const std::string extension = source.extension();
-    if (extension != ".csv" && extension != ".xyz" && extension != ".txt" && extension != ".asc") return std::optional<PointBounds>();
-    const auto layout = textLayoutOf(source);
-    if (!layout) return layout.error();
-    return boundsIn(readTextPoints(source, *layout));
+    const auto format = saveFormatOf(path);
+    if (!format) return std::optional<PointBounds>();
+    switch (*format) {
+    case SaveFormat::Pcd:
+        return boundsIn(readPcdPoints(source));
+    case SaveFormat::Ply:
+        return boundsIn(readPlyPoints(source));
+    case SaveFormat::Las:
+        return boundsIn(readLasPoints(source));
+    case SaveFormat::Obj:
+        return boundsIn(readObjPoints(source));
+    case SaveFormat::Ptx:
+        return boundsOfPoints(readPtxPoints(source));
+    case SaveFormat::Dxf:
+        return boundsOfPoints(dxfPoints(bytes, path.string()));
+    case SaveFormat::Csv:
+    case SaveFormat::Xyz: {
+        const auto layout = textLayoutOf(source);
+        if (!layout) return layout.error();
+        return boundsIn(readTextPoints(source, *layout));
+    }
+    case SaveFormat::RawGrid:
+    case SaveFormat::Recording:
+        break;
+    }
+    return std::optional<PointBounds>();
 }
 
 } // namespace edgescan

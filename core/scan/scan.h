@@ -62,7 +62,8 @@ struct AttachedPoint {
 
 using Geometry = std::variant<PolarGeometry, PointGeometry>;
 
-struct Placement; // core/scan/placement.h
+struct Placement;   // core/scan/placement.h
+struct Acquisition; // core/scan/acquisition.h
 
 struct Scan {
     std::string name;       ///< short name for titles and file names ("scan000")
@@ -78,12 +79,13 @@ struct Scan {
     Geometry geometry;
     std::vector<AttachedPoint> attached; ///< by cell; empty unless the cloud had to be put onto a grid
 
-    double unitMm = 1.0;                         ///< millimetres per raw count
-    std::vector<std::uint32_t> noReturnCodes{0}; ///< raw counts that mean "no return"
-    std::vector<std::uint32_t> statusCodes;      ///< raw counts that are device status codes
-    std::vector<std::string> warnings;           ///< sentences about what was assumed, repaired or lost on reading
-    std::string note;                            ///< free text that the file carried
-    std::shared_ptr<const Placement> placement;  ///< where it stands in the mine; null = scanner frame only
+    double unitMm = 1.0;                            ///< millimetres per raw count
+    std::vector<std::uint32_t> noReturnCodes{0};    ///< raw counts that mean "no return"
+    std::vector<std::uint32_t> statusCodes;         ///< raw counts that are device status codes
+    std::vector<std::string> warnings;              ///< sentences about what was assumed, repaired or lost on reading
+    std::string note;                               ///< free text that the file carried
+    std::shared_ptr<const Placement> placement;     ///< where it stands in the mine; null = scanner frame only
+    std::shared_ptr<const Acquisition> acquisition; ///< who measured it and when; null = the file does not say
 
     [[nodiscard]] int lines() const { return rangeMm.lines; }
     [[nodiscard]] int beams() const { return rangeMm.beams; }

@@ -87,8 +87,8 @@ TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
         runCli("detect " + scanPath + " " + (folder / "missing.pcd").string() + " " + second + " -o " + (folder / "out").string());
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("missing.pcd"), std::string::npos);
-    for (const char* name : {"boxes_edges.json", "boxes_edges.png", "boxes_gray.png", "boxes_range.png", "boxes_edges.pcd",
-                             "boxes_cloud.pcd", "second_edges.json"}) {
+    for (const char* name : {"boxes_edges.json", "boxes_edges.png", "boxes_gray.png", "boxes_range.png", "boxes_edges_LOCAL.pcd",
+                             "boxes_cloud_LOCAL.pcd", "second_edges.json"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
     }
 }
@@ -128,7 +128,7 @@ TEST_F(Cli, HelpListsEveryParameterWithLimitsAndDefault) {
 
 TEST_F(Cli, ConvertKeepsTheGridInEveryFormat) {
     const json before = json::parse(runCli("detect " + scanPath + " --json -").out);
-    for (const char* name : {"a.json", "a.pcd", "a.ply", "a.csv", "a.xyz"}) {
+    for (const char* name : {"a.json", "a.pcd", "a.ply", "a.csv", "a.xyz", "a.las", "a.ptx", "a.mcap"}) {
         const std::string out = (folder / name).string();
         const auto run = runCli("convert " + scanPath + " " + out);
         ASSERT_EQ(run.code, 0) << name << run.err;

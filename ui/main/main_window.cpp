@@ -1,6 +1,7 @@
 // The window: builds its views and keeps them in step.
 #include "ui/main/main_window.h"
 
+#include "core/frames/placed_points.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/image/image_view.h"
@@ -200,6 +201,7 @@ void MainWindow::showPicture() {
     showEdgeMap();
     cloud_->setEdges(shown_->edgeCells);
     status_->showCounts(frame);
+    status_->showPlace(*frame.scan);
     status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : frame.totalMs);
     panel_->showResult(frame);
     panel_->setBehind(session_.behind());
@@ -236,6 +238,7 @@ void MainWindow::showNewScan() {
     setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
     QStringList warnings;
     for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
+    for (const std::string& warning : placeWarnings(*frame.scan)) warnings << QString::fromStdString(warning);
     // Of a live scan the health strip tells.
     if (!warnings.isEmpty() && !shown_->source.growth.growing) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
 }

@@ -4,6 +4,8 @@
 #include "core/edges/command_text.h"
 #include "core/files/save_scan.h"
 #include "core/files/whole_file.h"
+#include "core/frames/placed_points.h"
+#include "ui/main/export_dialog.h"
 #include "ui/main/notice_bar.h"
 #include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
@@ -80,6 +82,8 @@ std::string readFlags(const OpenOptions& options) {
     }
     if (options.gridStepDeg) add("--grid-step", number(*options.gridStepDeg));
     if (options.projection != Projection::Auto) add("--project", options.projection == Projection::Always ? "always" : "never");
+    if (!options.pose.empty()) add("--pose", shellQuoted(options.pose));
+    if (!options.calibration.empty()) add("--calibration", shellQuoted(options.calibration));
     if (options.scanIndex > 0) add("--scan", std::to_string(options.scanIndex));
     if (options.unitMm) add("--unit", *options.unitMm == 1000.0 ? "m" : *options.unitMm == 10.0 ? "cm" : "mm");
     return flags;
@@ -108,14 +112,18 @@ void MainWindow::askExport(Session::Export what) {
         notice_->showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
     }
+    ExportDialog dialog(shown_->frame, contentOf(what), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    what = exportOf(dialog.content());
     const Frame& frame = *shown_->frame;
     const QString kind = isImage(what) ? "images" : "exports";
     const QString extension = isImage(what) ? ".png" : memory_.text("export/extension", ".pcd");
-    const QString name = QString("%1_%2_L%3_K%4_%5%6")
-                             .arg(QString::fromStdString(frame.scan->name).replace(' ', '-'), nameTail(what))
-                             .arg(frame.settings.lower)
-                             .arg(frame.settings.kernel)
-                             .arg(QDate::currentDate().toString(Qt::ISODate), extension);
+    const QString name =
+        QString("%1_%2_L%3_K%4_%5%6%7")
+            .arg(QString::fromStdString(frame.scan->name).replace(' ', '-'), nameTail(what))
+            .arg(frame.settings.lower)
+            .arg(frame.settings.kernel)
+            .arg(QDate::currentDate().toString(Qt::ISODate), isImage(what) ? "" : frameTail(dialog.options().frame), extension);
     QStringList filters;
     QString usual;
     if (isImage(what))
@@ -125,11 +133,11 @@ void MainWindow::askExport(Session::Export what) {
             filters << filterOf(each);
             if (QString::fromStdString(each.extensions.front()) == extension) usual = filters.back();
         }
-    const QString count = what == Session::Export::EdgeCloud ? tr("Export %1 edge points").arg(frame.edges->size()) : tr("Export");
-    QString path = QFileDialog::getSaveFileName(this, count, QDir(memory_.folder(kind)).filePath(name), filters.join(";;"), &usual);
+    const QString title = isImage(what) ? tr("Export") : tr("Export %1 points").arg(dialog.count());
+    QString path = QFileDialog::getSaveFileName(this, title, QDir(memory_.folder(kind)).filePath(name), filters.join(";;"), &usual);
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += extension;
-    session_.save(what, path);
+    session_.save(what, path, dialog.options());
 }
 
 void MainWindow::tellSaved(Session::Export what, const QString& path, qint64 count) {

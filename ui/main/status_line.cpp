@@ -2,6 +2,7 @@
 #include "ui/main/status_line.h"
 
 #include "core/edges/depth_settings.h"
+#include "core/scan/placement.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -36,14 +37,20 @@ QString probeText(const Probe& probe) {
         text +=
             QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
     }
+    if (probe.mineM)
+        text +=
+            QObject::tr("  N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
+    else
+        text += QObject::tr("  N –  E –  El –");
     if (!probe.edge) return text + QObject::tr("  not an edge");
     return text + (probe.kind == DepthEdge::None ? QObject::tr("  EDGE") : QObject::tr("  EDGE (%1)").arg(edgeClassName(probe.kind)));
 }
 
 StatusLine::StatusLine(QWidget* parent)
-    : QStatusBar(parent), probe_(new QLabel), counts_(new QLabel), time_(new QLabel), renderer_(new QLabel), work_(new QWidget),
-      stage_(new QLabel), bar_(new QProgressBar) {
+    : QStatusBar(parent), probe_(new QLabel), place_(new QLabel), counts_(new QLabel), time_(new QLabel), renderer_(new QLabel),
+      work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
     probe_->setObjectName("probe");
+    place_->setObjectName("place");
     counts_->setObjectName("counts");
     probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     // A long probe must not push the window wider.
@@ -61,10 +68,31 @@ StatusLine::StatusLine(QWidget* parent)
     work_->hide();
     addWidget(work_);
     addWidget(probe_, 1);
-    for (QLabel* label : {counts_, time_, renderer_}) addPermanentWidget(label);
+    for (QLabel* label : {place_, counts_, time_, renderer_}) addPermanentWidget(label);
 }
 
-void StatusLine::showProbe(const std::optional<Probe>& probe) { probe_->setText(probe ? probeText(*probe) : QString()); }
+void StatusLine::showProbe(const std::optional<Probe>& probe) {
+    probe_->setText(probe ? probeText(*probe) : QString());
+    probe_->setToolTip(probe_->text()); // in a narrow window the end is cut off
+}
+
+void StatusLine::showPlace(const Scan& scan) {
+    if (!scan.placement) {
+        place_->setText(tr("scanner frame"));
+        place_->setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
+        return;
+    }
+    const Placement& place = *scan.placement;
+    QString text = tr("mine grid");
+    if (!place.grid.empty()) text += " " + QString::fromStdString(place.grid);
+    text += tr(" · origin E %1 N %2 El %3")
+                .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
+    if (place.outOfSpec) text += tr(" · OUT OF SPEC");
+    place_->setText(text);
+    QStringList about{tr("Placed by %1").arg(QString::fromStdString(place.source))};
+    for (const std::string& warning : place.warnings) about << QString::fromStdString(warning);
+    place_->setToolTip(about.join("\n"));
+}
 
 void StatusLine::showCounts(const Frame& frame) {
     const auto cells = countCells(*frame.scan);
@@ -94,6 +122,7 @@ void StatusLine::showWork(const QString& title, const QString& stage, double fra
 void StatusLine::hideWork() { work_->hide(); }
 
 QString StatusLine::probeShown() const { return probe_->text(); }
+QString StatusLine::placeShown() const { return place_->text(); }
 QString StatusLine::countsShown() const { return counts_->text(); }
 
 } // namespace edgescan::ui

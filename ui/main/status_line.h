@@ -13,7 +13,8 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-/// "line 12  beam 400  beam 61.667°  line 2.160°  range 5.123 m  gray 87  x 1.234  y ... m  edge".
+/// "line 12  beam 400  at 2.160° / 61.667°  range 5.123 m  gray 87  x 1.234  y ... m  N 5150118.058  E ...  El ...  EDGE"; dashes for
+/// the mine grid where it is not known.
 [[nodiscard]] QString probeText(const Probe& probe);
 
 class StatusLine : public QStatusBar {
@@ -23,6 +24,8 @@ public:
 
     void showProbe(const std::optional<Probe>& probe);
     void showCounts(const Frame& frame);
+    /// Which frame the scan stands in, with the origin of local coordinates.
+    void showPlace(const Scan& scan);
     /// Milliseconds from the change of a setting to its result.
     void showTime(double milliseconds);
     void showRenderer(const QString& name);
@@ -30,12 +33,14 @@ public:
     void hideWork();
     [[nodiscard]] QString probeShown() const;
     [[nodiscard]] QString countsShown() const;
+    [[nodiscard]] QString placeShown() const;
 
 signals:
     void cancelWanted();
 
 private:
     QLabel* probe_;
+    QLabel* place_;
     QLabel* counts_;
     QLabel* time_;
     QLabel* renderer_;

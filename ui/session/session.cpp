@@ -35,6 +35,14 @@ struct Saving {
     std::size_t count = 0;
 };
 
+Saving write(Session::Export what, const Frame& frame, const std::string& path, const ExportOptions& options) {
+    const Result<std::size_t> written = exportWithProvenance(contentOf(what), frame, path, options);
+    if (!written) return {written.error(), 0};
+    return {Done{}, *written};
+}
+
+} // namespace
+
 ExportContent contentOf(Session::Export what) {
     switch (what) {
     case Session::Export::EdgeCloud:
@@ -51,15 +59,13 @@ ExportContent contentOf(Session::Export what) {
     return ExportContent::RangeImage;
 }
 
-Saving write(Session::Export what, const Frame& frame, const std::string& path) {
-    ExportOptions options;
-    options.frame = usualFrame(*frame.scan);
-    const Result<std::size_t> written = exportWithProvenance(contentOf(what), frame, path, options);
-    if (!written) return {written.error(), 0};
-    return {Done{}, *written};
+Session::Export exportOf(ExportContent content) {
+    for (const auto what :
+         {Session::Export::EdgeCloud, Session::Export::FullCloud, Session::Export::EdgeImage, Session::Export::GrayImage}) {
+        if (contentOf(what) == content) return what;
+    }
+    return Session::Export::RangeImage;
 }
-
-} // namespace
 
 Session::Session(QObject* parent)
     : QObject(parent), worker_([this] { present(); },
@@ -119,14 +125,16 @@ bool Session::behind() const {
            !(picture_->source == postedSource_); // only this thread changes it
 }
 
-void Session::save(Export what, const QString& path) {
+void Session::save(Export what, const QString& path, const std::optional<ExportOptions>& options) {
     if (picture_ == nullptr) return;
     const auto frame = picture_->frame;
-    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, frame, path](const BackgroundJob::Progress& progress) {
+    ExportOptions how = options.value_or(ExportOptions{});
+    if (!options) how.frame = usualFrame(*frame->scan);
+    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, frame, path, how](const BackgroundJob::Progress& progress) {
         progress("writing", 0.0);
         Saving saving{Done{}, 0};
         try {
-            saving = write(what, *frame, path.toStdString());
+            saving = write(what, *frame, path.toStdString(), how);
         } catch (const std::bad_alloc&) {
             saving.result = outOfMemory(path);
         }

@@ -5,6 +5,7 @@
 #include "core/edges/settings.h"
 #include "core/edges/worker.h"
 #include "core/files/open_scan.h"
+#include "core/report/provenance.h"
 #include "ui/session/background_job.h"
 #include "ui/session/picture.h"
 
@@ -50,7 +51,8 @@ public:
 
     /// What can be saved of the picture shown.
     enum class Export { EdgeCloud, FullCloud, EdgeImage, GrayImage, RangeImage };
-    void save(Export what, const QString& path);
+    /// In the scan's usual frame unless `options` say otherwise.
+    void save(Export what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
 
 signals:
     void workStarted(const QString& title);
@@ -95,5 +97,9 @@ private:
 
     Worker worker_; // last: its thread uses all of the above, and is joined before they go
 };
+
+/// The same thing by the report's name and by the session's.
+[[nodiscard]] ExportContent contentOf(Session::Export what);
+[[nodiscard]] Session::Export exportOf(ExportContent content);
 
 } // namespace edgescan::ui
