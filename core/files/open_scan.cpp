@@ -163,7 +163,7 @@ const std::vector<FileKind>& readableKinds() {
         {"Point list", {".xyz", ".txt", ".asc", ".pts"}},
         {"Range or point table", {".csv"}},
         {"Leica PTX", {".ptx"}},
-        {"LAS point cloud", {".las"}},
+        {"LAS point cloud", {".las", ".laz"}},
         {"Wavefront OBJ", {".obj"}},
         {"Range picture", {".png", ".tif", ".tiff"}},
         {"3DTK scan", {".3d"}},

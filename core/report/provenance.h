@@ -33,9 +33,9 @@ enum class ExportContent : std::uint8_t {
 struct ExportOptions {
     CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
     bool ascii = false;                               ///< PCD and PLY as text
-    bool includeAttached = false;                     ///< of a projected cloud: also the points behind the nearest of each cell
     std::string operatorName{};                       ///< who exports; empty = not said
     std::string role{};
+    bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
 };
 
 /// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and

@@ -3,8 +3,11 @@
 
 #include "core/files/png.h"
 #include "core/files/save_scan.h"
+#include "core/frames/poses.h"
+#include "core/live/save_recording.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
+#include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 
 #include <array>
@@ -103,6 +106,27 @@ inline std::vector<SeedFile> seedFiles() {
         seeds.push_back({"raw_grid", ".json", readText(folder / "grid.json") + '\0' + readText(folder / "grid.u16")});
     if (savePng16(rangePicture(scan), folder / "range.png")) seeds.push_back({"picture", ".png", readText(folder / "range.png")});
     seeds.push_back({"picture", ".tif", smallTiff(scan)});
+    return seeds;
+}
+
+/// The same and those of what is no scan file: telegrams, recordings (without their magic), poses, calibrations.
+inline std::vector<SeedFile> seedsOfEveryFuzzer() {
+    std::vector<SeedFile> seeds = seedFiles();
+    const auto text = [](const auto& bytes) { return std::string(bytes.begin(), bytes.end()); };
+    const Scan scan = makeScan({.lines = 6, .beams = 11, .beamStart = 20});
+    if (const auto recording = recordingOf(scan, "seed")) seeds.push_back({"mcap", "", text(*recording).substr(kMcapMagic.size())});
+    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+        const Bytes telegram = encodeScanTelegram(telegramOfLine(3, {.beams = 9}), dialect);
+        seeds.push_back({"scan_telegram", "", (dialect == Dialect::A ? '\0' : '\1') + text(telegram)});
+        const Bytes frame = framed(telegram, dialect);
+        seeds.push_back({"cola_stream", "", std::string("\0\x10", 2) + text(frame) + text(frame)});
+    }
+    seeds.push_back({"place", "", calibrationText(exampleCalibration())});
+    PoseTrack poses;
+    poses.robot = "example robot";
+    poses.inclinometer = {{1.7e9, 14.25, -3.4}, {1.7e9 + 1, 14.3, -3.4}};
+    poses.talin = {{1.7e9, {498765.432, 5150123.456, 287.654}, 217.4, true, 5.75, -2.1}};
+    seeds.push_back({"place", "", posesText(poses)});
     return seeds;
 }
 

@@ -1,4 +1,5 @@
 // Every reader, fed in memory: its seeds open, and damaged seeds are a sound scan or one sentence.
+#include "tests/support/damage.h"
 #include "tests/support/seed_files.h"
 
 #include <gtest/gtest.h>
@@ -35,21 +36,6 @@ void holdsSoundly(const std::string& bytes, const SeedFile& seed) {
         }
     }
     for (const AttachedPoint& point : scan->attached) ASSERT_LT(point.cell, scan->cells());
-}
-
-std::string damaged(std::string text, std::mt19937& random, int round) {
-    for (auto flips = 1 + random() % 5; flips > 0 && !text.empty(); --flips) {
-        const std::size_t at = random() % (round % 2 == 0 ? text.size() : std::min<std::size_t>(text.size(), 500));
-        if (round % 4 == 0)
-            text[at] = static_cast<char>(random());
-        else if (round % 4 == 1)
-            text[at] = "0123456789-e. \n\xff\x7f"[random() % 17];
-        else if (round % 4 == 2)
-            text.erase(at, 1 + random() % 5);
-        else
-            text.insert(at, text.substr(random() % text.size(), 1 + random() % 9));
-    }
-    return text;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The question before an export.
 #include "ui/main/export_dialog.h"
 
+#include "core/files/save_scan.h"
 #include "core/frames/placed_points.h"
 
 #include <QButtonGroup>

@@ -68,7 +68,10 @@ const char* nameTail(Session::Export what) {
 std::string readFlags(const OpenOptions& options) {
     std::string flags;
     const auto add = [&](const char* flag, const std::string& value) {
-        flags += (flags.empty() ? "" : " ") + std::string(flag) + " " + value;
+        if (!flags.empty()) flags += ' ';
+        flags += flag;
+        flags += ' ';
+        flags += value;
     };
     const auto number = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
     if (options.beamStartDeg) add("--beam-start", number(*options.beamStartDeg));

@@ -1,0 +1,72 @@
+// ezdxf, a DXF library of its own, reads the drawings that we write: points, layers, polylines, and no complaint of its audit.
+#include "core/edges/pipeline.h"
+#include "core/files/cloud_columns.h"
+#include "core/files/save_scan.h"
+#include "tests/support/placements.h"
+#include "tests/support/point_lists.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+
+using namespace edgescan;
+using namespace edgescan::test;
+using nlohmann::json;
+
+namespace {
+
+// The system's own Python: its packages are there, another one on the PATH has its own.
+bool ezdxfIsThere() { return std::system("/usr/bin/python3 -c 'import ezdxf' >/dev/null 2>&1") == 0; }
+
+constexpr const char* kReader = R"(
+import ezdxf, json, sys
+drawing = ezdxf.readfile(sys.argv[1])
+errors = [str(e) for e in drawing.audit().errors]
+space = drawing.modelspace()
+points = [[p.dxf.layer, *p.dxf.location] for p in space.query("POINT")]
+lines = [[l.dxf.layer, bool(l.is_closed), [list(v.dxf.location) for v in l.vertices]] for l in space.query("POLYLINE")]
+json.dump({"errors": errors, "points": points, "lines": lines, "layers": [l.dxf.name for l in drawing.layers]}, open(sys.argv[2], "w"))
+)";
+
+json readByEzdxf(const Folder& folder, const std::string& name) {
+    writeText(folder / "read.py", kReader);
+    const std::string command = "/usr/bin/python3 " + (folder / "read.py").string() + " " + (folder / name).string() + " " +
+                                (folder / "out.json").string() + " 2>" + (folder / "err").string();
+    EXPECT_EQ(std::system(command.c_str()), 0) << readText(folder / "err");
+    return json::parse(readText(folder / "out.json"));
+}
+
+} // namespace
+
+TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
+    if (!ezdxfIsThere()) GTEST_SKIP() << "python3-ezdxf is not installed: no independent reader of DXF";
+    const Folder folder;
+    Scan scan = makeScan({.lines = 24, .beams = 31});
+    scan.placement = randomPlacement(3, 1, true);
+    const auto frame = detectEdges(std::make_shared<const Scan>(scan), Settings{});
+    ASSERT_GT(frame->edges->size(), 10U);
+    for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine}) {
+        ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", frame->mask.get(), {.frame = coordinates, .record = "{\"a\":1}"}));
+        const json read = readByEzdxf(folder, "cloud.dxf");
+        EXPECT_EQ(read["errors"], json::array());
+        for (const char* layer : {"CLOUD", "EDGE_POINTS", "EDGE_LINES"}) EXPECT_NE(read["layers"].dump().find(layer), std::string::npos);
+        const CloudColumns expected = validPoints(scan, frame->mask.get(), coordinates);
+        ASSERT_EQ(read["points"].size(), expected.width);
+        std::size_t edges = 0;
+        for (std::size_t n = 0; n < expected.width; ++n) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const double wanted = std::visit([&](const auto& v) { return static_cast<double>(v[n]); },
+                                                 expected.columns[static_cast<std::size_t>(axis)].values);
+                EXPECT_NEAR(read["points"][n][static_cast<std::size_t>(axis) + 1].get<double>(), wanted, 6e-5);
+            }
+            edges += read["points"][n][0] == "EDGE_POINTS" ? 1 : 0;
+        }
+        EXPECT_EQ(edges, frame->edges->size());
+        EXPECT_GT(read["lines"].size(), 0U);
+        for (const json& line : read["lines"]) {
+            EXPECT_EQ(line[0], "EDGE_LINES");
+            EXPECT_GE(line[2].size(), 2U);
+        }
+    }
+}

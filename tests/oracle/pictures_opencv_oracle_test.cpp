@@ -1,0 +1,89 @@
+// OpenCV reads the pictures that we write, and we read those that it writes.
+#include "core/edges/pipeline.h"
+#include "core/files/open_scan.h"
+#include "core/files/png.h"
+#include "core/report/provenance.h"
+#include "core/scan/range_picture.h"
+#include "tests/support/point_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+std::shared_ptr<const Frame> frameOf(unsigned seed) {
+    Scan scan = makeScan({.lines = 37, .beams = 53, .noReturns = 0.2, .seed = seed});
+    return detectEdges(std::make_shared<const Scan>(std::move(scan)), Settings{});
+}
+
+/// Angles that a picture cannot say.
+OpenOptions angles() {
+    OpenOptions options;
+    options.beamStartDeg = 0;
+    options.beamStepDeg = 0.5;
+    options.lineStartDeg = 30;
+    options.lineStepDeg = -0.5;
+    options.axis = Axis::Sweep;
+    return options;
+}
+
+} // namespace
+
+TEST(OpenCvOracle, ReadsOurMaskGrayAndRanges) {
+    const Folder folder;
+    const auto frame = frameOf(3);
+    ASSERT_GT(frame->edges->size(), 0U);
+    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *frame, folder / "mask.png"));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::GrayImage, *frame, folder / "gray.png"));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::RangeImage, *frame, folder / "range.png"));
+    const cv::Mat mask = cv::imread((folder / "mask.png").string(), cv::IMREAD_UNCHANGED);
+    const cv::Mat gray = cv::imread((folder / "gray.png").string(), cv::IMREAD_UNCHANGED);
+    const cv::Mat range = cv::imread((folder / "range.png").string(), cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(mask.type(), CV_8UC1);
+    ASSERT_EQ(gray.type(), CV_8UC1);
+    ASSERT_EQ(range.type(), CV_16UC1);
+    for (const cv::Mat& picture : {mask, gray, range}) {
+        ASSERT_EQ(picture.rows, 37);
+        ASSERT_EQ(picture.cols, 53);
+    }
+    const auto expected = rangePicture(*frame->scan);
+    for (int line = 0; line < 37; ++line) {
+        for (int beam = 0; beam < 53; ++beam) {
+            EXPECT_EQ(mask.at<std::uint8_t>(line, beam), frame->mask->at(line, beam));
+            EXPECT_EQ(gray.at<std::uint8_t>(line, beam), frame->gray->levels.at(line, beam));
+            EXPECT_EQ(range.at<std::uint16_t>(line, beam), expected.at(line, beam));
+        }
+    }
+}
+
+TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
+    const Folder folder;
+    const auto frame = frameOf(5);
+    const Scan& scan = *frame->scan;
+    cv::Mat whole(scan.lines(), scan.beams(), CV_16U), broken(scan.lines(), scan.beams(), CV_32F);
+    for (int line = 0; line < scan.lines(); ++line) {
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            const float mm = scan.state.at(line, beam) == CellState::Valid ? scan.rangeMm.at(line, beam) : 0.0F;
+            whole.at<std::uint16_t>(line, beam) = static_cast<std::uint16_t>(mm);
+            broken.at<float>(line, beam) = mm > 0 ? mm + 0.25F : mm;
+        }
+    }
+    for (const auto& [name, picture, more] :
+         {std::tuple("cv.png", &whole, 0.0F), std::tuple("cv.tiff", &whole, 0.0F), std::tuple("float.tiff", &broken, 0.25F)}) {
+        SCOPED_TRACE(name);
+        ASSERT_TRUE(cv::imwrite((folder / name).string(), *picture));
+        const auto opened = openScan(folder / name, angles());
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        EXPECT_EQ(opened->state, scan.state);
+        for (std::size_t k = 0; k < scan.cells(); ++k) {
+            if (scan.state[k] == CellState::Valid) EXPECT_EQ(opened->rangeMm[k], scan.rangeMm[k] + more);
+        }
+    }
+    const cv::Mat mask(frame->mask->lines, frame->mask->beams, CV_8U, const_cast<std::uint8_t*>(frame->mask->cells.data()));
+    ASSERT_TRUE(cv::imwrite((folder / "mask.png").string(), mask));
+    EXPECT_EQ(*readPng8(folder / "mask.png"), *frame->mask);
+}

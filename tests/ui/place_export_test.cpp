@@ -1,0 +1,150 @@
+// Where a scan stands, as the window tells it, and the question before an export.
+#include "core/edges/pipeline.h"
+#include "core/files/save_scan.h"
+#include "core/frames/placed_points.h"
+#include "tests/support/placements.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+#include "ui/image/image_view.h"
+#include "ui/main/export_dialog.h"
+#include "ui/main/main_window.h"
+#include "ui/main/notice_bar.h"
+#include "ui/main/status_line.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+QRadioButton& choice(ExportDialog& dialog, const char* name) { return *dialog.findChild<QRadioButton*>(name); }
+
+std::shared_ptr<const Frame> frameOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{}); }
+
+} // namespace
+
+class PlaceExportTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string placed_, bare_;
+
+    static bool opened(MainWindow& window, const std::string& path) {
+        QSignalSpy shown(&window, &MainWindow::pictureShown);
+        window.openFile(QString::fromStdString(path));
+        return QTest::qWaitFor([&] { return shown.count() > 0 && !window.session().behind(); }, 20000);
+    }
+
+private slots:
+    void initTestCase() {
+        Scan scan = test::boxesScan(60, 80, 3, 0.05);
+        bare_ = (folder_ / "bare.json").string();
+        QVERIFY(saveScan(scan, bare_));
+        scan.placement = test::randomPlacement(3, 1, true);
+        placed_ = (folder_ / "placed.json").string();
+        QVERIFY(saveScan(scan, placed_));
+    }
+
+    void statusAndProbeTellTheMineGrid() {
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        QVERIFY(opened(window, placed_));
+        QCOMPARE(window.statusLine().placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
+        QVERIFY(window.notice().text().contains("The pose carries no time"));
+        emit window.grayView().clicked(40, 30);
+        const Scan& scan = *window.session().picture()->frame->scan;
+        const std::size_t k = scan.rangeMm.index(30, 40);
+        QCOMPARE(scan.state[k], CellState::Valid);
+        const Eigen::Vector3d mine = minePoint(scan, k).enhM;
+        const QString expected = QString("N %1  E %2  El %3").arg(mine.y(), 0, 'f', 3).arg(mine.x(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
+        QVERIFY2(window.statusLine().probeShown().contains(expected), qPrintable(window.statusLine().probeShown()));
+        QVERIFY(opened(window, bare_));
+        QCOMPARE(window.statusLine().placeShown(), QString("scanner frame"));
+        emit window.grayView().clicked(40, 30);
+        QVERIFY(window.statusLine().probeShown().contains(QString::fromUtf8("N –  E –  El –")));
+    }
+
+    void withoutAPoseTheMineGridCannotBeChosen() {
+        const auto frame = frameOf(*openScan(bare_));
+        ExportDialog dialog(frame, ExportContent::EdgeCloud);
+        QVERIFY(!choice(dialog, "mine").isEnabled());
+        QVERIFY(!choice(dialog, "local").isEnabled());
+        QVERIFY(choice(dialog, "scanner").isChecked());
+        QVERIFY(dialog.findChild<QLabel*>("reason")->text().contains("the scan has no pose"));
+        QCOMPARE(dialog.options().frame, CoordinateFrame::Scanner);
+        QVERIFY(dialog.findChild<QCheckBox*>("attached")->isHidden());
+    }
+
+    void theCountIsThatOfTheFile() {
+        const auto frame = frameOf(*openScan(placed_));
+        ExportDialog dialog(frame, ExportContent::EdgeCloud);
+        QVERIFY(choice(dialog, "mine").isChecked());
+        QVERIFY(dialog.findChild<QLabel*>("reason") == nullptr);
+        auto* count = dialog.findChild<QLabel*>("count");
+        const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"all", "a.csv"}, {"edgeImage", "i.png"}};
+        for (const auto& [name, file] : contents) {
+            choice(dialog, name).click();
+            const auto written = exportWithProvenance(dialog.content(), *frame, folder_ / file, dialog.options());
+            QVERIFY2(bool(written), name);
+            QCOMPARE(dialog.count(), *written);
+            QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
+        }
+        choice(dialog, "all").click();
+        choice(dialog, "local").click();
+        QCOMPARE(dialog.options().frame, CoordinateFrame::MineLocal);
+    }
+
+    void attachedPointsAreCountedWhenTheyAreWanted() {
+        Scan scan = *openScan(bare_);
+        PointGeometry points{Grid<Eigen::Vector3d>(scan.lines(), scan.beams(), Eigen::Vector3d(1, 2, 3)), {}};
+        scan.geometry = points;
+        const auto first = static_cast<std::uint32_t>(std::find(scan.state.cells.begin(), scan.state.cells.end(), CellState::Valid) -
+                                                      scan.state.cells.begin());
+        scan.attached = {{first, {1, 2, 4}}, {first, {1, 2, 5}}};
+        ExportDialog dialog(frameOf(scan), ExportContent::FullCloud);
+        const std::size_t alone = dialog.count();
+        auto* attached = dialog.findChild<QCheckBox*>("attached");
+        QVERIFY(!attached->isHidden());
+        attached->setChecked(true);
+        QCOMPARE(dialog.count(), alone + 2);
+        QVERIFY(dialog.options().includeAttached);
+        choice(dialog, "grayImage").click();
+        QVERIFY(!dialog.options().includeAttached);
+    }
+
+    void theKeyAsksAndNothingIsSavedWhenItIsDismissed() {
+        Memory none{QString()};
+        MainWindow window(none);
+        window.show();
+        QVERIFY(opened(window, placed_));
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        bool asked = false;
+        QTimer::singleShot(300, &window, [&] {
+            if (auto* dialog = window.findChild<ExportDialog*>()) {
+                asked = dialog->content() == ExportContent::EdgeCloud;
+                dialog->reject();
+            }
+        });
+        QSignalSpy saved(&window.session(), &Session::saved);
+        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(asked, 5000);
+        QCOMPARE(saved.count(), 0);
+        QVERIFY(!window.session().working());
+        const QString path = QString::fromStdString((folder_ / "mine.csv").string());
+        ExportOptions options;
+        options.frame = CoordinateFrame::Mine;
+        window.session().save(Session::Export::EdgeCloud, path, options);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
+        QVERIFY(test::fileText(path.toStdString()).find("mine grid in metres") != std::string::npos);
+    }
+};
+
+QTEST_MAIN(PlaceExportTest)
+#include "place_export_test.moc"
