@@ -9,7 +9,8 @@ using namespace edgescan;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     if (size < 2) return 0;
     // The first byte chooses the dialect, the second how long the pieces are.
-    const std::optional<Dialect> only = bytes[0] % 3 == 0 ? std::nullopt : std::optional(bytes[0] % 3 == 1 ? Dialect::A : Dialect::B);
+    std::optional<Dialect> only;
+    if (bytes[0] % 3 != 0) only = bytes[0] % 3 == 1 ? Dialect::A : Dialect::B;
     const std::size_t piece = std::size_t{bytes[1]} + 1;
     const ByteView input(bytes + 2, size - 2);
     ColaStream whole(only), pieces(only);

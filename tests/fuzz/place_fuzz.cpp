@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     Scan scan; // a cloud without angles fits every mounting
     scan.rangeMm = Grid<float>(3, 2, 1000.0F);
     scan.state = Grid<CellState>(3, 2, CellState::Valid);
-    scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(3, 2, Eigen::Vector3d(1, 2, 3)), {}};
+    scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(3, 2, Eigen::Vector3d(1, 2, 3)), Eigen::Vector3d::Zero()};
     Calibration robot;
     robot.robot = poses->robot;
     const auto placed = placeScan(scan, robot, *poses);

@@ -58,7 +58,7 @@ private slots:
         QVERIFY(opened(window, placed_));
         QCOMPARE(window.statusLine().placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
         QVERIFY(window.notice().text().contains("The pose carries no time"));
-        emit window.grayView().clicked(40, 30);
+        emit window.grayView().clicked(30, 40);
         const Scan& scan = *window.session().picture()->frame->scan;
         const std::size_t k = scan.rangeMm.index(30, 40);
         QCOMPARE(scan.state[k], CellState::Valid);
@@ -67,7 +67,7 @@ private slots:
         QVERIFY2(window.statusLine().probeShown().contains(expected), qPrintable(window.statusLine().probeShown()));
         QVERIFY(opened(window, bare_));
         QCOMPARE(window.statusLine().placeShown(), QString("scanner frame"));
-        emit window.grayView().clicked(40, 30);
+        emit window.grayView().clicked(30, 40);
         QVERIFY(window.statusLine().probeShown().contains(QString::fromUtf8("N –  E –  El –")));
     }
 
@@ -103,7 +103,7 @@ private slots:
 
     void attachedPointsAreCountedWhenTheyAreWanted() {
         Scan scan = *openScan(bare_);
-        PointGeometry points{Grid<Eigen::Vector3d>(scan.lines(), scan.beams(), Eigen::Vector3d(1, 2, 3)), {}};
+        PointGeometry points{Grid<Eigen::Vector3d>(scan.lines(), scan.beams(), Eigen::Vector3d(1, 2, 3)), Eigen::Vector3d::Zero()};
         scan.geometry = points;
         const auto first = static_cast<std::uint32_t>(std::find(scan.state.cells.begin(), scan.state.cells.end(), CellState::Valid) -
                                                       scan.state.cells.begin());
@@ -119,12 +119,12 @@ private slots:
         QVERIFY(!dialog.options().includeAttached);
     }
 
-    void theKeyAsksAndNothingIsSavedWhenItIsDismissed() {
+    void theCommandAsksAndNothingIsSavedWhenItIsDismissed() {
         Memory none{QString()};
         MainWindow window(none);
         window.show();
         QVERIFY(opened(window, placed_));
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
         bool asked = false;
         QTimer::singleShot(300, &window, [&] {
             if (auto* dialog = window.findChild<ExportDialog*>()) {
@@ -133,7 +133,11 @@ private slots:
             }
         });
         QSignalSpy saved(&window.session(), &Session::saved);
-        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+        const auto actions = window.actions();
+        const auto command =
+            std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->shortcut() == QKeySequence("Ctrl+E"); });
+        QVERIFY(command != actions.end());
+        (*command)->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(asked, 5000);
         QCOMPARE(saved.count(), 0);
         QVERIFY(!window.session().working());

@@ -63,8 +63,7 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     const std::string bytes = readText(folder / "cloud.laz");
     for (std::size_t cut = 10; cut < bytes.size(); cut += bytes.size() / 60) {
         const auto part = readBytes(bytes.substr(0, cut), ".laz");
-        if (part) EXPECT_EQ(part->rangeMm, las->rangeMm) << cut;
-        if (!part) EXPECT_FALSE(part.error().sentence().empty());
+        EXPECT_TRUE(!part || part->rangeMm == las->rangeMm) << cut;
     }
 }
 

@@ -93,7 +93,7 @@ TEST(VtkOracle, TextReadersReadOurTablesAlsoInMineCoordinates) {
     vtkTable* table = reader->GetOutput();
     const auto expected = validPointsOf(scan);
     ASSERT_EQ(static_cast<std::size_t>(table->GetNumberOfRows()), expected.size());
-    const char* const names[]{"x", "y", "z"};
+    const char* const names[]{"x_m", "y_m", "z_m"};
     for (std::size_t n = 0; n < expected.size(); ++n) {
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR(table->GetValueByName(static_cast<vtkIdType>(n), names[axis]).ToDouble(), expected[n][axis], 1e-6);
@@ -147,7 +147,7 @@ TEST(VtkOracle, DoublesOfMineCoordinatesSurviveItsPlyReader) {
     local->SetFileName((folder / "local.ply").c_str());
     local->Update();
     const std::string text = readText(folder / "mine.csv");
-    writeText(folder / "mine-rows.csv", text.substr(text.find("x,y,z")));
+    writeText(folder / "mine-rows.csv", text.substr(text.find("x_m,")));
     vtkNew<vtkDelimitedTextReader> mine;
     mine->SetFileName((folder / "mine-rows.csv").c_str());
     mine->SetFieldDelimiterCharacters(",");
@@ -161,8 +161,8 @@ TEST(VtkOracle, DoublesOfMineCoordinatesSurviveItsPlyReader) {
     for (vtkIdType n = 0; n < table->GetNumberOfRows(); ++n) {
         double p[3];
         local->GetOutput()->GetPoint(n, p);
-        EXPECT_NEAR(table->GetValueByName(n, "x").ToDouble(), origin.x() + p[0], 1e-3);
-        EXPECT_NEAR(table->GetValueByName(n, "y").ToDouble(), origin.y() + p[1], 1e-3);
-        EXPECT_NEAR(table->GetValueByName(n, "z").ToDouble(), origin.z() + p[2], 1e-3);
+        EXPECT_NEAR(table->GetValueByName(n, "x_m").ToDouble(), origin.x() + p[0], 1e-3);
+        EXPECT_NEAR(table->GetValueByName(n, "y_m").ToDouble(), origin.y() + p[1], 1e-3);
+        EXPECT_NEAR(table->GetValueByName(n, "z_m").ToDouble(), origin.z() + p[2], 1e-3);
     }
 }
