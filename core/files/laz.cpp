@@ -3,10 +3,11 @@
 
 #ifdef EDGESCAN_WITH_LASZIP
 #include "core/base/memory.h"
+#include "core/files/las_layout.h"
 
 #include <laszip/laszip_api.h>
 
-#include <cmath>
+#include <cstring>
 #include <exception>
 #include <istream>
 #include <streambuf>
@@ -36,6 +37,46 @@ protected:
     pos_type seekpos(pos_type place, std::ios_base::openmode which) override { return seekoff(off_type(place), std::ios_base::beg, which); }
 };
 
+template <class T>
+T valueAt(std::span<const std::byte> bytes, std::uint64_t at) {
+    T value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+/// LASzip trusts what it reads, so that a file which was cut off or damaged must not reach it: its own record, the size of its items
+/// and the table of its chunks have to be there. False: they are not, or of a kind that is too old to have a table.
+bool isWhole(std::span<const std::byte> bytes) {
+    constexpr std::uint64_t kFixed = 34; // bytes of the record before the items
+    const std::uint64_t pointsAt = valueAt<std::uint32_t>(bytes, las::kPointsAt);
+    std::uint64_t at = valueAt<std::uint16_t>(bytes, las::kHeaderSize);
+    if (pointsAt + 8 > bytes.size() || at > pointsAt) return false;
+    bool found = false;
+    for (auto left = valueAt<std::uint32_t>(bytes, las::kRecordCount); left > 0; --left) {
+        if (at + las::kRecordHeader > pointsAt) return false;
+        const std::uint64_t length = valueAt<std::uint16_t>(bytes, at + las::kRecordLength);
+        const std::uint64_t from = at + las::kRecordHeader;
+        if (from + length > pointsAt) return false;
+        const std::string_view user(reinterpret_cast<const char*>(bytes.data()) + at + las::kRecordUser, 14);
+        if (user == "laszip encoded" && valueAt<std::uint16_t>(bytes, at + las::kRecordId) == 22204) {
+            if (length < kFixed) return false;
+            const auto compressor = valueAt<std::uint16_t>(bytes, from);
+            const std::uint64_t items = valueAt<std::uint16_t>(bytes, from + kFixed - 2);
+            if ((compressor != 2 && compressor != 3) || items == 0 || length != kFixed + 6 * items) return false;
+            std::uint64_t size = 0;
+            for (std::uint64_t item = 0; item < items; ++item) size += valueAt<std::uint16_t>(bytes, from + kFixed + 6 * item + 2);
+            if (size != valueAt<std::uint16_t>(bytes, las::kPointBytes)) return false;
+            found = true;
+        }
+        at = from + length;
+    }
+    const auto tableAt = valueAt<std::int64_t>(bytes, pointsAt);
+    if (!found || tableAt < static_cast<std::int64_t>(pointsAt) + 8) return false;
+    const auto table = static_cast<std::uint64_t>(tableAt);
+    return table + 8 <= bytes.size() && valueAt<std::uint32_t>(bytes, table) == 0 &&
+           valueAt<std::uint32_t>(bytes, table + 4) <= bytes.size() - table;
+}
+
 struct Unpacker {
     laszip_POINTER laszip = nullptr;
     bool open = false;
@@ -61,13 +102,14 @@ Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& st
     laszip_BOOL compressed = 0;
     if (unpacker.laszip == nullptr || laszip_open_reader_stream(unpacker.laszip, stream, &compressed) != 0) return damaged();
     unpacker.open = true;
-    laszip_I64 count = 0;
-    if (laszip_get_number_of_point(unpacker.laszip, &count) != 0) return damaged();
-    if (count <= 0) return source.refused("the file holds no points", "choose another file");
-    if (auto enough = checkMemory(static_cast<std::uint64_t>(count) * sizeof(Eigen::Vector3d), source.path.string()); !enough)
-        return enough.error();
+    laszip_header* header = nullptr;
+    if (laszip_get_header_pointer(unpacker.laszip, &header) != 0) return damaged();
+    const std::uint64_t count =
+        header->number_of_point_records != 0 ? header->number_of_point_records : header->extended_number_of_point_records;
+    if (count == 0) return source.refused("the file holds no points", "choose another file");
+    if (auto enough = checkMemory(count * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough.error();
     std::vector<Eigen::Vector3d> points;
-    for (laszip_I64 n = 0; n < count; ++n) {
+    for (std::uint64_t n = 0; n < count; ++n) {
         Eigen::Vector3d p;
         if (laszip_read_point(unpacker.laszip) != 0 || laszip_get_coordinates(unpacker.laszip, p.data()) != 0) {
             return source.refused("the header promises " + std::to_string(count) + " points and the file ends after " + std::to_string(n) +
@@ -84,6 +126,7 @@ Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& st
 } // namespace
 
 Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
+    if (!isWhole(source.bytes)) return source.refused("this LAZ file is damaged or cut off", "copy it again, or save it as .las");
     MemoryBuffer buffer(source.bytes);
     std::istream stream(&buffer);
     Unpacker unpacker;

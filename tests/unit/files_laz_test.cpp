@@ -29,11 +29,10 @@ void pack(const std::filesystem::path& las, const std::filesystem::path& laz) {
     ASSERT_EQ(laszip_get_header_pointer(reader, &header), 0);
     ASSERT_EQ(laszip_set_header(writer, header), 0);
     ASSERT_EQ(laszip_open_writer(writer, laz.c_str(), 1), 0);
-    laszip_I64 count = 0;
-    laszip_get_number_of_point(reader, &count);
+    const laszip_U64 count = std::max<laszip_U64>(header->number_of_point_records, header->extended_number_of_point_records);
     laszip_point* point = nullptr;
     ASSERT_EQ(laszip_get_point_pointer(reader, &point), 0);
-    for (laszip_I64 n = 0; n < count; ++n) {
+    for (laszip_U64 n = 0; n < count; ++n) {
         ASSERT_EQ(laszip_read_point(reader), 0);
         ASSERT_EQ(laszip_set_point(writer, point), 0);
         ASSERT_EQ(laszip_write_point(writer), 0);
