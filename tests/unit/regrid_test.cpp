@@ -221,6 +221,24 @@ TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     EXPECT_LT(share, 0.15);
 }
 
+TEST(Regrid, ASensorFarAwayIsInMetresWhateverTheNumbersOfTheFileAre) {
+    // A quarry from the air: farther than a scanner's reach, with numbers of a survey grid, in metres and in millimetres.
+    const Eigen::Vector3d sensor(512766, 5403705, 1900);
+    auto points = ballBeforeWall(20000, Eigen::Vector3d::Zero(), 9);
+    for (Eigen::Vector3d& p : points) p = sensor + 180 * Eigen::Vector3d(p.z(), p.y(), -p.x());
+    OpenOptions options;
+    options.sensorM = sensor;
+    const auto metres = readText(asPly(points), ".ply", options);
+    ASSERT_TRUE(metres) << metres.error().sentence();
+    EXPECT_NEAR(rangeLimits(*metres).maxMm, 180 * 8 * 1.2 * 1000, 180 * 8 * 0.3 * 1000);
+    EXPECT_TRUE(anyHolds(metres->warnings, "Unit taken as metres")) << metres->warnings.front();
+    for (Eigen::Vector3d& p : points) p *= 1000;
+    const auto millimetres = readText(asPly(points), ".ply", options);
+    ASSERT_TRUE(millimetres) << millimetres.error().sentence();
+    EXPECT_TRUE(anyHolds(millimetres->warnings, "Unit taken as millimetres"));
+    EXPECT_NEAR(rangeLimits(*millimetres).maxMm, rangeLimits(*metres).maxMm, 2);
+}
+
 TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
     if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
     const auto livox = openScan(shared("traps/livox_bin_unorganized.pcd"));
@@ -235,4 +253,8 @@ TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
     const auto fromAbove = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromAbove) << fromAbove.error().sentence();
     EXPECT_TRUE(anyHolds(fromAbove->warnings, "can only be told apart by about 0.5"));
+    above.sensorM = Eigen::Vector3d(512766, 5403705, 2600); // farther than a scanner's reach: metres all the same
+    const auto fromHigh = openScan(shared("traps/airborne_utm_float32.pcd"), above);
+    ASSERT_TRUE(fromHigh) << fromHigh.error().sentence();
+    EXPECT_LT(rangeLimits(*fromHigh).maxMm, 5e6F);
 }
