@@ -11,6 +11,7 @@
 #include "ui/main/notice_bar.h"
 #include "ui/main/status_line.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>

@@ -1,6 +1,10 @@
 // Mine coordinates survive being written and read in every format; where there is no pose they are refused.
 #include "core/files/cloud_columns.h"
+#include "core/files/dxf_points.h"
+#include "core/files/las.h"
+#include "core/files/obj.h"
 #include "core/files/open_scan.h"
+#include "core/files/ptx.h"
 #include "core/files/save_scan.h"
 #include "core/frames/placed_points.h"
 #include "core/frames/placement_json.h"
@@ -148,6 +152,36 @@ TEST(MineExport, WithoutAPoseItIsRefusedWithTheReason) {
         }
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(MineExport, FormatsOfSurveyAndCadHoldAMillimetreToo) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        const Scan scan = placedScan(seed);
+        const CartesianTables tables(scan);
+        const PlacedPoints placed(scan);
+        for (const CoordinateFrame frame : {CoordinateFrame::Mine, CoordinateFrame::MineLocal, CoordinateFrame::Scanner}) {
+            std::vector<Eigen::Vector3d> expected;
+            for (std::size_t k = 0; k < scan.cells(); ++k) {
+                const int line = static_cast<int>(k) / scan.beams();
+                const int beam = static_cast<int>(k) % scan.beams();
+                if (scan.state[k] == CellState::Valid) expected.push_back(placed.inFrame(frame, line, beam, tables.point(k)));
+            }
+            for (const char* name : {"c.las", "c.dxf", "c.ptx", "c.obj"}) {
+                SCOPED_TRACE(std::string(name) + " " + std::to_string(seed) + " frame " + std::to_string(static_cast<int>(frame)));
+                const auto bytes = cloudBytes(scan, name, nullptr, {.frame = frame});
+                ASSERT_TRUE(bytes) << bytes.error().sentence();
+                const OpenOptions options;
+                const Source source{name, std::as_bytes(std::span(*bytes)), &options};
+                std::vector<Eigen::Vector3d> found;
+                if (source.extension() == ".las") found = readLasPoints(source)->points;
+                if (source.extension() == ".dxf") found = *dxfPoints(*bytes, name);
+                if (source.extension() == ".ptx") found = *readPtxPoints(source);
+                if (source.extension() == ".obj") found = readObjPoints(source)->points;
+                ASSERT_EQ(found.size(), expected.size());
+                for (std::size_t n = 0; n < found.size(); ++n) EXPECT_LT((found[n] - expected[n]).cwiseAbs().maxCoeff(), 0.00051) << n;
+            }
+        }
+    }
 }
 
 TEST(MineExport, ARawGridCarriesThePlace) {
