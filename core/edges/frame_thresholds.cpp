@@ -5,12 +5,21 @@
 #include "core/edges/detectors/detector.h"
 #include "core/edges/detectors/log_range.h"
 #include "core/edges/holes.h"
+#include "core/edges/parameters.h"
 
 namespace edgescan {
 
 const char* sweptParameter(Method method) {
     if (method == Method::LogRange) return "step";
     return method == Method::Canny || hasOneThreshold(method) ? "lower" : "sensitivity";
+}
+
+bool sameThresholdMap(const Settings& a, const Settings& b) {
+    if (a.method != b.method) return false;
+    const Parameter& swept = *findParameter(sweptParameter(a.method));
+    Settings like = a;
+    swept.set(like, swept.get(b));
+    return like == b;
 }
 
 Gradient gradientOf(const Frame& frame) {

@@ -13,6 +13,9 @@ namespace edgescan {
 /// Every threshold of a frame's method at once, all other settings as they are. As costly as a run of the method.
 [[nodiscard]] ThresholdMap thresholdMapOf(const Frame& frame);
 
+/// The threshold map of a frame with settings `a` also holds for `b`: nothing but the swept threshold differs.
+[[nodiscard]] bool sameThresholdMap(const Settings& a, const Settings& b);
+
 /// The gradient that Canny suppressed (on gray levels or on log range). Only for these two methods.
 [[nodiscard]] Gradient gradientOf(const Frame& frame);
 

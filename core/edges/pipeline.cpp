@@ -5,7 +5,9 @@
 #include "core/edges/depth_settings.h"
 #include "core/edges/detectors/detector.h"
 #include "core/edges/detectors/log_range.h"
+#include "core/edges/frame_thresholds.h"
 #include "core/edges/holes.h"
+#include "core/edges/parameters.h"
 #include "core/edges/smooth.h"
 
 #include <opencv2/core/utility.hpp>
@@ -97,6 +99,14 @@ void Pipeline::runDepth(Frame& frame) {
     frame.timings.push_back({"decision", millisecondsSince(start)});
 }
 
+// A hand on the threshold's slider: one map, and then a compare per cell.
+void Pipeline::runThreshold(Frame& frame) {
+    frame.smoothed = last_->smoothed;
+    if (!thresholds_) redo(frame, "threshold map", thresholds_, [&] { return thresholdMapOf(*last_); });
+    const Parameter& swept = *findParameter(sweptParameter(frame.settings.method));
+    redo(frame, "threshold", frame.mask, [&] { return edgesAt(*thresholds_, swept.get(frame.settings)); });
+}
+
 std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const bool sameScan = last_ && last_->scan == scan;
     if (sameScan && last_->settings == settings) return last_;
@@ -114,7 +124,12 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     }
     // The gray image is what the edges are seen on, whatever the method.
     if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
-    if (settings.method == Method::Canny || hasOneThreshold(settings.method))
+    const bool gray = settings.method == Method::Canny || hasOneThreshold(settings.method);
+    const bool onlyThreshold = sameScan && (gray || settings.method == Method::LogRange) && sameThresholdMap(last_->settings, settings);
+    if (!onlyThreshold) thresholds_.reset();
+    if (onlyThreshold)
+        runThreshold(frame);
+    else if (gray)
         runGray(frame, smoothHolds);
     else if (settings.method == Method::LogRange)
         runLogRange(frame);

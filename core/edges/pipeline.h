@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edges/frame.h"
+#include "core/edges/threshold_map.h"
 
 namespace edgescan {
 
@@ -18,6 +19,7 @@ private:
     void runGray(Frame& frame, bool smoothHolds);
     static void runLogRange(Frame& frame);
     void runDepth(Frame& frame);
+    void runThreshold(Frame& frame);
     [[nodiscard]] const Grid<std::uint8_t>* masked(Frame& frame);
 
     std::shared_ptr<const Frame> last_;
@@ -25,6 +27,7 @@ private:
     std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
     std::shared_ptr<const DepthResponses> responses_;    // of the scan of last_, null until wanted
     Settings measuredWith_;
+    std::shared_ptr<const ThresholdMap> thresholds_; // of last_, while nothing but its threshold is turned; else null
 };
 
 /// One run from nothing.

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <set>
@@ -67,6 +68,31 @@ TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
     const auto third = pipeline.run(scan, settings);
     EXPECT_EQ(third->gray, first->gray);
     EXPECT_NE(third->smoothed, first->smoothed);
+}
+
+TEST(Pipeline, AHandOnAThresholdBuildsOneMapAndGetsWhatTheMethodGives) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(50, 70, 1, 0.04));
+    for (const Method method : {Method::Canny, Method::LogRange, Method::Kirsch, Method::MarrHildreth}) {
+        Pipeline pipeline;
+        Settings settings = cannySettings();
+        settings.method = method;
+        (void)pipeline.run(scan, settings);
+        int maps = 0;
+        for (const double threshold : {8.0, 9.5, 12.0, 3.0, 40.0, 0.5}) {
+            settings.lower = settings.stepPercent = threshold;
+            if (method != Method::LogRange) settings.stepPercent = Settings{}.stepPercent;
+            if (method == Method::LogRange) settings.lower = cannySettings().lower;
+            const auto frame = pipeline.run(scan, settings);
+            ASSERT_EQ(*frame->mask, *detectEdges(scan, settings)->mask) << threshold;
+            maps += static_cast<int>(std::ranges::count(frame->timings, "threshold map", &StageTime::stage));
+            EXPECT_EQ(std::ranges::count(frame->timings, "canny", &StageTime::stage), 0);
+        }
+        EXPECT_EQ(maps, 1);
+        settings.kernel = 5; // another map
+        (void)pipeline.run(scan, settings);
+        settings.lower = settings.stepPercent = 7;
+        ASSERT_EQ(*pipeline.run(scan, settings)->mask, *detectEdges(scan, settings)->mask);
+    }
 }
 
 TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {

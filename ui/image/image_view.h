@@ -64,6 +64,8 @@ signals:
     void clicked(int line, int beam);
     /// Esc took the crosshair (and box) away.
     void cleared();
+    /// Right click without a drag; where on the screen.
+    void menuWanted(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
     /// Right drag, pixels since the last signal: x = window, y = level (down is positive).
     void windowLevelDragged(int dx, int dy);

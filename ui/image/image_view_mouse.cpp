@@ -72,6 +72,7 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const auto cell = cellAt(place(*event));
+    if (event->button() == Qt::RightButton && cell) emit menuWanted(cell->y(), cell->x(), mapToGlobal(place(*event).toPoint()));
     if (event->button() != Qt::LeftButton || was != Drag::Pan || !cell) return;
     setCrosshair(cell);
     emit clicked(cell->y(), cell->x());

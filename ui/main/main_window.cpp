@@ -14,6 +14,7 @@
 #include "ui/main/settings_undo.h"
 #include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
+#include "ui/session/edge_counts.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -63,6 +64,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     connectSession();
     connectLive();
     linkViews();
+    connectThresholds();
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
@@ -205,6 +207,10 @@ void MainWindow::showPicture() {
     status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : frame.totalMs);
     panel_->showResult(frame);
     panel_->setBehind(session_.behind());
+    if (shown_->source.growth.growing)
+        panel_->forgetCounts();
+    else
+        counts_->want(shown_->frame);
     showHover(hovered_, nullptr);
     const bool ended = last && last->source.growth.growing && !shown_->source.growth.growing;
     if (!newStream && ended) tellSweepEnded();

@@ -19,6 +19,7 @@ class QUndoStack;
 namespace edgescan::ui {
 
 class CloudView;
+class EdgeCounts;
 class EdgesPanel;
 class ImageView;
 class LivePanel;
@@ -28,6 +29,7 @@ class ScannerLink;
 class StatusLine;
 class Timeline;
 class ViewPort;
+class WhyCard;
 struct ReplayedSweep;
 
 class MainWindow : public QMainWindow {
@@ -57,6 +59,8 @@ public:
     [[nodiscard]] NoticeBar& notice() { return *notice_; }
     [[nodiscard]] LivePanel& livePanel() { return *live_; }
     [[nodiscard]] ScannerLink& scanner() { return *scanner_; }
+    /// What was last asked about a cell; null before the first question.
+    [[nodiscard]] const WhyCard* whyCard() const { return why_; }
     [[nodiscard]] Timeline& timeline() { return *timeline_; }
 
     /// The whole window as it is, with all points of the cloud drawn.
@@ -117,6 +121,11 @@ private:
     void showAbout();
     void showScanProperties();
 
+    // main_window_why.cpp
+    void connectThresholds();
+    void explain(std::size_t cell);
+    void explainMarked();
+
     // main_window_live.cpp
     void buildLive(QLayout& column);
     void connectLive();
@@ -159,6 +168,9 @@ private:
     StatusLine* status_ = nullptr;
     LivePanel* live_ = nullptr;
     Timeline* timeline_ = nullptr;
+    EdgeCounts* counts_ = nullptr;
+    WhyCard* why_ = nullptr;
+    BackgroundJob* explaining_ = nullptr; // child
 
     std::shared_ptr<const Picture> shown_;
     std::optional<std::size_t> hovered_;

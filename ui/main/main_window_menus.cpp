@@ -209,6 +209,7 @@ void MainWindow::buildEdgesMenu() {
     lock->setChecked(panel_->ratioLocked());
     connect(lock, &QAction::triggered, panel_, &EdgesPanel::setRatioLocked);
     connect(panel_, &EdgesPanel::ratioLockChanged, lock, &QAction::setChecked);
+    addCommand(edges, tr("&Why Is This Cell an Edge, or None?"), {QKeySequence(Qt::Key_W)}, [this] { explainMarked(); });
     addCommand(edges, tr("&Reset to Preset"), {}, [this] { usePreset(panel_->preset()); });
 }
 
@@ -234,7 +235,7 @@ void MainWindow::showShortcuts() {
         "<h3>Mouse in the cloud</h3>Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; "
         "double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip."
         "<h3>Mouse in the images</h3>Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; "
-        "a click sets the crosshair, Esc takes it away; Shift+drag draws a box.");
+        "a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.");
     QDialog dialog(this);
     dialog.setWindowTitle(tr("Keys and mouse"));
     auto* text = new QTextBrowser;

@@ -1,8 +1,12 @@
 // The panel "Edges".
 #include "ui/panel/edges_panel.h"
 
+#include "core/edges/detectors/detector.h"
+#include "core/edges/detectors/zero_crossings.h"
 #include "core/edges/parameters.h"
+#include "core/edges/step_meaning.h"
 #include "ui/cloud/edge_cells.h"
+#include "ui/panel/count_curve.h"
 #include "ui/panel/parameter_row.h"
 
 #include <QComboBox>
@@ -34,6 +38,10 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     addPresets(*grid);
     for (const Parameter& p : parameters()) {
         if (!p.advanced) addRow(p, *grid);
+        for (const char* swept : {"lower", "step", "sensitivity"}) {
+            if (std::strcmp(p.key, swept) == 0) addCurve(p, *grid);
+        }
+        if (std::strcmp(p.key, "lower") == 0) addMeaning(*grid);
         if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
     }
     column->addLayout(grid);
@@ -123,6 +131,50 @@ void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
     });
 }
 
+void EdgesPanel::addCurve(const Parameter& parameter, QGridLayout& grid) {
+    auto* curve = new CountCurve(parameter, this);
+    curves_.push_back(curve);
+    grid.addWidget(curve, grid.rowCount(), 0, 1, 4);
+}
+
+void EdgesPanel::addMeaning(QGridLayout& grid) {
+    meaning_ = new QLabel;
+    meaning_->setObjectName("meaning");
+    meaning_->setWordWrap(true);
+    meaning_->setToolTip(
+        tr("The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that "
+           "runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; "
+           "with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range."));
+    grid.addWidget(meaning_, grid.rowCount(), 0, 1, 4);
+    row("lower")->readAlso([this](const QString& text) { return lowerOfDepth(text); });
+}
+
+std::optional<double> EdgesPanel::lowerOfDepth(const QString& text) const {
+    const auto step = typedStep(text.toStdString());
+    if (!step) return std::nullopt;
+    const Result<double> lower = lowerOfStep(*step, shown_, scale_);
+    return lower ? std::optional<double>(*lower) : std::nullopt;
+}
+
+CountCurve* EdgesPanel::curve(const char* key) const {
+    const auto found = std::ranges::find(curves_, QString("curve-") + key, [](const CountCurve* curve) { return curve->objectName(); });
+    return found == curves_.end() ? nullptr : *found;
+}
+
+void EdgesPanel::showCounts(const QString& parameter, const EdgeCountCurve& counts) {
+    if (CountCurve* shown = curve(parameter.toUtf8().constData())) shown->showCurve(counts);
+}
+
+void EdgesPanel::forgetCounts() {
+    for (CountCurve* curve : curves_) curve->showCurve(std::nullopt);
+}
+
+void EdgesPanel::showMeaning() {
+    const std::string text = scale_.farMm > scale_.nearMm ? thresholdText(shown_, scale_) : std::string();
+    meaning_->setText(QString::fromStdString(text));
+    meaning_->setVisible(!text.empty());
+}
+
 void EdgesPanel::addUpper(QGridLayout& grid) {
     upper_ = new QLabel;
     upper_->setObjectName("upper");
@@ -159,6 +211,8 @@ ParameterRow* EdgesPanel::row(const char* key) const {
 void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
     Settings settings = shown_;
     parameter.set(settings, value);
+    // Another method starts its edges at the same step in depth: its own levels mean something else.
+    if (std::strcmp(parameter.key, "method") == 0) settings.lower = lowerWithSameStep(lastGray_, settings);
     // A near that reaches far pushes it on, and the other way round: no invalid pair can be set.
     if (!checkSettings(settings)) {
         const double step = 1.0;
@@ -173,11 +227,13 @@ void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
 
 void EdgesPanel::show(const Settings& settings) {
     shown_ = settings;
+    if (findParameter("lower")->usedBy(settings)) lastGray_ = settings;
     if (settings.ratio != kThesisRatio && ratioLocked()) {
         setRatioLocked(false);
     }
     showInUse();
     showUpper();
+    showMeaning();
     showPresetName();
 }
 
@@ -188,6 +244,7 @@ void EdgesPanel::showResult(const Frame& frame) {
     classesKnown_ = frame.classes != nullptr;
     classCounts_ = countClasses(frame);
     showInUse();
+    showMeaning();
     showClasses();
 }
 
@@ -210,11 +267,15 @@ void EdgesPanel::showInUse() {
         double inUse = kAutomatic;
         if (key == "near" && scale_.farMm > 0) inUse = scale_.nearMm;
         if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
-        if (key == "sigma") inUse = 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
+        if (key == "sigma") inUse = smoothsItself(shown_.method) ? kMarrHildrethSigma : 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
         if (key == "noise") inUse = noiseMm_;
         if (key == "jump") inUse = jumpMm_;
         row->show(row->parameter().get(shown_), inUse);
         row->setVisible(row->parameter().usedBy(shown_));
+        if (CountCurve* below = curve(row->parameter().key)) {
+            below->showValue(row->parameter().get(shown_));
+            below->setVisible(row->parameter().usedBy(shown_));
+        }
     }
 }
 

@@ -3,11 +3,13 @@
 
 #include "core/edges/frame.h"
 #include "core/edges/presets.h"
+#include "core/edges/threshold_map.h"
 
 #include <QColor>
 #include <QWidget>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -21,6 +23,7 @@ struct Parameter;
 
 namespace edgescan::ui {
 
+class CountCurve;
 class ParameterRow;
 
 /// GUI thread only. Shows settings and says what the user wants; it changes nothing by itself.
@@ -32,6 +35,9 @@ public:
     void show(const Settings& settings);
     /// What automatic values came out as, and how many edges there are of each class.
     void showResult(const Frame& frame);
+    /// How many edges each value of this parameter would give.
+    void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
+    void forgetCounts();
     /// The colour that jumps have where classes have colours.
     void setJumpColour(const QColor& colour);
     /// The picture does not belong to the numbers yet.
@@ -42,6 +48,8 @@ public:
     [[nodiscard]] const Preset& preset() const { return preset_; }
     [[nodiscard]] bool modified() const { return !(shown_ == preset_.settings); }
     [[nodiscard]] bool ratioLocked() const;
+    /// The curve under the slider of "lower", "step" or "sensitivity".
+    [[nodiscard]] CountCurve* curve(const char* key) const;
     [[nodiscard]] ParameterRow* row(const char* key) const;
 
 public slots:
@@ -58,14 +66,19 @@ signals:
 private:
     void addPresets(QGridLayout& grid);
     void addRow(const Parameter& parameter, QGridLayout& grid);
+    void addCurve(const Parameter& parameter, QGridLayout& grid);
+    void addMeaning(QGridLayout& grid);
+    [[nodiscard]] std::optional<double> lowerOfDepth(const QString& text) const;
     void addUpper(QGridLayout& grid);
     void edit(const Parameter& parameter, double value, bool dragging);
     void showPresetName();
     void showUpper();
     void showInUse();
     void showClasses();
+    void showMeaning();
 
     Settings shown_;
+    Settings lastGray_ = cannySettings(); // the last ones with gray levels: their threshold is carried over to another method
     GrayScale scale_;
     double noiseMm_ = kAutomatic;                        // at 5 m, in use
     double jumpMm_ = kAutomatic;                         // in use
@@ -76,7 +89,9 @@ private:
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;
     QLabel* modified_ = nullptr;
+    std::vector<CountCurve*> curves_;
     QLabel* upper_ = nullptr;
+    QLabel* meaning_ = nullptr;
     QLabel* behind_ = nullptr;
     QToolButton* lock_ = nullptr;
     QWidget* advanced_ = nullptr;

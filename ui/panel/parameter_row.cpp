@@ -55,6 +55,31 @@ protected:
     }
 };
 
+// A number box into which also other texts may be typed.
+class ReadingBox : public CalmBox<QDoubleSpinBox> {
+public:
+    using CalmBox::CalmBox;
+    void readAlso(ParameterRow::Reading reading) { reading_ = std::move(reading); }
+
+    QValidator::State validate(QString& text, int& position) const override {
+        const QValidator::State state = QDoubleSpinBox::validate(text, position);
+        if (!reading_ || state == QValidator::Acceptable) return state;
+        return reading_(withoutSuffix(text)) ? QValidator::Acceptable : QValidator::Intermediate;
+    }
+    double valueFromText(const QString& text) const override {
+        const auto value = reading_ ? reading_(withoutSuffix(text)) : std::nullopt;
+        return value ? *value : QDoubleSpinBox::valueFromText(text);
+    }
+
+private:
+    [[nodiscard]] QString withoutSuffix(QString text) const {
+        if (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
+        return text.trimmed();
+    }
+
+    ParameterRow::Reading reading_;
+};
+
 QString limitsText(const Parameter& p) {
     QString text = QString::fromUtf8(p.help);
     if (p.choices.empty()) text += QString("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(QString::fromUtf8(p.unit));
@@ -109,7 +134,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     slider_ = new CalmSlider(Qt::Horizontal, parent);
     slider_->setRange(0, kSliderSteps);
     slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
-    number_ = new CalmBox<QDoubleSpinBox>(parent);
+    number_ = new ReadingBox(parent);
     number_->setObjectName(QString("number-") + p.key);
     number_->setLocale(QLocale::c());
     number_->setDecimals(p.decimals);
@@ -201,6 +226,10 @@ std::vector<QWidget*> ParameterRow::widgets() const {
 
 void ParameterRow::setEnabled(bool enabled) {
     for (QWidget* widget : widgets()) widget->setEnabled(enabled);
+}
+
+void ParameterRow::readAlso(Reading reading) {
+    if (number_ != nullptr) static_cast<ReadingBox*>(number_)->readAlso(std::move(reading));
 }
 
 void ParameterRow::setVisible(bool visible) {

@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 class QAbstractButton;
@@ -36,6 +38,9 @@ public:
     void show(double value, double inUse);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
+    /// Other texts that may be typed into the number, such as "0.5 m": their value, or null for a text that is none.
+    using Reading = std::function<std::optional<double>(const QString&)>;
+    void readAlso(Reading reading);
     /// Behind the switch of one of several choices: its colour, and what it stands for in numbers.
     void mark(std::size_t choice, const QColor& colour, const QString& remark);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }

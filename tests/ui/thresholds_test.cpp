@@ -1,0 +1,151 @@
+// What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
+#include "core/edges/parameters.h"
+#include "core/edges/presets.h"
+#include "core/edges/step_meaning.h"
+#include "core/files/save_scan.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+#include "ui/main/main_window.h"
+#include "ui/main/why_card.h"
+#include "ui/panel/count_curve.h"
+#include "ui/panel/edges_panel.h"
+#include "ui/panel/parameter_row.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QtTest>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ThresholdsTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+    std::unique_ptr<Memory> memory_;
+    std::unique_ptr<MainWindow> window_;
+
+    [[nodiscard]] bool waitForPicture() const {
+        return QTest::qWaitFor(
+            [&] { return window_->session().picture() && !window_->session().behind() && !window_->session().working(); }, 20000);
+    }
+    void use(const Settings& settings) {
+        window_->useSettings(settings);
+        QVERIFY(waitForPicture());
+    }
+    [[nodiscard]] QString meaning() const { return window_->panel().findChild<QLabel*>("meaning")->text(); }
+
+private slots:
+    void init() {
+        const std::string path = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
+        memory_ = std::make_unique<Memory>(QString());
+        window_ = std::make_unique<MainWindow>(*memory_);
+        window_->resize(1500, 950);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        window_->openFile(QString::fromStdString(path));
+        QVERIFY(waitForPicture());
+    }
+    void cleanup() { window_.reset(); }
+
+    void theMeaningFollowsThresholdKernelAndWindow() {
+        use(findPreset("window")->settings);
+        const GrayScale scale = window_->session().picture()->frame->gray->scale;
+        QCOMPARE(meaning(), QString::fromStdString(thresholdText(window_->session().settings(), scale)));
+        QVERIFY(meaning().startsWith("weak edge from a step of "));
+        const QString before = meaning();
+        Settings wider = window_->session().settings();
+        wider.kernel = 7;
+        use(wider);
+        QVERIFY(meaning() != before);
+        use(Settings{});
+        QVERIFY(!window_->panel().findChild<QLabel*>("meaning")->isVisible());
+    }
+
+    void aTypedDepthBecomesTheThreshold() {
+        Settings settings = findPreset("window")->settings;
+        settings.nearMm = 0;
+        settings.farMm = 25500; // 100 mm per level, a straight step answers 3 times
+        use(settings);
+        QDoubleSpinBox* box = window_->panel().row("lower")->number();
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, "0.5 m");
+        QTest::keyClick(box, Qt::Key_Return);
+        QVERIFY(waitForPicture());
+        QCOMPARE(window_->session().settings().lower, 15.0);
+        box->selectAll();
+        QTest::keyClicks(box, "22");
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window_->session().settings().lower, 22.0);
+        box->selectAll();
+        QTest::keyClicks(box, "5 %"); // has no one threshold in linear levels: nothing changes
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window_->session().settings().lower, 22.0);
+    }
+
+    void anotherMethodKeepsTheStepAtWhichEdgesStart() {
+        use(cannySettings());
+        QComboBox* method = window_->panel().row("method")->choice();
+        const auto choose = [&](const char* label) {
+            method->setCurrentText(label);
+            QVERIFY(waitForPicture());
+        };
+        choose("Kirsch");
+        const Settings kirsch = window_->session().settings();
+        QVERIFY(std::abs(kirsch.lower / stepGain(kirsch).straight - 6.0) < 0.1);
+        choose("EdgeScan+");
+        choose("Canny (thesis)");
+        QVERIFY(std::abs(window_->session().settings().lower - 6.0) < 0.11);
+    }
+
+    void theCurveCountsWhatTheThresholdWouldGive() {
+        use(cannySettings());
+        CountCurve* curve = window_->panel().curve("lower");
+        QVERIFY(curve->isVisible());
+        QVERIFY(!window_->panel().curve("sensitivity")->isVisible());
+        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        const EdgeCountCurve counts = *curve->curve();
+        for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
+            Settings at = window_->session().settings();
+            at.lower = counts.thresholds[n];
+            use(at);
+            QCOMPARE(window_->session().picture()->frame->edges->size(), counts.edges[n]);
+            QVERIFY(curve->curve().has_value()); // another threshold of the same curve
+        }
+        Settings other = window_->session().settings();
+        other.kernel = 5;
+        use(other);
+        QVERIFY(!curve->curve().has_value());
+        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+    }
+
+    void whyAnswersForTheCellClicked() {
+        use(cannySettings());
+        const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
+        ImageView& view = window_->edgeView();
+        const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+        QTest::keyClick(window_.get(), Qt::Key_W);
+        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+        const QString text = window_->whyCard()->text();
+        QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
+        QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
+    }
+};
+
+int main(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
+    QApplication application(argc, argv);
+    ThresholdsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "thresholds_test.moc"

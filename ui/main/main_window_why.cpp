@@ -1,0 +1,58 @@
+// What the thresholds do: edge counts under the sliders, and why a cell is an edge.
+#include "core/edges/why.h"
+#include "ui/image/image_view.h"
+#include "ui/main/main_window.h"
+#include "ui/main/notice_bar.h"
+#include "ui/main/why_card.h"
+#include "ui/panel/edges_panel.h"
+#include "ui/session/edge_counts.h"
+
+#include <QMenu>
+
+namespace edgescan::ui {
+
+void MainWindow::connectThresholds() {
+    counts_ = new EdgeCounts(this);
+    connect(counts_, &EdgeCounts::outdated, panel_, &EdgesPanel::forgetCounts);
+    connect(counts_, &EdgeCounts::counted, panel_, &EdgesPanel::showCounts);
+    for (ImageView* view : {gray_, edges_}) {
+        connect(view, &ImageView::menuWanted, this, [this](int line, int beam, const QPoint& position) {
+            if (!shown_ || line >= shown_->frame->scan->lines()) return;
+            const std::size_t cell = shown_->frame->scan->rangeMm.index(line, beam);
+            QMenu menu;
+            menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
+                stick(cell);
+                explain(cell);
+            });
+            menu.exec(position);
+        });
+    }
+}
+
+void MainWindow::explain(std::size_t cell) {
+    const std::shared_ptr<const Picture> picture = shown_;
+    if (!picture || explaining_ != nullptr) return; // the answer to the last question comes first
+    explaining_ = new BackgroundJob(
+        [this, picture, cell](const BackgroundJob::Progress&) -> std::function<void()> {
+            const std::string text = whyText(whyCell(*picture->frame, cell), picture->frame->settings);
+            return [this, text] {
+                if (why_ == nullptr) why_ = new WhyCard(this);
+                why_->tell(QString::fromStdString(text));
+            };
+        },
+        this);
+    connect(explaining_, &BackgroundJob::ended, this, [this] {
+        explaining_->deleteLater();
+        explaining_ = nullptr;
+    });
+}
+
+void MainWindow::explainMarked() {
+    const std::optional<std::size_t> cell = hovered_ ? hovered_ : sticky_;
+    if (cell && shown_)
+        explain(*cell);
+    else
+        notice_->showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then Why says what decides about it."));
+}
+
+} // namespace edgescan::ui

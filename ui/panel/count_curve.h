@@ -1,0 +1,47 @@
+// How many edges there would be at every threshold, drawn under its slider, with the stretch where the number hardly changes.
+#pragma once
+
+#include "core/edges/threshold_map.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace edgescan {
+struct Parameter;
+}
+
+namespace edgescan::ui {
+
+/// The thresholds of the curve: one per pixel or two of the slider, so that curve and handle stand above each other.
+[[nodiscard]] std::vector<double> curveThresholds(const Parameter& parameter);
+
+/// GUI thread only. `parameter` must outlive it (the table does).
+class CountCurve : public QWidget {
+    Q_OBJECT
+public:
+    explicit CountCurve(const Parameter& parameter, QWidget* parent = nullptr);
+
+    /// Null: not known (yet).
+    void showCurve(std::optional<EdgeCountCurve> curve);
+    /// The threshold in use.
+    void showValue(double value);
+    [[nodiscard]] const std::optional<EdgeCountCurve>& curve() const { return curve_; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {260, 58}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 48}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] double xOf(double threshold) const;
+    [[nodiscard]] double yOf(std::size_t edges) const;
+    [[nodiscard]] QString words() const;
+
+    const Parameter& parameter_;
+    std::optional<EdgeCountCurve> curve_;
+    double value_ = 0.0;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,50 @@
+// How many edges every threshold would give.
+#include "ui/session/edge_counts.h"
+
+#include "core/edges/frame_thresholds.h"
+#include "core/edges/parameters.h"
+#include "ui/panel/count_curve.h"
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand is on a slider
+
+} // namespace
+
+EdgeCounts::EdgeCounts(QObject* parent) : QObject(parent) {
+    quiet_.setSingleShot(true);
+    quiet_.setInterval(kQuietMs);
+    connect(&quiet_, &QTimer::timeout, this, &EdgeCounts::start);
+}
+
+void EdgeCounts::want(const std::shared_ptr<const Frame>& frame) {
+    if (counted_ && counted_->scan == frame->scan && sameThresholdMap(counted_->settings, frame->settings)) return;
+    counted_.reset();
+    wanted_ = frame;
+    emit outdated();
+    quiet_.start();
+}
+
+void EdgeCounts::start() {
+    if (!wanted_ || job_ != nullptr) return;
+    counted_ = std::move(wanted_);
+    wanted_.reset();
+    const std::shared_ptr<const Frame> frame = counted_;
+    job_ = new BackgroundJob(
+        [this, frame](const BackgroundJob::Progress&) -> std::function<void()> {
+            const char* key = sweptParameter(frame->settings.method);
+            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*frame), curveThresholds(*findParameter(key)));
+            return [this, frame, key, curve = std::move(curve)] {
+                if (counted_ == frame) emit counted(QString::fromUtf8(key), curve);
+            };
+        },
+        this);
+    connect(job_, &BackgroundJob::ended, this, [this] {
+        job_->deleteLater();
+        job_ = nullptr;
+        if (wanted_) quiet_.start();
+    });
+}
+
+} // namespace edgescan::ui
