@@ -133,6 +133,8 @@ private slots:
         ImageView& view = window_->edgeView();
         const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         QTest::keyClick(window_.get(), Qt::Key_W);
         QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
         const QString text = window_->whyCard()->text();
