@@ -21,13 +21,14 @@ constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 5.0;
 constexpr double kWindowMm = 60.0;
 constexpr double kNoisy = 1.5;             // x nominal
+constexpr double kLeastNoise = 0.7;        // x nominal: relief and beam blur surfaces as much, however good the ranges
 constexpr float kInterlacedGrazing = 0.5F; // what is left of the displacements, index steps
 
 DepthLimits limitsOf(const InverseRange& inverse, const DepthEdgeSettings& settings) {
     DepthLimits limits;
     const double typed = settings.noiseAt5mMm;
     limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : rangeNoise(inverse);
-    const double q = std::clamp(limits.noise.at(5.0) / kNominalNoiseMm, 0.2, 10.0);
+    const double q = std::clamp(limits.noise.at(5.0) / kNominalNoiseMm, kLeastNoise, 10.0);
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
     limits.growth = static_cast<float>(settings.jumpGrowth);
     limits.grazing = static_cast<float>(settings.grazing);
@@ -69,7 +70,7 @@ EDGESCAN_VECTORS void suppressLine(const float* beamwise, const float* linewise,
         const float stronger = b >= l ? beamwise[j] : linewise[j];
         const float weaker = b >= l ? linewise[j] : beamwise[j];
         const float value = together(stronger, weaker, both);
-        out[j] = ((keepB | keepL) & (support[j] == Support::Measured)) ? value : 0.0F;
+        out[j] = ((keepB | keepL) & (support[j] != Support::Void)) ? value : 0.0F;
     }
 }
 
@@ -140,8 +141,12 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams, slips);
     const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines, slips);
 
-    DepthResponses result{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams()), limits.noise, limits.jumpMm,
-                          borderCells(inverse.support)};
+    DepthResponses result;
+    result.jump = Grid<float>(scan.lines(), scan.beams());
+    result.crease = Grid<float>(scan.lines(), scan.beams());
+    result.noise = limits.noise;
+    result.jumpMm = static_cast<double>(limits.jumpMm);
+    result.border = borderCells(inverse.support);
     suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, false, result.jump);
 
     for (int pass = 0; pass < limits.passes; ++pass) {
@@ -150,23 +155,32 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     }
     const FoldStrengths folds = foldStrengths(field.u, linkBeams, linkLines, steps, limits);
     suppress(folds.alongBeams, folds.alongLines, inverse, true, result.crease);
+    result.support = std::move(inverse.support);
     return result;
 }
 
 DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;
-    DepthEdges result{Grid<std::uint8_t>(), Grid<DepthEdge>(lines, beams, DepthEdge::None), Grid<float>(lines, beams), responses.noise};
+    const Grid<std::uint8_t> none(lines, beams);
+    DepthEdges result{none, none, Grid<DepthEdge>(lines, beams, DepthEdge::None), Grid<float>(lines, beams), responses.noise};
+    const float convex = settings.convex ? 1.0F : 0.0F;
+    const float concave = settings.concave ? 1.0F : 0.0F;
+    const float jumps = settings.jumps ? 1.0F : 0.0F;
     for (std::size_t k = 0; k < result.strength.size(); ++k) {
-        const float jump = settings.jumps ? responses.jump[k] : 0;
-        const float crease =
-            responses.crease[k] > 0 ? (settings.convex ? responses.crease[k] : 0) : (settings.concave ? -responses.crease[k] : 0);
-        result.strength[k] = std::max(jump, crease);
+        const float crease = responses.crease[k];
+        result.strength[k] = std::max({jumps * responses.jump[k], convex * crease, -concave * crease});
     }
     const auto high = static_cast<float>(settings.sensitivity);
-    result.mask = linked(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
-    for (std::size_t k = 0; k < result.mask.size(); ++k) {
-        if (result.mask[k] == 0) continue;
+    const Grid<std::uint8_t> kept =
+        linked(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        if (kept[k] == 0) continue;
+        if (responses.support[k] != Support::Measured) {
+            result.bridges[k] = 255;
+            continue;
+        }
+        result.mask[k] = 255;
         const bool jump = settings.jumps && responses.jump[k] >= result.strength[k];
         result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;
     }

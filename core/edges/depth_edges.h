@@ -24,21 +24,23 @@ struct DepthEdgeSettings {
 enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };
 inline constexpr int kDepthEdges = 5; // None included
 
-/// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger, nothing was measured or
+/// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger or
 /// nothing is there. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders need only decide().
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
     Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
+    Grid<Support> support;             ///< lines x beams; a filled cell has responses too, so that lines go on across it
     RangeNoise noise;                  ///< used
     double jumpMm = 0;                 ///< J0 used
     std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
 };
 
 struct DepthEdges {
-    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
-    Grid<DepthEdge> kind;    ///< lines x beams
-    Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
-    RangeNoise noise;        ///< used
+    Grid<std::uint8_t> mask;    ///< lines x beams, 255 = edge; never a cell without a measured range
+    Grid<std::uint8_t> bridges; ///< lines x beams, 255 = an edge runs on across this cell, but nothing was measured there
+    Grid<DepthEdge> kind;       ///< lines x beams
+    Grid<float> strength;       ///< suppressed response of the classes wanted, 1 = at the threshold
+    RangeNoise noise;           ///< used
 };
 
 [[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);

@@ -21,8 +21,14 @@ constexpr double kBinM = 1.0;
 constexpr std::size_t kBins = 60;
 constexpr std::size_t kCellsForNoise = 250000;
 
-// Fills short gaps between two measured cells along one direction: `count` cells from `first`, `stride` apart.
-void fillGaps(InverseRange& inverse, std::size_t first, std::size_t stride, int count) {
+// Inverse ranges that short gaps between two measured cells of a line would get, and how far apart its two ends are.
+struct Filling {
+    Grid<float> u;
+    Grid<float> apart; // 1/m; negative: no filling
+};
+
+// `count` cells from `first`, `stride` apart; the filling whose ends are more alike stays.
+void fillGaps(const InverseRange& inverse, std::size_t first, std::size_t stride, int count, Filling& filling) {
     int last = -1; // place of the last cell with a value
     for (int n = 0; n < count; ++n) {
         const std::size_t k = first + static_cast<std::size_t>(n) * stride;
@@ -30,12 +36,13 @@ void fillGaps(InverseRange& inverse, std::size_t first, std::size_t stride, int 
         const int gap = n - last - 1;
         if (last >= 0 && gap > 0 && gap <= kLongestGap) {
             const float from = inverse.u[first + static_cast<std::size_t>(last) * stride];
+            const float apart = std::abs(inverse.u[k] - from);
             const float step = (inverse.u[k] - from) / static_cast<float>(gap + 1);
             for (int g = 1; g <= gap; ++g) {
                 const std::size_t hole = first + static_cast<std::size_t>(last + g) * stride;
-                if (inverse.support[hole] != Support::Void) continue;
-                inverse.u[hole] = from + step * static_cast<float>(g);
-                inverse.support[hole] = Support::Filled;
+                if (filling.apart[hole] >= 0 && filling.apart[hole] <= apart) continue;
+                filling.apart[hole] = apart;
+                filling.u[hole] = from + step * static_cast<float>(g);
             }
         }
         last = n;
@@ -104,8 +111,14 @@ InverseRange inverseRange(const Scan& scan) {
         inverse.support[k] = Support::Measured;
     }
     const auto beams = static_cast<std::size_t>(scan.beams());
-    for (int i = 0; i < scan.lines(); ++i) fillGaps(inverse, static_cast<std::size_t>(i) * beams, 1, scan.beams());
-    for (int j = 0; j < scan.beams(); ++j) fillGaps(inverse, static_cast<std::size_t>(j), beams, scan.lines());
+    Filling filling{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams(), -1.0F)};
+    for (int i = 0; i < scan.lines(); ++i) fillGaps(inverse, static_cast<std::size_t>(i) * beams, 1, scan.beams(), filling);
+    for (int j = 0; j < scan.beams(); ++j) fillGaps(inverse, static_cast<std::size_t>(j), beams, scan.lines(), filling);
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (inverse.support[k] == Support::Measured || filling.apart[k] < 0) continue;
+        inverse.u[k] = filling.u[k];
+        inverse.support[k] = Support::Filled;
+    }
     return inverse;
 }
 

@@ -113,7 +113,7 @@ void snapVeils(DepthField& field, const InverseRange& inverse, const AngularStep
         for (int j = 0; j < from.beams; ++j) {
             if (worth[static_cast<std::size_t>(j)] == 0 || support[j] == Support::Void) continue;
             const Place at{from.line(i) + j, field.solid.line(i) + j, step};
-            if (support[j] == Support::Measured && snapOne(at, limits, out[j])) continue;
+            if (snapOne(at, limits, out[j])) continue;
             const float rangeM = 1.0F / at.u[0];
             const float cell = rangeM * angle[j];
             const float spot = kSpotM + kSpotRad * rangeM;
