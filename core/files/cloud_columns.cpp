@@ -109,6 +109,10 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     return cloud;
 }
 
+void addClasses(CloudColumns& cloud, const std::vector<std::size_t>& cells, const Grid<DepthEdge>* classes) {
+    if (classes != nullptr) addColumn<std::uint8_t>(cloud, "class", cells, [&](std::size_t k) { return (*classes)[k]; });
+}
+
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
     Chosen chosen;
@@ -136,18 +140,23 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
     return cloud;
 }
 
-CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
+CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
+                         const Grid<DepthEdge>* classes) {
     const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
+    addClasses(cloud, valid.cells, classes);
     return cloud;
 }
 
-CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached) {
+CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
+                        const Grid<DepthEdge>* classes) {
     const Chosen edges =
         cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
-    return columnsFor(scan, edges, false, frame);
+    CloudColumns cloud = columnsFor(scan, edges, false, frame);
+    addClasses(cloud, edges.cells, classes);
+    return cloud;
 }
 
 std::string frameText(const CloudColumns& cloud) {

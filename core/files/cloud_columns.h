@@ -14,6 +14,8 @@
 
 namespace edgescan {
 
+enum class DepthEdge : std::uint8_t; // core/edges/depth_edges.h
+
 struct CloudColumn {
     std::string name; ///< "x", "range_mm" ...
     std::variant<std::vector<float>, std::vector<double>, std::vector<std::uint32_t>, std::vector<std::uint8_t>> values;
@@ -36,14 +38,16 @@ struct CloudColumns {
 /// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, edge. `edgeMask` may be null. With `withAttached` the points that are attached to these
-/// cells follow, and a column tells them.
+/// Valid cells: x y z, line, beam, range_mm, edge, and class where `classes` is given. `edgeMask` may be null. With `withAttached` the
+/// points that are attached to these cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
-                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false);
+                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
+                                       const Grid<DepthEdge>* classes = nullptr);
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm; and what is attached to them.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, class as above; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
-                                      CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false);
+                                      CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
+                                      const Grid<DepthEdge>* classes = nullptr);
 
 /// A writer is a function from columns to the bytes of the file. `where` is the path, for errors.
 Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where, bool ascii);

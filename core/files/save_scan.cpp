@@ -180,7 +180,7 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached), *format, path, options);
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes), *format, path, options);
 }
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
@@ -189,7 +189,7 @@ Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMa
     if (!holdsPoints(format)) return unknownFormat(path, kPointFormats);
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached), *format, path, options);
+    return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes), *format, path, options);
 }
 
 Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,

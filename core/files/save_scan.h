@@ -16,6 +16,8 @@
 
 namespace edgescan {
 
+enum class DepthEdge : std::uint8_t; // core/edges/depth_edges.h: 0 none, 1 jump, 2 convex, 3 concave
+
 enum class SaveFormat : std::uint8_t {
     RawGrid,   ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
     Pcd,       ///< binary unless asked otherwise
@@ -39,8 +41,9 @@ enum class SaveFormat : std::uint8_t {
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    std::string record{};         ///< provenance JSON for the comment lines; empty = none
-    bool includeAttached = false; ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
+    std::string record{};                     ///< provenance JSON for the comment lines; empty = none
+    bool includeAttached = false;             ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
+    const Grid<DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.

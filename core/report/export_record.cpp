@@ -188,6 +188,7 @@ std::string exportRecord(ExportContent content, const Frame& frame, const Export
     if (content != ExportContent::WholeScan) {
         record["settings"] = settingsToJson(frame.settings);
         record["edges"] = frame.edges->size();
+        record["classes"] = classesReport(frame);
         record["edge_mask_sha256"] = maskSha256(*frame.mask);
     }
     record["program"] = programOfRecords();

@@ -98,7 +98,7 @@ Result<Done> readBack(const FileBytes& file, const Expected& expected) {
 Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Frame& frame, const fs::path& path, const std::string& record,
                                            const ExportOptions& options) {
     const Scan& scan = *frame.scan;
-    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached};
+    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, frame.classes.get()};
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
         return std::vector<FileBytes>{{path, std::move(*bytes)}};

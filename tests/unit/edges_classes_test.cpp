@@ -1,10 +1,13 @@
 // Classes of edges: what each switch takes away, and that the border of missing data is none of a rock (OPERATOR.md S3).
 #include "core/edges/pipeline.h"
+#include "core/edges/presets.h"
+#include "core/report/provenance.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 namespace edgescan {
 namespace {
@@ -56,6 +59,34 @@ TEST(EdgeClasses, OutlinesAndJumpsAreClassesOfTheSameEdges) {
     named.method = Method::Jumps;
     chosen.classes = kClassJump;
     EXPECT_EQ(*detectEdges(boxes, named)->mask, *detectEdges(boxes, chosen)->mask);
+}
+
+TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
+    const auto boxes = std::make_shared<const Scan>(test::boxesScan(60, 80, 4));
+    const auto frame = detectEdges(boxes, Settings{});
+    for (const ExportContent content : {ExportContent::EdgeCloud, ExportContent::FullCloud}) {
+        const auto files = exportFiles(content, *frame, "cloud.csv", "", {});
+        ASSERT_TRUE(files) << files.error().sentence();
+        std::istringstream rows(files->front().bytes);
+        std::string header;
+        while (std::getline(rows, header) && header.starts_with('#')) {
+        }
+        ASSERT_TRUE(header.ends_with(",class")) << header;
+        const bool hasEdge = header.find(",edge,") != std::string::npos;
+        std::size_t points = 0;
+        for (std::string row; std::getline(rows, row); ++points) {
+            std::vector<std::string> fields;
+            std::istringstream cut(row);
+            for (std::string field; std::getline(cut, field, ',');) fields.push_back(field);
+            const auto k = boxes->rangeMm.index(std::stoi(fields[3]), std::stoi(fields[4]));
+            ASSERT_EQ(std::stoi(fields.back()), static_cast<int>((*frame->classes)[k])) << row;
+            if (hasEdge) ASSERT_EQ(fields[6] == "255", fields.back() != "0") << row;
+        }
+        EXPECT_EQ(points, content == ExportContent::EdgeCloud ? frame->edges->size()
+                                                              : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);
+    }
+    const auto gray = exportFiles(ExportContent::EdgeCloud, *detectEdges(boxes, cannySettings()), "cloud.csv", "", {});
+    EXPECT_EQ(gray->front().bytes.find("class"), std::string::npos); // Canny knows none
 }
 
 } // namespace
