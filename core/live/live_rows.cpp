@@ -104,6 +104,39 @@ SobelRows sobelRows(int aperture) {
     return {widened(derivative, -1), smoothing};
 }
 
+/// Both derivatives of a row's cells, or of its mask.
+struct SobelSums {
+    SobelSums(int aperture, int beams)
+        : dx(static_cast<std::size_t>(beams)), dy(dx), sobel_(sobelRows(aperture)), along_(dx.size() + 2 * (sobel_.smoothing.size() / 2)),
+          across_(along_) {}
+
+    /// `rows`: padded, the border above and below is that of the image.
+    void take(const std::vector<Floats>& rows, int row) {
+        for (Floats* each : {&dx, &dy, &along_, &across_}) std::fill(each->begin(), each->end(), 0.0F);
+        const auto taps = static_cast<int>(sobel_.smoothing.size());
+        const auto wide = static_cast<int>(along_.size());
+        for (int t = 0; t < taps; ++t) {
+            const Floats& values = rows[static_cast<std::size_t>(replicated(row + t - taps / 2, static_cast<int>(rows.size())))];
+            add(along_.data(), values.data(), smoothing(t), wide);
+            add(across_.data(), values.data(), derivative(t), wide);
+        }
+        const auto beams = static_cast<int>(dx.size());
+        for (int t = 0; t < taps; ++t) {
+            add(dx.data(), along_.data() + t, derivative(t), beams);
+            add(dy.data(), across_.data() + t, smoothing(t), beams);
+        }
+    }
+
+    Floats dx, dy; ///< d / d beam, d / d line
+
+private:
+    [[nodiscard]] float smoothing(int tap) const { return static_cast<float>(sobel_.smoothing[static_cast<std::size_t>(tap)]); }
+    [[nodiscard]] float derivative(int tap) const { return static_cast<float>(sobel_.derivative[static_cast<std::size_t>(tap)]); }
+
+    SobelRows sobel_;
+    Floats along_, across_;
+};
+
 /// Magnitudes that are beyond the thresholds are greater than these (cv::Canny).
 struct CannyLimits {
     int low = 0, high = 0;
@@ -176,64 +209,42 @@ void GradientRows::update(const Grid<std::uint8_t>& smoothed, const Grid<std::ui
     rows_.resize(static_cast<std::size_t>(smoothed.lines - firstRow_));
     beyond_.assign(static_cast<std::size_t>(beams_) + 2, 0);
 
-    const SobelRows sobel = sobelRows(settings.aperture);
     const int reach = settings.aperture / 2;
-    const float scale = settings.aperture == 7 ? 1.0F / 16.0F : 1.0F; // as cv::Canny, to keep the gradient within 16 bits
-    const int wide = beams_ + 2 * reach;
-    const auto width = static_cast<std::size_t>(wide);
-    // The rows that are read, padded.
-    const int lo = std::max(0, first - reach);
+    const int lo = std::max(0, first - reach); // the first row that is read
     std::vector<Floats> cells(static_cast<std::size_t>(smoothed.lines - lo)), masks(masked != nullptr ? cells.size() : 0);
     for (int i = lo; i < smoothed.lines; ++i) {
         const std::uint8_t* hidden = masked != nullptr ? masked->line(i) : nullptr;
         padded(cells[static_cast<std::size_t>(i - lo)], smoothed.line(i), hidden, beams_, reach, replicated);
         if (hidden != nullptr) paddedMask(masks[static_cast<std::size_t>(i - lo)], hidden, beams_, reach, replicated);
     }
-    Floats along(width), across(width), maskAlong(width), maskAcross(width);
-    Floats dx(static_cast<std::size_t>(beams_)), dy(dx), maskDx(dx), maskDy(dx);
+    SobelSums ofCells(settings.aperture, beams_), ofMasks(settings.aperture, beams_);
     for (int i = first; i < smoothed.lines; ++i) {
-        for (Floats* each : {&along, &across, &maskAlong, &maskAcross, &dx, &dy, &maskDx, &maskDy})
-            std::fill(each->begin(), each->end(), 0.0F);
-        for (int t = 0; t < settings.aperture; ++t) {
-            const auto row = static_cast<std::size_t>(replicated(i + t - reach, smoothed.lines) - lo);
-            const auto s = static_cast<float>(sobel.smoothing[static_cast<std::size_t>(t)]);
-            const auto d = static_cast<float>(sobel.derivative[static_cast<std::size_t>(t)]);
-            add(along.data(), cells[row].data(), s, wide);
-            add(across.data(), cells[row].data(), d, wide);
-            if (masked == nullptr) continue;
-            add(maskAlong.data(), masks[row].data(), s, wide);
-            add(maskAcross.data(), masks[row].data(), d, wide);
-        }
-        for (std::size_t t = 0; t < static_cast<std::size_t>(settings.aperture); ++t) {
-            const auto s = static_cast<float>(sobel.smoothing[t]);
-            const auto d = static_cast<float>(sobel.derivative[t]);
-            add(dx.data(), along.data() + t, d, beams_);
-            add(dy.data(), across.data() + t, s, beams_);
-            if (masked == nullptr) continue;
-            add(maskDx.data(), maskAlong.data() + t, d, beams_);
-            add(maskDy.data(), maskAcross.data() + t, s, beams_);
-        }
-        Row& out = rows_[static_cast<std::size_t>(i - firstRow_)];
-        out.alongBeams.resize(dx.size());
-        out.alongLines.resize(dx.size());
-        out.magnitude.assign(dx.size() + 2, 0);
+        ofCells.take(cells, i - lo);
+        if (masked != nullptr) ofMasks.take(masks, i - lo);
+        // Where the mask has gradient, the cells under it count as the centre.
+        const float scale = settings.aperture == 7 ? 1.0F / 16.0F : 1.0F; // as cv::Canny, to keep the gradient within 16 bits
         const std::uint8_t* centre = smoothed.line(i);
         const std::uint8_t* gone = masked != nullptr ? masked->line(i) : nullptr;
-        for (std::size_t j = 0; j < dx.size(); ++j) {
+        for (std::size_t j = 0; j < ofCells.dx.size(); ++j) {
             const auto level = static_cast<float>(centre[j]);
             const float takesPart = gone != nullptr ? static_cast<float>(1 - (gone[j] & 1)) : 1.0F;
-            dx[j] = rounded((dx[j] + level * maskDx[j]) * scale) * takesPart;
-            dy[j] = rounded((dy[j] + level * maskDy[j]) * scale) * takesPart;
+            ofCells.dx[j] = rounded((ofCells.dx[j] + level * ofMasks.dx[j]) * scale) * takesPart;
+            ofCells.dy[j] = rounded((ofCells.dy[j] + level * ofMasks.dy[j]) * scale) * takesPart;
         }
-        std::int32_t* magnitude = out.magnitude.data() + 1;
-        const bool squared = settings.norm == Norm::L2;
-        for (std::size_t j = 0; j < dx.size(); ++j) {
-            const int x = static_cast<int>(dx[j]);
-            const int y = static_cast<int>(dy[j]);
-            out.alongBeams[j] = static_cast<std::int16_t>(x);
-            out.alongLines[j] = static_cast<std::int16_t>(y);
-            magnitude[j] = squared ? x * x + y * y : std::abs(x) + std::abs(y);
-        }
+        rows_[static_cast<std::size_t>(i - firstRow_)].take(ofCells.dx, ofCells.dy, settings.norm);
+    }
+}
+
+void GradientRows::Row::take(const std::vector<float>& dx, const std::vector<float>& dy, Norm norm) {
+    alongBeams.resize(dx.size());
+    alongLines.resize(dx.size());
+    magnitude.assign(dx.size() + 2, 0);
+    for (std::size_t j = 0; j < dx.size(); ++j) {
+        const int x = static_cast<int>(dx[j]);
+        const int y = static_cast<int>(dy[j]);
+        alongBeams[j] = static_cast<std::int16_t>(x);
+        alongLines[j] = static_cast<std::int16_t>(y);
+        magnitude[j + 1] = norm == Norm::L2 ? x * x + y * y : std::abs(x) + std::abs(y);
     }
 }
 

@@ -30,6 +30,8 @@ private:
     struct Row {
         std::vector<std::int16_t> alongBeams, alongLines; ///< d gray / d beam, d gray / d line
         std::vector<std::int32_t> magnitude;              ///< a zero on either side of the beams
+
+        void take(const std::vector<float>& dx, const std::vector<float>& dy, Norm norm);
     };
     [[nodiscard]] const std::vector<std::int32_t>& magnitudeOf(int row) const;
 

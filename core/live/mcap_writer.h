@@ -9,8 +9,8 @@
 namespace edgescan {
 
 struct McapLimits {
-    std::size_t chunkBytes = 64U * 1024U; ///< a longer single message gets a chunk of its own
-    std::uint64_t chunkNs = 200'000'000;  ///< log time from the first to the last message of a chunk
+    std::size_t chunkBytes = std::size_t{64} * 1024; ///< a longer single message gets a chunk of its own
+    std::uint64_t chunkNs = 200'000'000;             ///< log time from the first to the last message of a chunk
 };
 
 /// Turns records into the bytes of a file: uncompressed chunks with CRC-32, message indexes, and a summary at the end.

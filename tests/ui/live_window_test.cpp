@@ -195,6 +195,7 @@ private slots:
         QTest::qWait(600);
         QCOMPARE(linesShown(window), kLines);
         QVERIFY(!window.scanner().following());
+        QVERIFY(window.grayView().note().startsWith("Held: sweep 1"));
         press(window, "live-follow");
         QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->source.growth.growing; }, 5000));
         QVERIFY(window.cloudView().camera() == pose);
@@ -336,6 +337,13 @@ private slots:
         QTest::keyClick(&window, Qt::Key_Right);
         QVERIFY(at(kLines - 10));
         window.findChild<QSlider*>("timeline-slider")->setValue(40);
+        QVERIFY(at(40));
+        window.findChild<QSlider*>("timeline-slider")->setFocus();
+        QTest::keyClick(window.findChild<QSlider*>("timeline-slider"), Qt::Key_End);
+        QVERIFY(at(kLines));
+        QTest::keyClick(window.findChild<QSlider*>("timeline-slider"), Qt::Key_Home);
+        QVERIFY(at(1));
+        timeline.goTo(40);
         QVERIFY(at(40));
         timeline.setSpeed(0.25);
         QTest::keyClick(&window, Qt::Key_Space);

@@ -47,6 +47,7 @@ public:
     void setTitle(const QString& title);
     /// Short text over the picture: "preview", "stale", "no scan open". Empty = none.
     void setNote(const QString& note);
+    [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
     /// Greys the picture and says why across it ("STALE 3 s"): it is older than it seems. Empty = none.
     void setVeil(const QString& why);

@@ -60,6 +60,7 @@ void Timeline::load(const std::filesystem::path& path) {
     clear();
     player_ = std::make_unique<ReplayPlayer>(path);
     connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::take);
+    connect(player_.get(), &ReplayPlayer::refused, this, &Timeline::refused);
     connect(player_.get(), &ReplayPlayer::arrived, this, [this](const ReplayedSweep& at) {
         onTheWay_ = false;
         emit arrived(at);

@@ -48,6 +48,8 @@ public slots:
 signals:
     void activeChanged(bool active);
     void playingChanged(bool playing);
+    /// The recording cannot be played; the sentence says why.
+    void refused(const QString& sentence);
     void arrived(const edgescan::ui::ReplayedSweep& at);
 
 private:

@@ -180,6 +180,7 @@ private:
     int fittedLines_ = 0;
     std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as the file gives it
     QString recordingFolder_;
+    QString heldNote_;
     DisplayLevels levels_;
     bool overlay_ = false;
     bool trueAngles_ = false;

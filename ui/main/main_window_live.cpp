@@ -9,6 +9,7 @@
 #include "ui/main/notice_bar.h"
 
 #include <QAbstractButton>
+#include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
 #include <QDateTime>
@@ -90,6 +91,8 @@ void MainWindow::connectLive() {
             timeline_->clear();
     });
     connect(timeline_, &Timeline::arrived, this, &MainWindow::showReplayed);
+    connect(timeline_, &Timeline::refused, this,
+            [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -116,6 +119,14 @@ void MainWindow::showLiveHealth() {
     const QString veil = scanner_->showsStale() ? QString::fromStdString(scanner_->health().badge) : QString();
     for (ImageView* view : {gray_, edges_}) view->setVeil(veil);
     cloud_->setVeil(veil);
+    // A strip that says LIVE beside a picture that stands still would be misleading.
+    const bool held = scanner_->connected() && !scanner_->following() && shown_ && shown_->source.stream == scanner_->stream();
+    const QString note =
+        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(QString::fromStdString(shown_->frame->scan->name)) : QString();
+    if (note == heldNote_) return;
+    heldNote_ = note;
+    for (ImageView* view : {gray_, edges_}) view->setNote(note);
+    cloud_->setNote(note);
 }
 
 void MainWindow::tellSweepEnded() {
@@ -180,14 +191,16 @@ void MainWindow::addTimelineCommands(QMenu& scan) {
     scan.addSeparator();
 }
 
-/// Space presses the button that has the focus; only elsewhere it plays.
+/// Space presses the button that has the focus, Home and End move the slider that has it; only elsewhere they are the window's.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
-        (qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr)) {
-        event->accept();
-        return true;
-    }
-    return QMainWindow::eventFilter(watched, event);
+    if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool presses = qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
+    const bool slides = qobject_cast<QAbstractSlider*>(watched) != nullptr;
+    if ((key != Qt::Key_Space || !presses) && ((key != Qt::Key_Home && key != Qt::Key_End) || !slides))
+        return QMainWindow::eventFilter(watched, event);
+    event->accept();
+    return true;
 }
 
 void MainWindow::setRecordingFolder(const QString& folder) {
