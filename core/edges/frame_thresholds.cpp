@@ -7,6 +7,8 @@
 #include "core/edges/holes.h"
 #include "core/edges/parameters.h"
 
+#include <limits>
+
 namespace edgescan {
 
 const char* sweptParameter(Method method) {
@@ -39,8 +41,12 @@ ThresholdMap thresholdMapOf(const Frame& frame) {
         return responseThresholdMap(detectorResponse(settings.method, levels, masked.size() > 0 ? &masked : nullptr, settings));
     }
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    const DepthEdges found = frame.responses ? decideDepthEdges(*frame.responses, depth) : depthEdges(*frame.scan, depth);
-    return linkedThresholdMap(found.strength, depth.hysteresisLow, depth.minimumLength);
+    const DepthResponses responses = frame.responses ? *frame.responses : depthResponses(*frame.scan, depth);
+    ThresholdMap map = linkedThresholdMap(decideDepthEdges(responses, depth).strength, depth.hysteresisLow, depth.minimumLength);
+    if (depth.border) {
+        for (const std::uint32_t k : responses.border) map.highest[k] = std::numeric_limits<double>::infinity();
+    }
+    return map;
 }
 
 } // namespace edgescan

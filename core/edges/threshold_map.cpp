@@ -16,7 +16,7 @@ constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
 constexpr double kGuessError = 1e-6;    // relative
-constexpr double kStableShare = 0.9;    // of the edges must be left at the end of a plateau
+constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
 
 // How a swept threshold becomes a threshold of the gradient, and roughly back.

@@ -43,8 +43,8 @@ struct EdgeCountCurve {
     double stableTo = 0.0;
 };
 
-/// At these thresholds (ascending, two at least). The plateau is the longest stretch, as ratio of its ends, over which no more than 10 % of
-/// the edges go; stretches that hold under 5 % of the edges at the first do not count.
+/// At these thresholds (ascending, two at least). The plateau is the longest stretch, as ratio of its ends, over which no more than a fifth
+/// of the edges goes; stretches that hold under 5 % of the edges at the first do not count.
 [[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds);
 
 /// Largest threshold at which `holds` is true, to the last bit; `holds` must be true for small ones and false for large ones. Below 0: for

@@ -141,6 +141,7 @@ std::string reason(const Why& why, const Settings& settings) {
     if (!why.takesPart) return why.probe.state == CellState::Valid ? "it stands alone and takes no part" : "it has no range";
     const bool oneThreshold = hasOneThreshold(settings.method);
     if (why.probe.edge && oneThreshold) return strength + " is above the threshold " + number(why.upper);
+    if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
     if (why.probe.edge && why.standing == Standing::Above) return strength + " is above the upper threshold " + number(why.upper);
     if (why.probe.edge && why.chain.size() > 1)
         return strength + " is above the lower threshold, and " + std::to_string(why.chain.size() - 1) + " cells on, at " +

@@ -170,7 +170,7 @@ TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
         EXPECT_EQ(curve.edges[n], edgeCells(mask).size()) << n;
     }
     EXPECT_EQ(curve.stableFrom, 2.0);
-    EXPECT_EQ(curve.stableTo, 42.0);
+    EXPECT_EQ(curve.stableTo, 44.0);
     const EdgeCountCurve none = edgeCountCurve({Grid<double>(3, 3, -1.0)}, wholeNumbers(11));
     EXPECT_EQ(none.stableFrom, none.stableTo);
 }

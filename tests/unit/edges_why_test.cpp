@@ -21,6 +21,7 @@ std::vector<Settings> everyMethod() {
         findParameter("method")->set(s, choice.value);
         s.lower = s.method == Method::Kirsch ? 60 : 12;
         all.push_back(s);
+        s.classes = kClassRock | kClassBorder;
         s.maskMissing = false;
         s.norm = Norm::L2;
         all.push_back(s);

@@ -33,7 +33,7 @@ std::vector<double> curveThresholds(const Parameter& parameter) {
 CountCurve::CountCurve(const Parameter& parameter, QWidget* parent) : QWidget(parent), parameter_(parameter) {
     setObjectName(QString("curve-") + parameter.key);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(tr("Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a tenth of "
+    setToolTip(tr("Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of "
                   "them goes. The upright line is the threshold in use."));
 }
 
