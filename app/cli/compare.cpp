@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kColumns = 4;
+constexpr std::size_t kColumns = 4;
 constexpr int kTilePixels = 460;
+constexpr int kLargeTilePixels = 920; // where there are few
 
 struct CompareFlags {
     std::string file, truth, json, pictures;
@@ -72,7 +73,9 @@ Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std
         if (!saved) return saved.error();
     }
     const std::string title = scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
-    return savePng8(contactSheet(tiles, kColumns, kTilePixels, title), fs::path(flags.pictures) / "comparison.png");
+    const int columns = static_cast<int>(std::min(kColumns, tiles.size()));
+    return savePng8(contactSheet(tiles, columns, tiles.size() > kColumns ? kTilePixels : kLargeTilePixels, title),
+                    fs::path(flags.pictures) / "comparison.png");
 }
 
 Result<Done> compare(const CompareFlags& flags) {
@@ -88,7 +91,7 @@ Result<Done> compare(const CompareFlags& flags) {
         truth = std::move(*read);
     }
     ComparisonSettings settings = flags.settings;
-    settings.peers = !flags.noPeers;
+    settings.peers = !flags.noPeers && flags.settings.only.empty();
     if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
     const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
     const auto progress = [&](const char* name, double fraction) {
@@ -97,6 +100,7 @@ Result<Done> compare(const CompareFlags& flags) {
     };
     const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
     if (tell) std::fprintf(stderr, "\r%-48s\r", "");
+    if (methods.empty()) return Error{"no method of that name is compared", "--only", "see the file names that --pictures writes"};
     if (!flags.pictures.empty()) {
         const Result<Done> saved = savePictures(flags, *scan, methods);
         if (!saved) return saved.error();
@@ -135,6 +139,7 @@ void addCompare(CLI::App& app, int& code) {
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
     command.add_flag("--slow", flags->slow, "Let every PCL peer end, however long it takes");
+    command.add_option("--only", flags->settings.only, "Only these of our methods, and no peers: thesis,edgescan+")->delimiter(',');
     command.add_flag("--no-peers", flags->noPeers, "Leave the PCL peers out");
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {

@@ -173,6 +173,8 @@ ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, co
 std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
                                            const ComparisonSettings& settings, const ComparisonProgress& progress) {
     std::vector<ComparedMethod> methods = ownMethods();
+    if (!settings.only.empty())
+        std::erase_if(methods, [&](const ComparedMethod& m) { return std::ranges::find(settings.only, m.key) == settings.only.end(); });
     const std::size_t own = methods.size();
     const int repeats = std::max(1, settings.repeats);
     const auto total = static_cast<double>(repeats) * static_cast<double>(own) + (settings.peers ? kPeers : 0);

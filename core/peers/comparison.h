@@ -44,6 +44,7 @@ struct ComparedMethod {
 struct ComparisonSettings {
     int repeats = 5; ///< of our own methods, interleaved; medians are told
     bool peers = true;
+    std::vector<std::string> only{}; ///< keys of our own methods; empty = all. A key that none has is passed over
     PeerLimits peerLimits;
     double tolerance = 2.0; ///< of the score, cells
     bool bestThreshold = false;

@@ -87,6 +87,14 @@ private:
     void buildPanel();
     void connectSession();
     void linkViews();
+    void arrangePanes();
+    void maximise(Pane* pane);
+    void changeSettings(const Settings& settings, bool dragging);
+    void remember();
+    void restoreLayout();
+    void resetLayout();
+
+    // main_window_picture.cpp
     void showPicture();
     void showEdgeMap();
     void showNewScan();
@@ -97,12 +105,6 @@ private:
     void changeDisplayLevels(int window, int level);
     void resetDisplayLevels();
     void applyAspect();
-    void arrangePanes();
-    void maximise(Pane* pane);
-    void changeSettings(const Settings& settings, bool dragging);
-    void remember();
-    void restoreLayout();
-    void resetLayout();
     [[nodiscard]] std::optional<QPoint> asPoint(std::optional<std::size_t> cell) const;
 
     // main_window_menus.cpp
