@@ -8,6 +8,7 @@
 #include "core/report/contact_sheet.h"
 #include "core/report/report.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
