@@ -21,14 +21,22 @@ constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 5.0;
 constexpr double kWindowMm = 60.0;
 constexpr double kNoisy = 1.5;             // x nominal
-constexpr double kLeastNoise = 0.7;        // x nominal: relief and beam blur surfaces as much, however good the ranges
+constexpr double kLeastNoise = 0.2;        // x nominal
+constexpr double kRelief = 0.7;            // x nominal: relief and beam blur what an LMS511 sees as much, however good its ranges ...
+constexpr double kJumpSpacings = 2.0;      // ... but no more than makes a jump of so many point spacings: points lie closer elsewhere
 constexpr float kInterlacedGrazing = 0.5F; // what is left of the displacements, index steps
 
-DepthLimits limitsOf(const InverseRange& inverse, const DepthEdgeSettings& settings) {
+// Noise in parts of the nominal one, by which the thresholds in millimetres grow and shrink.
+double noiseShare(const RangeNoise& noise, double spacingMm) {
+    const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
+    return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
+}
+
+DepthLimits limitsOf(const InverseRange& inverse, const AngularSteps& steps, const DepthEdgeSettings& settings) {
     DepthLimits limits;
     const double typed = settings.noiseAt5mMm;
     limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : rangeNoise(inverse);
-    const double q = std::clamp(limits.noise.at(5.0) / kNominalNoiseMm, kLeastNoise, 10.0);
+    const double q = noiseShare(limits.noise, pointSpacingMm(inverse, steps));
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
     limits.growth = static_cast<float>(settings.jumpGrowth);
     limits.grazing = static_cast<float>(settings.grazing);
@@ -130,7 +138,7 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     InverseRange inverse = inverseRange(scan);
     const SweepSlips slips = straighten(inverse);
     const AngularSteps steps = angularSteps(scan);
-    DepthLimits limits = limitsOf(inverse, settings);
+    DepthLimits limits = limitsOf(inverse, steps, settings);
     if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     DepthField field = fieldOf(inverse);
     snapVeils(field, inverse, steps, Along::Beams, limits);

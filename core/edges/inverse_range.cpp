@@ -20,6 +20,7 @@ constexpr std::size_t kFewestPerBin = 400;
 constexpr double kBinM = 1.0;
 constexpr std::size_t kBins = 60;
 constexpr std::size_t kCellsForNoise = 250000;
+constexpr std::size_t kCellsForSpacing = 50000;
 
 // Inverse ranges that short gaps between two measured cells of a line would get, and how far apart its two ends are.
 struct Filling {
@@ -160,6 +161,23 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     const double spread = weight * sumXX - sumX * sumX;
     const double slope = spread > 1e-9 * weight * weight ? std::max(0.0, (weight * sumXY - sumX * sumY) / spread) : 0.0;
     return {std::max(0.0, (sumY - slope * sumX) / weight), slope};
+}
+
+double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {
+    std::vector<float> areas; // m2
+    const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForSpacing));
+    for (int i = every / 2; i < inverse.u.lines; i += every) {
+        const float* u = inverse.u.line(i);
+        const Support* support = inverse.support.line(i);
+        const float* across = steps.line.line(i);
+        for (int j = 0; j < inverse.u.beams; ++j) {
+            if (support[j] == Support::Measured) areas.push_back(steps.beam[static_cast<std::size_t>(j)] * across[j] / (u[j] * u[j]));
+        }
+    }
+    if (areas.empty()) return 0.0;
+    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+    std::nth_element(areas.begin(), middle, areas.end());
+    return 1000.0 * std::sqrt(static_cast<double>(*middle));
 }
 
 } // namespace edgescan

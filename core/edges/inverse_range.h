@@ -42,4 +42,8 @@ struct RangeNoise {
 };
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
 
+/// How far apart neighbouring points lie, mm: the side of the square that a cell covers across the beam, median of the measured cells.
+/// Zero where nothing was measured.
+[[nodiscard]] double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps);
+
 } // namespace edgescan

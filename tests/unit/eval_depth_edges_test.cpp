@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace edgescan {
@@ -183,6 +184,39 @@ TEST(DepthEdges, NoiseIsFoundFromTheScanItself) {
             test::makeScan(150, 200, [&](int i, int j) { return test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random)); });
         EXPECT_NEAR(rangeNoise(inverseRange(wall)).at(5.0), sigma, 0.15 * sigma);
     }
+}
+
+// A board before a wall, ranges without noise.
+Scan boardBeforeWall(double distanceMm, double thicknessMm) {
+    const PolarGeometry polar = test::regularAngles(100, 120);
+    return test::makeScan(100, 120, [&](int i, int j) {
+        const bool board = i >= 30 && i < 70 && j >= 40 && j < 80;
+        const double a = polar.beamDeg[static_cast<std::size_t>(j)] * std::numbers::pi / 180;
+        const double p = polar.lineDeg[static_cast<std::size_t>(i)] * std::numbers::pi / 180;
+        return (distanceMm - (board ? thicknessMm : 0.0)) / (std::sin(a) * std::cos(p));
+    });
+}
+
+TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
+    // One step of 0.25 degrees is 4.4 mm at 1 m, 21.8 mm at 5 m.
+    const Scan near = boardBeforeWall(1000.0, 25.0);
+    const Scan far = boardBeforeWall(5000.0, 25.0);
+    EXPECT_NEAR(pointSpacingMm(inverseRange(near), angularSteps(near)), 4.4, 0.3);
+    EXPECT_NEAR(pointSpacingMm(inverseRange(far), angularSteps(far)), 21.8, 1.0);
+    EXPECT_NEAR(depthResponses(near, {}).jumpMm, 8.7, 0.6);
+    EXPECT_NEAR(depthResponses(far, {}).jumpMm, 21.0, 0.1);
+    const auto jumps = [](const Scan& scan) {
+        const DepthEdges edges = depthEdges(scan, {});
+        return std::count(edges.kind.cells.begin(), edges.kind.cells.end(), DepthEdge::Jump);
+    };
+    EXPECT_NEAR(static_cast<double>(jumps(near)), 156.0, 8.0); // the rim of 40 x 40 cells
+    EXPECT_EQ(jumps(far), 0);
+}
+
+TEST(DepthEdges, SpacingOfAnEmptyScanIsNothing) {
+    const Scan empty = test::makeScan(20, 30, [](int, int) { return 0.0; });
+    EXPECT_EQ(pointSpacingMm(inverseRange(empty), angularSteps(empty)), 0.0);
+    EXPECT_EQ(std::count(depthEdges(empty, {}).mask.cells.begin(), depthEdges(empty, {}).mask.cells.end(), 255), 0);
 }
 
 } // namespace
