@@ -216,7 +216,8 @@ TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
 TEST(DepthEdges, SpacingOfAnEmptyScanIsNothing) {
     const Scan empty = test::makeScan(20, 30, [](int, int) { return 0.0; });
     EXPECT_EQ(pointSpacingMm(inverseRange(empty), angularSteps(empty)), 0.0);
-    EXPECT_EQ(std::count(depthEdges(empty, {}).mask.cells.begin(), depthEdges(empty, {}).mask.cells.end(), 255), 0);
+    const DepthEdges edges = depthEdges(empty, {});
+    EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
 } // namespace
