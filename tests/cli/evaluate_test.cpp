@@ -1,0 +1,92 @@
+// edgescan-cli evaluate from outside.
+#include "core/files/png.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+using test::runCli;
+
+struct CliEvaluate : public ::testing::Test {
+    test::TemporaryFolder folder;
+    std::string scan = (folder / "bell.json").string();
+    std::string truth = (folder / "truth").string();
+
+    void SetUp() override {
+        const auto run = runCli("simulate -o " + scan + " --truth " + truth + " --lines 100 --beams 120 --seed 5");
+        ASSERT_EQ(run.code, 0) << run.err;
+    }
+
+    // A mask whose edges are the cells of gt_class.png that `wanted` takes.
+    template <class Wanted>
+    std::string maskOf(const std::string& name, Wanted wanted) {
+        Grid<std::uint8_t> mask = *readPng8(truth + "/gt_class.png");
+        for (std::uint8_t& cell : mask.cells) cell = wanted(cell) ? 255 : 0;
+        const std::string path = (folder / name).string();
+        EXPECT_TRUE(savePng8(mask, path));
+        return path;
+    }
+
+    json evaluated(const std::string& file, const std::string& flags = "") const {
+        const auto run = runCli("evaluate " + file + " --truth " + truth + " --json - " + flags);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return json::parse(run.out);
+    }
+};
+
+TEST_F(CliEvaluate, TheTruthAsAMaskIsPerfect) {
+    const json all = evaluated(maskOf("truth.png", [](std::uint8_t cell) { return cell > 0; }), "--tolerance 0");
+    EXPECT_FALSE(all.contains("sweep"));
+    EXPECT_GT(all["fixed"]["all"]["truth"], 100);
+    EXPECT_DOUBLE_EQ(all["fixed"]["all"]["f"], 1.0);
+    EXPECT_DOUBLE_EQ(all["fixed"]["pratt"], 1.0);
+
+    // Occluding edges alone. Made thin without the others a cell or two may go.
+    const json occluding = evaluated(maskOf("occluding.png", [](std::uint8_t cell) { return cell == 1; }), "--tolerance 1")["fixed"];
+    EXPECT_GT(occluding["occluding"]["f"], 0.97);
+    EXPECT_DOUBLE_EQ(occluding["all"]["precision"], 1.0);
+    EXPECT_LT(occluding["all"]["recall"], 0.4);
+
+    const json nothing = evaluated(maskOf("nothing.png", [](std::uint8_t) { return false; }))["fixed"];
+    EXPECT_EQ(nothing["all"]["found"], 0);
+    EXPECT_DOUBLE_EQ(nothing["all"]["f"], 0.0);
+}
+
+TEST_F(CliEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
+    const json report = evaluated(scan, "--method edgescan+ --sweep --thresholds 0.7,1,1.4,2.5");
+    EXPECT_EQ(report["swept"], "sensitivity");
+    EXPECT_EQ(report["sweep"]["thresholds"], json::array({0.7, 1.0, 1.4, 2.5}));
+    const json& best = report["sweep"]["all"];
+    const double fixed = report["fixed"]["all"]["f"].get<double>(); // sensitivity 1 is the default and one of the four
+    EXPECT_GT(fixed, 0.8);
+    EXPECT_GE(best["ods"].get<double>(), fixed);
+    EXPECT_DOUBLE_EQ(best["ois"].get<double>(), best["ods"].get<double>()); // one scan: best for all is best for each
+    const std::string threshold = std::to_string(best["ods_threshold"].get<double>());
+    const json alone = evaluated(scan, "--method edgescan+ --sensitivity " + threshold);
+    EXPECT_DOUBLE_EQ(alone["fixed"]["all"]["f"], best["ods"].get<double>());
+    EXPECT_EQ(evaluated(scan, "--preset thesis --sweep --thresholds 6")["swept"], "lower");
+}
+
+TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {
+    const auto twice = runCli("evaluate " + scan + " --truth " + truth + " --truth " + truth);
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_NE(twice.err.find("once per file"), std::string::npos) << twice.err;
+    const std::string mask = maskOf("mask.png", [](std::uint8_t cell) { return cell > 0; });
+    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --sweep").code, 2);
+    EXPECT_EQ(runCli("evaluate " + scan + " --truth " + (folder / "nowhere").string()).code, 1);
+
+    ASSERT_TRUE(savePng8(Grid<std::uint8_t>(10, 12), folder / "small.png"));
+    const auto small = runCli("evaluate " + (folder / "small.png").string() + " --truth " + truth);
+    EXPECT_EQ(small.code, 1);
+    EXPECT_NE(small.err.find("10 x 12 cells and its truth 100 x 120"), std::string::npos) << small.err;
+}
+
+} // namespace
+} // namespace edgescan
