@@ -91,6 +91,10 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
                     "or refuse them (never)")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->group(group);
+    command
+        .add_flag("--straighten", flags.options.straighten,
+                  "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped")
+        ->group(group);
     command.add_option("--scan", flags.options.scanIndex, "Which scan of a file that holds several, from 0")->group(group);
     command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group(group);
     addPlaceFlags(command, flags.options);

@@ -136,7 +136,7 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
     InverseRange inverse = inverseRange(scan);
-    const SweepSlips slips = straighten(inverse);
+    const SweepSlips slips = settings.straighten ? straighten(inverse) : noSlips(inverse.u.lines);
     const AngularSteps steps = angularSteps(scan);
     DepthLimits limits = limitsOf(inverse, steps, settings);
     if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);

@@ -15,6 +15,7 @@ struct DepthEdgeSettings {
     int minimumLength = 4;      ///< cells
     double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
     double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
+    bool straighten = true;     ///< interlaced beams and slipped lines are measured and taken into account
     bool jumps = true;
     bool convex = true;
     bool concave = true;

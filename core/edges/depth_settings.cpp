@@ -17,6 +17,7 @@ DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     depth.hysteresisLow = settings.hysteresisPercent / 100.0;
     depth.minimumLength = settings.minimumLength;
     depth.grazing = settings.grazing;
+    depth.straighten = settings.straighten;
     if (!std::isnan(settings.noiseMm)) depth.noiseAt5mMm = settings.noiseMm;
     depth.jumps = (classes & kClassJump) != 0;
     depth.convex = (classes & kClassConvex) != 0;

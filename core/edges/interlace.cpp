@@ -166,6 +166,11 @@ void moveBeams(InverseRange& inverse, const std::vector<float>& parity) {
 
 } // namespace
 
+SweepSlips noSlips(int lines) {
+    const std::vector<float> none(static_cast<std::size_t>(lines));
+    return {none, {none, none}, false, 0};
+}
+
 SweepSlips straighten(InverseRange& inverse) {
     const int lines = inverse.u.lines;
     // A sample of the lines tells whether it is worth looking at all of them.

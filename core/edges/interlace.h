@@ -19,6 +19,9 @@ struct SweepSlips {
     int slips = 0;           ///< values of `extra` that are not 0
 };
 
+/// Every line and beam where its angle says.
+[[nodiscard]] SweepSlips noSlips(int lines);
+
 /// Measures the displacements as robust medians over the slanted cells of each line, and brings interlaced beams to the angle of their
 /// line, half of the displacement each; never across a jump. Nothing is reported, nor moved, where the cells do not agree.
 [[nodiscard]] SweepSlips straighten(InverseRange& inverse);

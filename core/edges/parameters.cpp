@@ -93,6 +93,8 @@ const std::vector<Parameter>& table() {
          30, 100, 100, 1, 0, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), depth},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
          0, 2, 2, 0.05, 2, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), depth},
+        {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), depth},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 30, 0.25, 2, kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), depth},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",

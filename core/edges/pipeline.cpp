@@ -32,7 +32,7 @@ bool sameSmoothing(const Settings& a, const Settings& b) {
 
 bool sameResponses(const Settings& a, const Settings& b) {
     return same(a.jumpMm, b.jumpMm) && a.growthPercent == b.growthPercent && a.creaseDeg == b.creaseDeg && a.grazing == b.grazing &&
-           same(a.noiseMm, b.noiseMm);
+           a.straighten == b.straighten && same(a.noiseMm, b.noiseMm);
 }
 
 Grid<std::uint8_t> missingOrIsolated(const Scan& scan, const Grid<std::uint8_t>& missing) {

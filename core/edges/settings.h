@@ -59,6 +59,7 @@ struct Settings {
     int classes = kClassRock;        ///< EdgeClassBits
     double hysteresisPercent = 70.0; ///< low threshold, % of the high one
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
+    bool straighten = true;          ///< take interlaced beams and slipped lines into account
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
 
     // Gray levels, Canny and the other detectors

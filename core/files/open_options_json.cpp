@@ -33,6 +33,7 @@ std::string openOptionsText(const OpenOptions& options) {
     if (options.axis) object["axis"] = *options.axis == Axis::Spin ? "spin" : "sweep";
     if (const auto& s = options.sensorM) object["sensor"] = {s->x(), s->y(), s->z()};
     if (options.projection != Projection::Auto) object["project"] = options.projection == Projection::Always ? "always" : "never";
+    if (options.straighten) object["straighten"] = true;
     if (options.scanIndex != 0) object["scan"] = options.scanIndex;
     return object.empty() ? std::string() : object.dump();
 }
@@ -50,6 +51,7 @@ Result<OpenOptions> parseOpenOptions(const std::string& json, const std::string&
     if (fields.has("sensor")) options.sensorM = fields.neededVector("sensor");
     const std::size_t projection = fields.choice("project", {"auto", "always", "never"});
     options.projection = projection == 0 ? Projection::Auto : projection == 1 ? Projection::Always : Projection::Never;
+    options.straighten = fields.truth("straighten", false);
     options.scanIndex = static_cast<std::size_t>(fields.number("scan", 0, {0, 1e6}));
     fields.done();
     if (fields.problem()) return *fields.problem();

@@ -2,6 +2,7 @@
 #include "core/files/open_scan.h"
 
 #include "core/base/sha256.h"
+#include "core/edges/straighten_scan.h"
 #include "core/files/las.h"
 #include "core/files/obj.h"
 #include "core/files/open_options_json.h"
@@ -115,6 +116,7 @@ Result<Scan> readWhole(const Source& source) {
     auto scan = readByContent(source);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
+    if (source.options->straighten) *scan = straightened(std::move(*scan));
     if (!source.text().starts_with(kMcapMagic)) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }

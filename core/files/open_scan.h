@@ -35,6 +35,7 @@ struct OpenOptions {
     Projection projection = Projection::Auto;
     std::string pose;          ///< pose file (--pose); with the calibration it gives the scan its place in the mine
     std::string calibration;   ///< the robot's calibration file (--calibration)
+    bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines (--straighten)
     std::size_t scanIndex = 0; ///< which scan of a file that holds several, from 0 (--scan)
 
     /// Told the stage and how much of it is done (0..1), from the thread that opens; false cancels: Error "cancelled".

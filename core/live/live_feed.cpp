@@ -1,6 +1,7 @@
 // A scanner from its socket to a growing scan.
 #include "core/live/live_feed.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace edgescan {
@@ -43,14 +44,15 @@ void LiveFeed::record(RecordingMessagePtr message) {
 }
 
 void LiveFeed::received(const ColaFrame& frame) {
-    record(receivedMessage(frame, clock_)); // before anything looks into it
+    const RecordingMessagePtr message = receivedMessage(frame, clock_);
+    record(message); // before anything looks into it
     bool line = false;
     {
         const std::lock_guard lock(mutex_);
         const int before = feed_.assembler().sweepNumber();
         line = feed_.frame(frame, clock_.ns(frame.received));
         // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
-        if (feed_.assembler().sweepNumber() != before) sweepSinceNs_ = clock_.ns(frame.received);
+        if (feed_.assembler().sweepNumber() != before) sweepFirst_ = message;
         if (line) {
             ++lines_;
             lineNs_.push_back(frame.received.monotonicNs);
@@ -99,9 +101,11 @@ Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
     auto writer = RecordingWriter::start(path, metadataOf(sweepSettings_));
     if (!writer) return writer.error();
     recorder_ = std::move(*writer);
-    for (RecordingMessagePtr& message : recent_.messages()) {
-        if (message->hostNs >= sweepSinceNs_) recorder_->post(std::move(message));
-    }
+    // By the message itself: telegrams that arrived together share their time.
+    std::vector<RecordingMessagePtr> messages = recent_.messages();
+    auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
+    if (first == messages.end()) first = messages.begin(); // the first sweep, or one that began before what is remembered
+    std::for_each(first, messages.end(), [this](RecordingMessagePtr& message) { recorder_->post(std::move(message)); });
     return Done{};
 }
 

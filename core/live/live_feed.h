@@ -68,7 +68,7 @@ private:
     SessionState state_;
     std::optional<ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
-    std::int64_t sweepSinceNs_ = 0; // recording clock; 0: from the first message on
+    RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0;
     std::deque<std::int64_t> lineNs_;         // of the last lines, monotonic
     std::unique_ptr<ScannerSession> session_; // last: its thread uses all of the above

@@ -87,6 +87,7 @@ std::string readFlags(const OpenOptions& options) {
     if (options.projection != Projection::Auto) add("--project", options.projection == Projection::Always ? "always" : "never");
     if (!options.pose.empty()) add("--pose", shellQuoted(options.pose));
     if (!options.calibration.empty()) add("--calibration", shellQuoted(options.calibration));
+    if (options.straighten) flags += flags.empty() ? "--straighten" : " --straighten";
     if (options.scanIndex > 0) add("--scan", std::to_string(options.scanIndex));
     if (options.unitMm) add("--unit", *options.unitMm == 1000.0 ? "m" : *options.unitMm == 10.0 ? "cm" : "mm");
     return flags;
