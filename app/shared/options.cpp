@@ -150,7 +150,11 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
     const char* group = "Method";
     std::string names;
     for (const Preset& preset : builtInPresets()) names += (names.empty() ? "" : "|") + preset.name;
-    command.add_option("--preset", flags.preset, "Settings to start from: " + names + " or a preset file")->group(group);
+    command
+        .add_option("--preset", flags.preset,
+                    "Settings to start from: " + names +
+                        " or a preset file; without one, default, or log where flags of gray levels are given")
+        ->group(group);
     for (const Parameter& p : parameters()) {
         flags.typed[p.key] = kNotTyped;
         command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
@@ -163,7 +167,13 @@ bool anyTyped(const MethodFlags& flags) {
 }
 
 Result<Preset> presetOf(const MethodFlags& flags) {
-    return findPreset(flags.preset.empty() ? builtInPresets().front().name : flags.preset);
+    if (!flags.preset.empty()) return findPreset(flags.preset);
+    // Flags of gray levels alone ask for Canny on them: a threshold that somebody types must do something.
+    const bool gray = flags.typed.at("method") == kNotTyped && std::ranges::any_of(flags.typed, [](const auto& flag) {
+                          const Parameter& parameter = *findParameter(flag.first);
+                          return flag.second != kNotTyped && !parameter.usedBy(Settings{}) && parameter.usedBy(cannySettings());
+                      });
+    return findPreset(gray ? "log" : builtInPresets().front().name);
 }
 
 namespace {
@@ -191,8 +201,9 @@ Result<Settings> settingsBut(const MethodFlags& flags) {
     const bool chosen = !flags.preset.empty() || flags.typed.at("method") != kNotTyped;
     for (const auto& [key, text] : flags.typed) {
         if (chosen || text == kNotTyped || findParameter(key)->usedBy(settings)) continue;
-        return Error{"the method edgescan+ takes no notice of this flag", "--" + key,
-                     "choose a method that uses it, such as --method canny or --preset thesis for gray levels and thresholds"};
+        const Parameter& method = *findParameter("method");
+        return Error{"the method " + formatValue(method, method.get(settings)) + " takes no notice of this flag", "--" + key,
+                     "leave it out, or name a --method or --preset that uses it"};
     }
     return settings;
 }

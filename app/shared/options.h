@@ -54,7 +54,8 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags);
 /// A preset or a parameter was given on the command line.
 [[nodiscard]] bool anyTyped(const MethodFlags& flags);
 
-/// Error: neither a built-in preset nor a preset file.
+/// The preset named; else the default, or Canny on gray levels where its flags were typed and no method was. Error: neither a built-in
+/// preset nor a preset file.
 [[nodiscard]] Result<Preset> presetOf(const MethodFlags& flags);
 
 /// Preset first, then the flags; a method without a threshold typed keeps the step in depth at which the preset's starts an edge.

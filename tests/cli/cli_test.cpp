@@ -119,6 +119,24 @@ TEST_F(Cli, AResultThatCannotBeWrittenIsOneAndNamesThePath) {
     EXPECT_NE(run.err.find("/nonexistent-folder/m.png"), std::string::npos) << run.err;
 }
 
+TEST_F(Cli, FlagsOfGrayLevelsAskForCanny) {
+    const auto method = [this](const std::string& flags) {
+        const auto run = runCli("detect " + scanPath + " --json - " + flags);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return json::parse(run.out);
+    };
+    EXPECT_EQ(method("")["settings"]["method"], "edgescan+");
+    EXPECT_EQ(method("--crease 50")["settings"]["method"], "edgescan+");
+    const json low = method("--lower 3");
+    EXPECT_EQ(low["settings"]["method"], "canny");
+    EXPECT_GT(low["edges"], method("--lower 30")["edges"]);
+    EXPECT_EQ(low["edge_mask_sha256"], method("--preset log --lower 3")["edge_mask_sha256"]);
+    // Not both, and nothing that does nothing; unless the method was chosen, for then every setting of a record may be typed.
+    for (const char* usage : {"--lower 3 --crease 50", "--log-mask 8"})
+        EXPECT_EQ(runCli("detect " + scanPath + " " + usage).code, 2) << usage;
+    EXPECT_EQ(runCli("detect " + scanPath + " --method canny --lower 3 --crease 50").code, 0);
+}
+
 TEST_F(Cli, HelpListsEveryParameterWithLimitsAndDefault) {
     const std::string help = runCli("detect --help").out;
     for (const char* text : {"--lower", "--kernel", "--mask-missing", "0 to 20000", "default 6", "l1|l2", "--preset", "--beam-start"}) {
