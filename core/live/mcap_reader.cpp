@@ -6,6 +6,7 @@
 #include "core/live/mcap_unpack.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
 namespace edgescan {
@@ -326,8 +327,7 @@ private:
 } // namespace
 
 bool looksLikeMcap(ByteView bytes) {
-    return bytes.size() >= kMcapMagic.size() && std::equal(kMcapMagic.begin(), kMcapMagic.end(), bytes.begin(),
-                                                           [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+    return bytes.size() >= kMcapMagic.size() && std::memcmp(bytes.data(), kMcapMagic.data(), kMcapMagic.size()) == 0;
 }
 
 Result<McapContent> readMcap(ByteView bytes, const std::string& where) {
