@@ -106,13 +106,12 @@ Result<Done> compare(const CompareFlags& flags) {
         const Result<Done> saved = savePictures(flags, *scan, methods);
         if (!saved) return saved.error();
     }
+    if (flags.json != "-") std::cout << comparisonText(*scan, methods);
+    if (flags.json.empty()) return Done{};
     const std::string json = reportText(comparisonReport(*scan, methods, settings), true) + "\n";
-    if (flags.json == "-") {
-        std::cout << json;
-        return Done{};
-    }
-    std::cout << comparisonText(*scan, methods);
-    return flags.json.empty() ? Done{} : writeWholeFile(flags.json, json);
+    if (flags.json != "-") return writeWholeFile(flags.json, json);
+    std::cout << json;
+    return Done{};
 }
 
 } // namespace

@@ -63,9 +63,11 @@ std::string methodRow(const ComparedMethod& method) {
     return row + "\n";
 }
 
+// Null unless both of the methods that the table holds were compared.
 Json printedReport(const std::vector<ComparedMethod>& methods) {
     const ComparedMethod* thesis = find(methods, "thesis");
     const ComparedMethod* plus = find(methods, "edgescan+");
+    if (thesis == nullptr || plus == nullptr) return nullptr;
     Json table = Json::object();
     for (const PrintedStep& step : kTable61)
         table[step.name] = {{"thesis_printed_ms", step.milliseconds},

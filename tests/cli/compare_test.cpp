@@ -79,6 +79,17 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
     EXPECT_EQ(mask->lines, 60);
 }
 
+TEST_F(CliCompare, OnlySomeMethodsAreComparedWhicheverTheyAre) {
+    const auto run = runCli("compare " + scanPath + " --only sobel,jumps --repeats 1 --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    ASSERT_EQ(report["methods"].size(), 2U);
+    EXPECT_EQ(report["methods"][0]["method"], "sobel");
+    EXPECT_TRUE(report["table_6_1"].is_null());
+    EXPECT_NE(runCli("compare " + scanPath + " --only sobel --repeats 1").out.find("Sobel"), std::string::npos);
+    EXPECT_EQ(runCli("compare " + scanPath + " --only nonsense").code, 1);
+}
+
 TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
     const std::string bell = (folder / "bell.json").string();
     const std::string truth = (folder / "truth").string();
