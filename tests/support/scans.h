@@ -4,9 +4,12 @@
 #include "core/scan/scan.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace edgescan::test {
 
@@ -34,6 +37,16 @@ Scan makeScan(int lines, int beams, Range range) {
         }
     }
     return scan;
+}
+
+/// A scan while it grows: the first lines of `scan`.
+inline std::shared_ptr<const Scan> firstLines(const Scan& scan, int lines) {
+    auto part = std::make_shared<Scan>();
+    const auto cells = static_cast<std::ptrdiff_t>(scan.rangeMm.index(lines, 0));
+    part->rangeMm = Grid<float>(lines, scan.beams(), std::vector<float>(scan.rangeMm.cells.begin(), scan.rangeMm.cells.begin() + cells));
+    part->state = Grid<CellState>(lines, scan.beams(), std::vector<CellState>(scan.state.cells.begin(), scan.state.cells.begin() + cells));
+    part->geometry = regularAngles(lines, scan.beams());
+    return part;
 }
 
 /// A flat wall `distanceMm` in front of a sweeping scanner, in whole millimetres.

@@ -11,15 +11,6 @@ using namespace edgescan::test;
 
 namespace {
 
-std::shared_ptr<const Scan> firstLines(const Scan& scan, int lines) {
-    auto part = std::make_shared<Scan>();
-    const auto cells = static_cast<std::ptrdiff_t>(scan.rangeMm.index(lines, 0));
-    part->rangeMm = Grid<float>(lines, scan.beams(), std::vector<float>(scan.rangeMm.cells.begin(), scan.rangeMm.cells.begin() + cells));
-    part->state = Grid<CellState>(lines, scan.beams(), std::vector<CellState>(scan.state.cells.begin(), scan.state.cells.begin() + cells));
-    part->geometry = regularAngles(lines, scan.beams());
-    return part;
-}
-
 /// Every line of the scan, `stride` at a time; the result is compared after each.
 void expectExact(const Scan& scan, const Settings& settings, int stride) {
     auto live = LiveEdges::make(settings);

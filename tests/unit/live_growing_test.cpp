@@ -1,5 +1,6 @@
 // Scans that grow: which of them continue which, the window that stays meanwhile, and what the operator is told of them.
 #include "core/edges/canny.h"
+#include "core/edges/presets.h"
 #include "core/live/growing_pipeline.h"
 #include "core/live/live_health.h"
 #include "core/scan/placement.h"
@@ -15,25 +16,10 @@ using namespace edgescan::test;
 
 namespace {
 
-std::shared_ptr<const Scan> firstLines(const Scan& scan, int lines) {
-    auto part = std::make_shared<Scan>();
-    const auto cells = static_cast<std::ptrdiff_t>(scan.rangeMm.index(lines, 0));
-    part->rangeMm = Grid<float>(lines, scan.beams(), std::vector<float>(scan.rangeMm.cells.begin(), scan.rangeMm.cells.begin() + cells));
-    part->state = Grid<CellState>(lines, scan.beams(), std::vector<CellState>(scan.state.cells.begin(), scan.state.cells.begin() + cells));
-    part->geometry = regularAngles(lines, scan.beams());
-    return part;
-}
-
 /// Rows of a nearer wall first, then of a farther one: an automatic window wants to move.
 Scan recedingScan(int lines, int beams) {
     return makeScan(lines, beams,
                     [&](int i, int j) { return 2000 + (i > lines / 2 ? 40 * i : 0) + (j / 10 % 2) * 300 + (i * 7 + j * 3) % 11; });
-}
-
-Settings cannySettings() {
-    Settings settings;
-    settings.method = Method::Canny;
-    return settings;
 }
 
 } // namespace

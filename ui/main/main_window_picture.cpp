@@ -65,8 +65,7 @@ void MainWindow::showPicture() {
 void MainWindow::showEdgeMap() {
     if (!shown_) return;
     const bool coloured = cloud_->edgesByClass() && shown_->frame->classes;
-    edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_->frame, cloud_->edgeColour(), shown_->gray->height()))
-                              : shown_->edges,
+    edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_->edgeColour())) : shown_->edges,
                      Shrink::KeepBrightest);
 }
 

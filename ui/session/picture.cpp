@@ -45,6 +45,14 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
     return image;
 }
 
+// The pixels of the edge cells, each in the colour of its cell; all others stay.
+template <class EdgeColour>
+void paintEdges(QImage& image, const Frame& frame, EdgeColour edgeColour) {
+    const auto beams = static_cast<std::size_t>(frame.scan->beams());
+    for (const std::uint32_t k : *frame.edges)
+        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
+}
+
 EdgeCells edgeCellsOf(const Frame& frame) {
     EdgeCells cells{frame.edges, {}};
     if (!frame.classes) return cells;
@@ -81,35 +89,24 @@ QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows) {
 QImage edgePicture(const Frame& frame, int rows) {
     QImage image = paintCells(*frame.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
     // Edges last: without masking they also lie on cells without a range.
-    const int beams = frame.scan->beams();
-    for (const std::uint32_t k : *frame.edges) {
-        const int cell = static_cast<int>(k);
-        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = qRgb(255, 255, 255);
-    }
+    paintEdges(image, frame, [](std::size_t) { return qRgb(255, 255, 255); });
     return image;
 }
 
-QImage classPicture(const Frame& frame, const QColor& jump, int rows) {
-    QImage image = edgePicture(frame, rows);
+QImage classPicture(const Picture& picture, const QColor& jump) {
+    QImage image = *picture.edges;
+    const Frame& frame = *picture.frame;
     if (!frame.classes) return image;
     const std::array<QRgb, kEdgeClasses + 1> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb(),
                                                      kBorderColour.rgb()};
-    const int beams = frame.scan->beams();
-    for (const std::uint32_t k : *frame.edges) {
-        const int cell = static_cast<int>(k);
-        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = colours[static_cast<std::size_t>((*frame.classes)[k])];
-    }
+    paintEdges(image, frame, [&](std::size_t k) { return colours[static_cast<std::size_t>((*frame.classes)[k])]; });
     return image;
 }
 
 QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows) {
-    const int beams = frame.scan->beams();
-    QImage image(beams, rows, QImage::Format_ARGB32_Premultiplied);
+    QImage image(frame.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    for (const std::uint32_t k : *frame.edges) {
-        const int cell = static_cast<int>(k);
-        reinterpret_cast<QRgb*>(image.scanLine(cell / beams))[cell % beams] = colour.rgba();
-    }
+    paintEdges(image, frame, [&](std::size_t) { return colour.rgba(); });
     return image;
 }
 

@@ -46,8 +46,8 @@ struct Picture {
 // beams x `rows` pixels; rows that the scan does not have yet are plain dark.
 [[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows);
 [[nodiscard]] QImage edgePicture(const Frame& frame, int rows);
-/// The edge map with the colours of the classes, where the method tells classes apart; else as edgePicture().
-[[nodiscard]] QImage classPicture(const Frame& frame, const QColor& jump, int rows);
+/// The picture's edge map with the colours of the classes, where the method tells classes apart; else the map as it is.
+[[nodiscard]] QImage classPicture(const Picture& picture, const QColor& jump);
 [[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows);
 
 /// Images of `frame`; what did not change since `last` (may be null) is taken from it.
