@@ -62,7 +62,7 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
-    const Served served(bell + " --rate 0 --split");
+    const Served served(bell + " --rate 500 --split"); // so slow that there is a sweep to look at while it grows
     ASSERT_GT(served.port(), 0);
     SessionSettings scanner;
     scanner.host = "127.0.0.1";
