@@ -1,17 +1,15 @@
-// Creases. Blocks of plain arithmetic without branches, so that the compiler makes vectors of them.
+// Creases. Lines of plain arithmetic without branches, so that the compiler makes vectors of them.
 #include "core/edges/depth_crease.h"
 
 #include "core/edges/vectors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace edgescan {
 namespace {
 
-constexpr int kBlock = 64; // cells of a line that are worked on together
 constexpr float kFewest = 3;
 constexpr float kMost = PaddedGrid<float>::kMargin;
 constexpr float kWanted = 2;          // cells beyond the cell itself, on both sides
@@ -20,48 +18,71 @@ constexpr float kNoiseShare = 0.55F;  // of the range noise that is left after s
 constexpr float kSlopesApart = 1.41F; // two slopes with the noise of one each
 constexpr float kDegPerRad = 57.2957795F;
 
-using Block = std::array<float, kBlock>;
+// With room for whole lanes.
+std::vector<float> lineOf(int beams) { return std::vector<float>(static_cast<std::size_t>(beams + kLanes)); }
 
-// Sums over one side of the cells of a block; differences to the cell itself keep the digits.
+// Sums over one side of each cell of a line; differences to the cell itself keep the digits.
 struct SideSums {
-    Block cells, sum, weighted;
+    explicit SideSums(int beams) : cells(lineOf(beams)), sum(lineOf(beams)), weighted(lineOf(beams)) {}
+    std::vector<float> cells, sum, weighted;
 };
 
-// Cells `count` from `u` on; `sign` -1: towards lower indices.
-inline __attribute__((always_inline)) void addUp(SideSums& side, const float* u, const float* links, std::ptrdiff_t step, int sign,
-                                                 const Block& reach, int farthest) {
-    Block alive;
-    alive.fill(1.0F);
-    side.cells.fill(0.0F);
-    side.sum.fill(0.0F);
-    side.weighted.fill(0.0F);
-    for (int q = 1; q <= farthest; ++q) {
-        const auto distance = static_cast<float>(q);
-        const float* there = u + sign * q * step;
-        const float* link = sign > 0 ? links + (q - 1) * step : links - q * step;
-        for (int j = 0; j < kBlock; ++j) {
-            const auto n = static_cast<std::size_t>(j);
-            alive[n] = distance <= reach[n] ? alive[n] * link[j] : 0.0F;
-            const float difference = alive[n] * (there[j] - u[j]);
-            side.cells[n] += alive[n];
-            side.sum[n] += difference;
-            side.weighted[n] += distance * difference;
+// A line of the sweep, and the way along which it is looked at.
+struct Cells {
+    const float* u;
+    const float* links;
+    const float* angle;
+    std::ptrdiff_t step;
+    int beams;
+};
+
+// How many cells of a side are within the window; 0 beyond the line.
+EDGESCAN_VECTORS void reachOfLine(const Cells& at, float windowM, float* __restrict reach) {
+    const float* u = at.u;
+    const float* angle = at.angle;
+    for (int j = 0; j < at.beams; ++j) {
+        const float cells = windowM * u[j] / angle[j] + 0.5F;
+        reach[j] = std::max(std::min(cells, kMost), kFewest);
+    }
+}
+
+// Towards lower indices with `sign` -1. A side ends at a break, or where it is long enough.
+EDGESCAN_VECTORS void addUp(const Cells& at, int sign, const float* reach, SideSums& side) {
+    const std::ptrdiff_t step = sign * at.step;
+    const float* links = sign > 0 ? at.links - at.step : at.links;
+    for (int j = 0; j < at.beams; j += kLanes) {
+        const auto farthest = static_cast<int>(*std::max_element(reach + j, reach + j + kLanes));
+        Lanes here, cells, there, link;
+        load(here, at.u + j);
+        load(cells, reach + j);
+        Lanes alive = Lanes{} + 1.0F;
+        Lanes count{}, sum{}, weighted{};
+        for (int q = 1; q <= farthest; ++q) {
+            const auto distance = static_cast<float>(q);
+            load(there, at.u + j + q * step);
+            load(link, links + j + q * step);
+            alive = distance <= cells ? alive * link : Lanes{};
+            const Lanes difference = alive * (there - here);
+            count += alive;
+            sum += difference;
+            weighted += distance * difference;
         }
+        store(side.cells.data() + j, count);
+        store(side.sum.data() + j, sum);
+        store(side.weighted.data() + j, weighted);
     }
 }
 
 // Slope of u per step outwards and height of the line over the cell.
 struct SideLine {
-    Block slope, height;
+    float slope, height;
 };
-inline __attribute__((always_inline)) void fitLine(const SideSums& side, SideLine& line) {
-    for (std::size_t n = 0; n < kBlock; ++n) {
-        const float count = side.cells[n] + 1;
-        const float mean = 0.5F * side.cells[n];
-        const float spread = std::max(count * (count * count - 1) / 12.0F, 0.5F);
-        line.slope[n] = (side.weighted[n] - mean * side.sum[n]) / spread;
-        line.height[n] = side.sum[n] / count - mean * line.slope[n];
-    }
+inline __attribute__((always_inline)) SideLine fitted(float cells, float sum, float weighted) {
+    const float count = cells + 1;
+    const float mean = 0.5F * cells;
+    const float spread = std::max(count * (count * count - 1) / 12.0F, 0.5F);
+    const float slope = (weighted - mean * sum) / spread;
+    return {slope, sum / count - mean * slope};
 }
 
 // Angle whose tangent is y / x, y >= 0, degrees. A polynomial (Abramowitz and Stegun 4.4.49): within 0.01 degrees on every machine alike.
@@ -86,65 +107,55 @@ struct LineFits {
     std::vector<float> fitted;        ///< 1 where both sides have enough cells
 };
 
-struct Cells {
-    const float* u;
-    const float* links;
-    const float* angle;
-    std::ptrdiff_t step;
-};
-
-// One block; `count` of its cells are wanted. Results go to the lines of `fits`.
-EDGESCAN_VECTORS void fitBlock(const Cells& at, int count, const DepthLimits& limits, float* before, float* after, float* noise,
-                               float* misfit, float* fitted) {
-    Block reach;
-    reach.fill(0.0F);
-    float farthest = 0;
-    for (int j = 0; j < count; ++j) {
-        const auto n = static_cast<std::size_t>(j);
-        const float cells = limits.windowMm * 0.001F * at.u[j] / at.angle[j] + 0.5F;
-        reach[n] = std::max(static_cast<float>(static_cast<int>(std::min(cells, kMost))), kFewest);
-        farthest = std::max(farthest, reach[n]);
-    }
-    SideSums sums;
-    SideLine left;
-    SideLine right;
-    addUp(sums, at.u, at.links, at.step, -1, reach, static_cast<int>(farthest));
-    const Block leftCells = sums.cells;
-    fitLine(sums, left);
-    addUp(sums, at.u, at.links, at.step, 1, reach, static_cast<int>(farthest));
-    fitLine(sums, right);
+// The lines through both sides of each cell. Results go to `fits`.
+EDGESCAN_VECTORS void fitSides(const Cells& at, const SideSums& left, const SideSums& right, const DepthLimits& limits,
+                               float* __restrict before, float* __restrict after, float* __restrict noise, float* __restrict misfit,
+                               float* __restrict bothSides) {
+    const float* u = at.u;
+    const float* angle = at.angle;
+    const float* leftCells = left.cells.data();
+    const float* leftSum = left.sum.data();
+    const float* leftWeighted = left.weighted.data();
+    const float* rightCells = right.cells.data();
+    const float* rightSum = right.sum.data();
+    const float* rightWeighted = right.weighted.data();
     const auto offset = static_cast<float>(limits.noise.offsetMm);
     const auto perMetre = static_cast<float>(limits.noise.perMetreMm);
-    for (int j = 0; j < count; ++j) {
-        const auto n = static_cast<std::size_t>(j);
-        const float scale = 1.0F / (at.u[j] * at.angle[j]);
-        const float leftTangent = left.slope[n] * scale;
-        const float rightTangent = -right.slope[n] * scale;
-        before[j] = leftCells[n] > 0 ? leftTangent : rightTangent;
-        after[j] = sums.cells[n] > 0 ? rightTangent : leftTangent;
-        const float fewer = std::min(leftCells[n], sums.cells[n]);
-        fitted[j] = fewer >= kWanted ? 1.0F : 0.0F;
+    for (int j = 0; j < at.beams; ++j) {
+        const SideLine l = fitted(leftCells[j], leftSum[j], leftWeighted[j]);
+        const SideLine r = fitted(rightCells[j], rightSum[j], rightWeighted[j]);
+        const float scale = 1.0F / (u[j] * angle[j]);
+        const float leftTangent = l.slope * scale;
+        const float rightTangent = -r.slope * scale;
+        before[j] = leftCells[j] > 0 ? leftTangent : rightTangent;
+        after[j] = rightCells[j] > 0 ? rightTangent : leftTangent;
+        const float fewer = std::min(leftCells[j], rightCells[j]);
+        bothSides[j] = fewer >= kWanted ? 1.0F : 0.0F;
         const float points = std::max(fewer, 1.0F) + 1;
-        const float rangeM = 1.0F / at.u[j];
+        const float rangeM = 1.0F / u[j];
         const float sigmaMm = offset + perMetre * rangeM;
         noise[j] =
-            kSlopesApart * kNoiseShare * 0.001F * sigmaMm * std::sqrt(12.0F / (points * (points * points - 1))) / (rangeM * at.angle[j]);
-        const float gap = std::abs(left.height[n] - right.height[n]);
-        misfit[j] = 1000.0F * gap / ((at.u[j] + left.height[n]) * (at.u[j] + right.height[n]));
+            kSlopesApart * kNoiseShare * 0.001F * sigmaMm * std::sqrt(12.0F / (points * (points * points - 1))) / (rangeM * angle[j]);
+        const float gap = std::abs(l.height - r.height);
+        misfit[j] = 1000.0F * gap / ((u[j] + l.height) * (u[j] + r.height));
     }
 }
 
+// Rooms for the work on a line.
+struct LineWork {
+    explicit LineWork(int beams) : reach(lineOf(beams)), left(beams), right(beams) {}
+    std::vector<float> reach;
+    SideSums left, right;
+};
+
 void fitLineOf(const PaddedGrid<float>& u, const PaddedGrid<float>& links, const AngularSteps& steps, Along along, int line,
-               const DepthLimits& limits, LineFits& fits) {
-    const float* angle = anglesOf(steps, along, line);
-    const std::ptrdiff_t step = along == Along::Beams ? 1 : u.stride;
-    for (int j = 0; j < u.beams; j += kBlock) {
-        // The last block starts early rather than to read beyond the margin.
-        const int first = std::max(0, std::min(j, u.beams - kBlock));
-        const int count = std::min(kBlock, u.beams - first);
-        fitBlock({u.line(line) + first, links.line(line) + first, angle + first, step}, count, limits, fits.before.data() + first,
-                 fits.after.data() + first, fits.noise.data() + first, fits.misfit.data() + first, fits.fitted.data() + first);
-    }
+               const DepthLimits& limits, LineWork& work, LineFits& fits) {
+    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line), along == Along::Beams ? 1 : u.stride, u.beams};
+    reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
+    addUp(at, -1, work.reach.data(), work.left);
+    addUp(at, 1, work.reach.data(), work.right);
+    fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),
+             fits.fitted.data());
 }
 
 EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
@@ -181,9 +192,10 @@ FoldStrengths foldStrengths(const PaddedGrid<float>& u, const PaddedGrid<float>&
     FoldStrengths strengths{PaddedGrid<float>(u.lines, u.beams), PaddedGrid<float>(u.lines, u.beams)};
     LineFits beamwise(u.beams);
     LineFits linewise(u.beams);
+    LineWork work(u.beams);
     for (int i = 0; i < u.lines; ++i) {
-        fitLineOf(u, linksAlongBeams, steps, Along::Beams, i, limits, beamwise);
-        fitLineOf(u, linksAlongLines, steps, Along::Lines, i, limits, linewise);
+        fitLineOf(u, linksAlongBeams, steps, Along::Beams, i, limits, work, beamwise);
+        fitLineOf(u, linksAlongLines, steps, Along::Lines, i, limits, work, linewise);
         strengthsOf(beamwise, linewise, limits, u.beams, strengths.alongBeams.line(i));
         strengthsOf(linewise, beamwise, limits, u.beams, strengths.alongLines.line(i));
     }
