@@ -113,6 +113,11 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]")
         ->capture_default_str()
         ->group(scene);
+    command
+        .add_option("--rock-rounding", s.rockRounding,
+                    "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)")
+        ->capture_default_str()
+        ->group(scene);
     command.add_option("--wall-roughness", s.wallRoughnessMm, "Relief of the wall, standard deviation [mm]")
         ->capture_default_str()
         ->group(scene);

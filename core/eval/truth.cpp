@@ -22,6 +22,7 @@ constexpr double kUnsureCreaseDeg = 15.0;
 constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
 constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
 constexpr int kFirstRock = 2;             // object numbers below are void and wall
+constexpr int kReach = 2;                 // cells to each side that a detection may lie off a fold: one spread wider has no place
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
 
@@ -37,6 +38,11 @@ struct Judge {
         return truth.cleanMm[a] * normal.dot(rayA) / normal.dot(rayB);
     }
 
+    [[nodiscard]] double foldDeg(std::size_t a, std::size_t b) const {
+        const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
+        return std::acos(cosine) * 180.0 / std::numbers::pi;
+    }
+
     // What lies between two neighbouring cells that both hit something; `nearer` gets the cell that carries it.
     [[nodiscard]] PairKind between(int lineA, int beamA, int lineB, int beamB, std::size_t& nearer) const {
         const std::size_t a = truth.cleanMm.index(lineA, beamA);
@@ -46,7 +52,9 @@ struct Judge {
         nearer = truth.cleanMm[a] <= truth.cleanMm[b] ? a : b;
         const bool otherObject = truth.object[a] != truth.object[b];
         const bool sameFace = !otherObject && truth.face[a] == truth.face[b];
-        if (sameFace && truth.object[a] >= kFirstRock) return PairKind::Nothing;
+        const bool rock = truth.object[a] >= kFirstRock;
+        const bool round = truth.rounded[a] != 0 || truth.rounded[b] != 0;
+        if (sameFace && rock && !round) return PairKind::Nothing;
         // How far b's surface lies behind a's, on either ray; of one sign: the planes do not meet between the rays.
         const double gapAtA = planeAt(b, rayB, rayA) - truth.cleanMm[a];
         const double gapAtB = truth.cleanMm[b] - planeAt(a, rayA, rayB);
@@ -54,11 +62,11 @@ struct Judge {
         const double gap = apart ? std::min(std::abs(gapAtA), std::abs(gapAtB)) : 0.0;
         if (gap > kJumpMm) return PairKind::Occluding;
         if (gap > kUnsureJumpMm) return PairKind::Unsure;
-        if (sameFace) return PairKind::Nothing; // the facets of a wall's mesh are no creases
-        const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
-        const double fold = std::acos(cosine) * 180.0 / std::numbers::pi;
+        if (sameFace && !rock) return PairKind::Nothing; // the facets of a wall's mesh are no creases
+        const double fold = foldDeg(a, b);
         if (otherObject) return fold > kContactDeg ? PairKind::Contact : PairKind::Nothing;
         if (fold > kCreaseDeg) return PairKind::Crease;
+        if (round) return PairKind::Nothing; // see spreadFolds
         return fold > kUnsureCreaseDeg ? PairKind::Unsure : PairKind::Nothing;
     }
 };
@@ -133,6 +141,43 @@ void judgePair(const Judge& judge, Marks& marks, int lineA, int beamA, int lineB
     }
 }
 
+// Along one row of cells of one rock: a rounded fold that turns by a crease's angle, but over several cells, or by less from one cell to
+// the next. Whether it is an edge, and where, nobody can say.
+void markSpreadFolds(const Judge& judge, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
+    const SimulationTruth& truth = judge.truth;
+    const std::size_t first = spread.index(line, beam);
+    if (truth.object[first] < kFirstRock) return;
+    bool round = false;
+    for (int n = 0; n <= 2 * kReach && spread.contains(line + n * lineStep, beam + n * beamStep); ++n) {
+        const std::size_t k = spread.index(line + n * lineStep, beam + n * beamStep);
+        if (truth.object[k] != truth.object[first]) return;
+        round = round || truth.rounded[k] != 0;
+        if (!round || n == 0 || judge.foldDeg(first, k) <= (n == 1 ? kUnsureCreaseDeg : kCreaseDeg)) continue;
+        for (int m = 0; m <= n; ++m) spread.at(line + m * lineStep, beam + m * beamStep) = 255;
+        return;
+    }
+}
+
+// Cells that are not scored for rounded folds. Edges that are sure stay, and so does what lies beside an outline: towards it every round
+// rock turns away from the scanner.
+Grid<std::uint8_t> spreadFolds(const Judge& judge, const Grid<std::uint8_t>& edgeClass) {
+    Grid<std::uint8_t> spread(edgeClass.lines, edgeClass.beams);
+    for (int i = 0; i < spread.lines; ++i) {
+        for (int j = 0; j < spread.beams; ++j) {
+            markSpreadFolds(judge, spread, i, j, 0, 1);
+            markSpreadFolds(judge, spread, i, j, 1, 0);
+        }
+    }
+    Grid<std::uint8_t> outline(spread.lines, spread.beams);
+    for (std::size_t k = 0; k < spread.size(); ++k)
+        outline[k] = edgeClass[k] != 0 && edgeClass[k] != static_cast<std::uint8_t>(EdgeClass::Crease) ? 255 : 0;
+    dilate(outline, kReach);
+    for (std::size_t k = 0; k < spread.size(); ++k) {
+        if (edgeClass[k] != 0 || outline[k] != 0) spread[k] = 0;
+    }
+    return spread;
+}
+
 } // namespace
 
 EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth) {
@@ -155,6 +200,8 @@ EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth) {
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (thin[k] == 0) result.edgeClass[k] = 0;
     }
+    const Grid<std::uint8_t> spread = spreadFolds(judge, result.edgeClass);
+    for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
     return result;
 }
 

@@ -79,6 +79,7 @@ Json sceneJson(const SimulationSettings& s) {
             {"profile", s.profile == DeviceProfile::HighResolution ? "high" : "standard"},
             {"rocks", s.rocks},
             {"rock_roughness_mm", s.rockRoughnessMm},
+            {"rock_rounding", s.rockRounding},
             {"wall_roughness_mm", s.wallRoughnessMm},
             {"absorbing_patches", s.absorbingPatches},
             {"distance_m", s.distanceM},

@@ -18,7 +18,7 @@ struct Echo {
 [[nodiscard]] Echo echoOf(const RayBundle& bundle, const BundleHits& hits, const Scene& scene, const SimulationSettings& settings);
 
 /// Cosine between a sub-ray and the surface it hit.
-[[nodiscard]] double cosineOf(const RayBundle& bundle, std::size_t lane, const Surface& surface);
+[[nodiscard]] double cosineOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane);
 
 /// Standard deviation of a range in metres (METHOD.md "Simulator facts"), without the settings' factor.
 [[nodiscard]] double rangeSigmaM(double rangeM, double cosine);

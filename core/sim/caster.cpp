@@ -33,6 +33,52 @@ void castInto(const Mesh& mesh, const BoxTree& tree, const RayBundle& bundle, Bu
         centre, [&](std::int32_t part) { meet(mesh[static_cast<std::size_t>(part)], bundle, hits); }, [&] { return farthest(hits); });
 }
 
+Eigen::Vector3f originOf(const RayBundle& bundle, std::size_t i) { return {bundle.ox[i], bundle.oy[i], bundle.oz[i]}; }
+Eigen::Vector3f directionOf(const RayBundle& bundle, std::size_t i) { return {bundle.dx[i], bundle.dy[i], bundle.dz[i]}; }
+
+/// Whether a point of a side of a rounded body lies over that side of its core. A ray that comes in elsewhere meets a ridge or nothing.
+bool onFlatPart(const ConvexBody& body, std::size_t side, const Eigen::Vector3f& point) {
+    constexpr float kOverlapM = 1e-5F; // no ray slips between a side and its ridges
+    const Eigen::Vector3f below = point - body.radiusM * body.facets[side].normal;
+    return std::all_of(body.facets.begin(), body.facets.end(),
+                       [&](const Facet& facet) { return facet.normal.dot(below) <= facet.offset - body.radiusM + kOverlapM; });
+}
+
+/// Distance at which a ray comes within the radius of a ridge, infinite where it does not; `start` and `along` in metres.
+double entryOfRidge(const Ridge& ridge, double radius, const Eigen::Vector3d& start, const Eigen::Vector3d& along) {
+    const auto entry = [](double a, double half, double c) { // the smaller root of a t^2 + 2 half t + c
+        const double inside = half * half - a * c;
+        return inside > 0.0 ? (-half - std::sqrt(inside)) / a : std::numeric_limits<double>::infinity();
+    };
+    const Eigen::Vector3d axis = (ridge.to - ridge.from).cast<double>();
+    const double length = axis.norm();
+    const Eigen::Vector3d unit = axis / length;
+    const Eigen::Vector3d offset = start - ridge.from.cast<double>();
+    const Eigen::Vector3d across = along - along.dot(unit) * unit;
+    const Eigen::Vector3d offsetAcross = offset - offset.dot(unit) * unit;
+    const double square = across.squaredNorm();
+    double place = along.dot(unit) > 0.0 ? -1.0 : length + 1.0; // a ray along the ridge comes in by the end that it meets first
+    if (square > 1e-12) {
+        const double t = entry(square, across.dot(offsetAcross), offsetAcross.squaredNorm() - radius * radius);
+        if (std::isinf(t)) return t;
+        place = (offset + t * along).dot(unit);
+        if (place >= 0.0 && place <= length) return t;
+    }
+    const Eigen::Vector3d fromEnd = place < 0.0 ? offset : offset - axis;
+    return entry(along.squaredNorm(), along.dot(fromEnd), fromEnd.squaredNorm() - radius * radius);
+}
+
+void meetRidges(const ConvexBody& body, const RayBundle& bundle, std::size_t lane, BundleHits& hits) {
+    const Eigen::Vector3d start = originOf(bundle, lane).cast<double>();
+    const Eigen::Vector3d along = directionOf(bundle, lane).cast<double>();
+    for (const Ridge& ridge : body.ridges) {
+        const auto t = static_cast<float>(entryOfRidge(ridge, static_cast<double>(body.radiusM), start, along));
+        if (t <= 0.0F || t >= hits.distanceM[lane]) continue;
+        hits.distanceM[lane] = t;
+        hits.surface[lane] = ridge.surface;
+    }
+}
+
 } // namespace
 
 Caster::Caster(const Scene& scene, const Footprint& footprint) : scene_(&scene) {
@@ -91,11 +137,12 @@ void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits) {
 void meet(const ConvexBody& body, const RayBundle& bundle, BundleHits& hits) {
     alignas(16) Lanes<float> enter;
     alignas(16) Lanes<float> leave;
-    alignas(16) Lanes<std::int32_t> surface;
+    alignas(16) Lanes<std::int32_t> side; // index into the facets
     enter.fill(0.0F);
     leave.fill(kNowhere);
-    surface.fill(-1);
-    for (const Facet& facet : body.facets) {
+    side.fill(-1);
+    for (std::size_t f = 0; f < body.facets.size(); ++f) {
+        const Facet& facet = body.facets[f];
         const float nx = facet.normal.x();
         const float ny = facet.normal.y();
         const float nz = facet.normal.z();
@@ -108,14 +155,20 @@ void meet(const ConvexBody& body, const RayBundle& bundle, BundleHits& hits) {
             const bool later = inward & (t > enter[i]);
             const bool sooner = !inward & (t < leave[i]);
             enter[i] = later ? t : enter[i];
-            surface[i] = later ? facet.surface : surface[i];
+            side[i] = later ? static_cast<std::int32_t>(f) : side[i];
             leave[i] = sooner ? t : leave[i];
         }
     }
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const bool closer = (surface[i] >= 0) & (enter[i] <= leave[i]) & (enter[i] < hits.distanceM[i]);
-        hits.distanceM[i] = closer ? enter[i] : hits.distanceM[i];
-        hits.surface[i] = closer ? surface[i] : hits.surface[i];
+        const bool closer = (side[i] >= 0) & (enter[i] <= leave[i]) & (enter[i] < hits.distanceM[i]);
+        if (!closer) continue;
+        const auto hit = static_cast<std::size_t>(side[i]);
+        if (body.radiusM > 0.0F && !onFlatPart(body, hit, originOf(bundle, i) + enter[i] * directionOf(bundle, i))) {
+            meetRidges(body, bundle, i, hits);
+            continue;
+        }
+        hits.distanceM[i] = enter[i];
+        hits.surface[i] = body.facets[hit].surface;
     }
 }
 

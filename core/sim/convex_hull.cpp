@@ -82,4 +82,29 @@ std::vector<HullTriangle> convexHull(const std::vector<Eigen::Vector3d>& points)
     return triangles;
 }
 
+// The hull of those points is the body's dual: each of its triangles stands for a corner.
+std::vector<Eigen::Vector3d> cornersBetween(const std::vector<Eigen::Vector3d>& planes) {
+    std::vector<Eigen::Vector3d> corners;
+    for (const HullTriangle& t : convexHull(planes)) {
+        const Eigen::Vector3d& a = planes[static_cast<std::size_t>(t[0])];
+        const Eigen::Vector3d normal = (planes[static_cast<std::size_t>(t[1])] - a).cross(planes[static_cast<std::size_t>(t[2])] - a);
+        corners.emplace_back(normal / normal.dot(a));
+    }
+    return corners;
+}
+
+std::vector<Eigen::Vector4d> planesOf(const std::vector<Eigen::Vector3d>& points, const std::vector<HullTriangle>& hull) {
+    std::vector<Eigen::Vector4d> planes;
+    for (const HullTriangle& t : hull) {
+        const Eigen::Vector3d& a = points[static_cast<std::size_t>(t[0])];
+        const Eigen::Vector3d normal =
+            (points[static_cast<std::size_t>(t[1])] - a).cross(points[static_cast<std::size_t>(t[2])] - a).normalized();
+        Eigen::Vector4d plane;
+        plane << normal, normal.dot(a);
+        const auto same = [&](const Eigen::Vector4d& other) { return (other - plane).cwiseAbs().maxCoeff() < 1e-5; };
+        if (normal.squaredNorm() > 0.5 && std::none_of(planes.begin(), planes.end(), same)) planes.push_back(plane);
+    }
+    return planes;
+}
+
 } // namespace edgescan::sim

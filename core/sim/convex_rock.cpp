@@ -2,6 +2,7 @@
 #include "core/sim/convex_rock.h"
 
 #include "core/sim/convex_hull.h"
+#include "core/sim/rounded_core.h"
 
 #include <algorithm>
 #include <array>
@@ -27,18 +28,6 @@ Eigen::Matrix3d randomTurn(Dice& dice) {
     return q.normalized().toRotationMatrix();
 }
 
-/// Where the planes normal . x = distance meet on the body that they enclose; each plane is given as normal / distance.
-/// The hull of those points is the body's dual: each of its triangles stands for a corner.
-std::vector<Eigen::Vector3d> cornersBetween(const std::vector<Eigen::Vector3d>& planes) {
-    std::vector<Eigen::Vector3d> corners;
-    for (const HullTriangle& t : convexHull(planes)) {
-        const Eigen::Vector3d& a = planes[static_cast<std::size_t>(t[0])];
-        const Eigen::Vector3d normal = (planes[static_cast<std::size_t>(t[1])] - a).cross(planes[static_cast<std::size_t>(t[2])] - a);
-        corners.emplace_back(normal / normal.dot(a));
-    }
-    return corners;
-}
-
 /// A block between three sets of joints, its corners and edges broken off.
 std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
     std::vector<Eigen::Vector3d> planes;
@@ -53,16 +42,9 @@ std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
     return planes;
 }
 
-float volumeOf(const std::vector<Eigen::Vector3d>& corners, const std::vector<HullTriangle>& hull) {
-    double six = 0.0;
-    for (const HullTriangle& t : hull)
-        six += corners[static_cast<std::size_t>(t[0])].dot(
-            corners[static_cast<std::size_t>(t[1])].cross(corners[static_cast<std::size_t>(t[2])]));
-    return static_cast<float>(six / 6.0);
-}
-
 /// Longest distance between two corners, then the widths across it: the widest one, and the one at right angles to both.
-std::array<float, 3> spansOf(const std::vector<Eigen::Vector3d>& corners) {
+std::array<float, 3> spansOf(const RoundedCore& core) {
+    const std::vector<Eigen::Vector3d>& corners = core.corners;
     const auto longest = [&](auto project) {
         Eigen::Vector3d best = Eigen::Vector3d::Zero();
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -79,22 +61,8 @@ std::array<float, 3> spansOf(const std::vector<Eigen::Vector3d>& corners) {
     const Eigen::Vector3d b = longest(acrossA);
     const Eigen::Vector3d across = alongA.cross(b.normalized());
     const Eigen::Vector3d c = longest([&](const Eigen::Vector3d& chord) -> Eigen::Vector3d { return across * across.dot(chord); });
-    return {static_cast<float>(a.norm()), static_cast<float>(b.norm()), static_cast<float>(c.norm())};
-}
-
-/// Distinct planes (unit normal, offset) of the hull: triangles of one flat face share theirs.
-std::vector<Eigen::Vector4d> planesOf(const std::vector<Eigen::Vector3d>& corners, const std::vector<HullTriangle>& hull) {
-    std::vector<Eigen::Vector4d> planes;
-    for (const HullTriangle& t : hull) {
-        const Eigen::Vector3d& a = corners[static_cast<std::size_t>(t[0])];
-        const Eigen::Vector3d normal =
-            (corners[static_cast<std::size_t>(t[1])] - a).cross(corners[static_cast<std::size_t>(t[2])] - a).normalized();
-        Eigen::Vector4d plane;
-        plane << normal, normal.dot(a);
-        const auto same = [&](const Eigen::Vector4d& other) { return (other - plane).cwiseAbs().maxCoeff() < 1e-5; };
-        if (normal.squaredNorm() > 0.5 && std::none_of(planes.begin(), planes.end(), same)) planes.push_back(plane);
-    }
-    return planes;
+    const auto grown = [&](const Eigen::Vector3d& chord) { return static_cast<float>(chord.norm() + 2.0 * core.radiusM); };
+    return {grown(a), grown(b), grown(c)};
 }
 
 void addFacet(Scene& scene, ConvexBody& body, const Eigen::Vector3d& normal, double offset, const Surface& look) {
@@ -141,18 +109,29 @@ std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice) {
     return corners;
 }
 
-void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM) {
+void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM, double rounding) {
     const std::vector<HullTriangle> hull = convexHull(corners);
     if (hull.empty()) return;
+    const RoundedCore core = roundedCore(corners, hull, rounding);
     ConvexBody body;
     Surface look{.object = static_cast<std::uint16_t>(kFirstRock + scene.rocks.size()), .face = 0, .texture = Texture::Rock};
-    for (const Eigen::Vector4d& plane : planesOf(corners, hull)) {
+    for (const Eigen::Vector4d& plane : planesOf(core.corners, core.hull)) {
         ++look.face;
-        addFacet(scene, body, plane.head<3>(), plane.w() + plane.head<3>().dot(centreM), look);
+        addFacet(scene, body, plane.head<3>(), plane.w() + core.radiusM + plane.head<3>().dot(centreM), look);
     }
-    for (const Eigen::Vector3d& corner : corners) body.box.extend((corner + centreM).cast<float>());
+    look.body = static_cast<std::int32_t>(scene.bodies.size());
+    for (const auto& [from, to] : core.ridges) {
+        ++look.face;
+        ++look.ridge;
+        const auto place = [&](int corner) { return (core.corners[static_cast<std::size_t>(corner)] + centreM).cast<float>().eval(); };
+        body.ridges.push_back({place(from), place(to), static_cast<std::int32_t>(scene.surfaces.size())});
+        scene.surfaces.push_back(look);
+    }
+    body.radiusM = static_cast<float>(core.radiusM);
+    for (const Eigen::Vector3d& corner : core.corners) body.box.extend((corner + centreM).cast<float>());
+    body.box = {body.box.min().array() - body.radiusM, body.box.max().array() + body.radiusM};
     scene.bodies.push_back(std::move(body));
-    scene.rocks.push_back({look.object, centreM.cast<float>(), spansOf(corners), volumeOf(corners, hull)});
+    scene.rocks.push_back({look.object, centreM.cast<float>(), spansOf(core), static_cast<float>(core.volumeM3)});
 }
 
 void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object) {

@@ -19,9 +19,10 @@ namespace edgescan::sim {
 /// Corners of a rock round the origin: 12-40 points, longest axis `sizeM`, the two others 0.55-1 of it, turned at random.
 [[nodiscard]] std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice);
 
-/// Adds the hull of the corners, moved to `centreM`, as the scene's next rock. Each flat side becomes a face of its own, numbered from 1.
-/// Corners in one plane add nothing.
-void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM);
+/// Adds the hull of the corners, moved to `centreM`, as the scene's next rock. Each flat side becomes a face of its own, numbered from 1,
+/// then each rounded ridge. Corners in one plane add nothing.
+/// @param rounding radius of its corners and ridges as a share of the largest ball that fits in round its middle, from 0 to below 1
+void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM, double rounding = 0.0);
 
 /// Adds a box with faces 1-6 (-x, +x, -y, +y, -z, +z) as object `object`.
 void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object);

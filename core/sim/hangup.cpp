@@ -44,7 +44,7 @@ void settle(Ball& ball, const Vault& vault, double hang) {
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-void addArch(Scene& scene, const Vault& vault, int rocks, std::uint64_t seed) {
+void addArch(Scene& scene, const Vault& vault, int rocks, double rounding, std::uint64_t seed) {
     Dice places(seed, Purpose::Places);
     const std::vector<double> sizes = rockSizes(rocks, seed);
     std::vector<double> hang;
@@ -60,12 +60,12 @@ void addArch(Scene& scene, const Vault& vault, int rocks, std::uint64_t seed) {
     const std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
-        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rounding);
     }
 }
 
 /// Stones that came down before it hung up.
-void addRubble(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
+void addRubble(Scene& scene, const Bell& bell, int rocks, double rounding, std::uint64_t seed) {
     Dice dice(seed, Purpose::Rubble);
     for (int i = 0; i < rocks;) {
         const double x = dice.uniform(-4.5, 4.5);
@@ -76,14 +76,14 @@ void addRubble(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
         const bool onPole = y * y + height * height < 0.2 * x * x; // a sweep would smear it over every line
         if (!onSlope || onPole) continue;
         Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
-        addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size});
+        addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rounding);
         ++i;
     }
 }
 
 } // namespace
 
-Scene hangupScene(std::uint64_t seed, int rocks) {
+Scene hangupScene(std::uint64_t seed, int rocks, double rounding) {
     Dice dice(seed, Purpose::Bell);
     const Bell bell(mixed(seed));
     const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
@@ -96,8 +96,8 @@ Scene hangupScene(std::uint64_t seed, int rocks) {
     Scene scene;
     addBell(scene, bell, {true, vault.chimneyM * 2.3, 1.3});
     addMuck(scene, bell, mixed(seed));
-    addArch(scene, vault, rocks, seed);
-    addRubble(scene, bell, rocks / 5, mixed(seed));
+    addArch(scene, vault, rocks, rounding, seed);
+    addRubble(scene, bell, rocks / 5, rounding, mixed(seed));
     return scene;
 }
 

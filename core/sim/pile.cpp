@@ -31,7 +31,7 @@ void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-void addPile(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
+void addPile(Scene& scene, const Bell& bell, int rocks, double rounding, std::uint64_t seed) {
     Dice places(seed, Purpose::Places);
     std::vector<double> sizes = rockSizes(rocks, seed);
     for (double& size : sizes) size /= kLarger;
@@ -46,18 +46,18 @@ void addPile(Scene& scene, const Bell& bell, int rocks, std::uint64_t seed) {
         scattered(ballRadii(sizes), place, places), [&](std::size_t, Ball& ball) { settle(ball, bell, seed); }, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
-        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rounding);
     }
 }
 
 } // namespace
 
-Scene pileScene(std::uint64_t seed, int rocks) {
+Scene pileScene(std::uint64_t seed, int rocks, double rounding) {
     const Bell bell(mixed(seed));
     Scene scene;
     addBell(scene, bell, {.present = false});
     addGround(scene, [&](double x, double y) { return slopeHeight(x, y, seed); });
-    addPile(scene, bell, rocks, seed);
+    addPile(scene, bell, rocks, rounding, seed);
     // The boom leans towards the slope: the middle beam looks along -y, 16 degrees up.
     Eigen::Matrix3f lean;
     lean << 1.0F, 0.0F, 0.0F, 0.0F, 0.28F, 0.96F, 0.0F, -0.96F, 0.28F;

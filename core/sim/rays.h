@@ -31,6 +31,12 @@ struct BundleHits {
     }
 };
 
+/// Where a sub-ray that hit something ends, metres.
+[[nodiscard]] inline Eigen::Vector3f placeOf(const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {
+    const float t = hits.distanceM[lane];
+    return {bundle.ox[lane] + t * bundle.dx[lane], bundle.oy[lane] + t * bundle.dy[lane], bundle.oz[lane] + t * bundle.dz[lane]};
+}
+
 /// Diameter of the beam = apertureM + divergenceRad * range.
 struct Footprint {
     double apertureM = 0.013;

@@ -1,6 +1,8 @@
 // Building blocks of scenes: surfaces through lattices of points, turning.
 #include "core/sim/scene.h"
 
+#include <algorithm>
+
 namespace edgescan::sim {
 namespace {
 
@@ -26,6 +28,14 @@ void transform(Mesh& mesh, const Eigen::Matrix3f& by) {
 
 } // namespace
 
+Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen::Vector3f& point) {
+    if (surface.ridge < 0) return surface.normal;
+    const Ridge& ridge = scene.bodies[static_cast<std::size_t>(surface.body)].ridges[static_cast<std::size_t>(surface.ridge)];
+    const Eigen::Vector3f along = ridge.to - ridge.from;
+    const float share = std::clamp(along.dot(point - ridge.from) / along.squaredNorm(), 0.0F, 1.0F);
+    return (point - ridge.from - share * along).normalized();
+}
+
 void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look) {
     const int cells = lattice.closed ? lattice.columns : lattice.columns - 1;
     for (int i = 0; i + 1 < lattice.rows; ++i) {
@@ -48,6 +58,8 @@ Scene scaled(Scene scene, float factor) {
     for (ConvexBody& body : scene.bodies) {
         body.box = {body.box.min() * factor, body.box.max() * factor};
         for (Facet& facet : body.facets) facet.offset *= factor;
+        for (Ridge& ridge : body.ridges) ridge = {ridge.from * factor, ridge.to * factor, ridge.surface};
+        body.radiusM *= factor;
     }
     for (RockTruth& rock : scene.rocks) {
         rock.centreM *= factor;
@@ -66,6 +78,7 @@ Scene turned(Scene scene, const Eigen::Matrix3f& rotation) {
         for (int k = 0; k < 8; ++k) box.extend(rotation * body.box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(k)));
         body.box = box;
         for (Facet& facet : body.facets) facet.normal = rotation * facet.normal;
+        for (Ridge& ridge : body.ridges) ridge = {rotation * ridge.from, rotation * ridge.to, ridge.surface};
     }
     for (RockTruth& rock : scene.rocks) rock.centreM = rotation * rock.centreM;
     return scene;

@@ -16,12 +16,14 @@ inline constexpr std::uint16_t kFirstRock = 2;
 
 enum class Texture : std::uint8_t { Smooth, Rock, Wall };
 
-/// One flat piece. Pieces with the same object and face make one smooth face of that object.
+/// One flat piece, or a rounded ridge. Pieces with the same object and face make one smooth face of that object.
 struct Surface {
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< unit, towards the scanner's side
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< unit, towards the scanner's side; not used for a rounded ridge
     std::uint16_t object = kWallObject;
     std::uint16_t face = 1;
     Texture texture = Texture::Wall;
+    std::int32_t body = -1;  ///< rounded ridge: index into Scene::bodies
+    std::int32_t ridge = -1; ///< rounded ridge: index into that body's ridges
 };
 
 struct Triangle {
@@ -37,10 +39,19 @@ struct Facet {
     std::int32_t surface = -1;
 };
 
-/// The common part of its half-spaces.
+/// A ridge of a rounded body's core, metres.
+struct Ridge {
+    Eigen::Vector3f from, to;
+    std::int32_t surface = -1;
+};
+
+/// The common part of its half-spaces. Rounded off, where the radius is not 0: the half-spaces moved in by the radius enclose the core, and
+/// the body is all that lies within the radius of the core; planes where it was flat, cylinders along the ridges, spheres at the corners.
 struct ConvexBody {
     std::vector<Facet> facets;
     Eigen::AlignedBox3f box;
+    std::vector<Ridge> ridges; ///< of the core; none for a sharp body
+    float radiusM = 0.0F;
 };
 
 /// A rock as it really is, hidden parts included.
@@ -60,6 +71,9 @@ struct Scene {
     std::vector<ConvexBody> bodies;
     std::vector<RockTruth> rocks;
 };
+
+/// Unit normal of a surface at a point of it.
+[[nodiscard]] Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen::Vector3f& point);
 
 /// Adds the surface through a rows x columns lattice of points, facing the scanner, two triangles per lattice cell.
 /// @param closed joins the last column to the first

@@ -8,10 +8,11 @@ namespace edgescan::sim {
 
 /// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (METHOD.md "Scenes").
 /// @param rocks in the arch; a fifth more lie on the muck
-[[nodiscard]] Scene hangupScene(std::uint64_t seed, int rocks);
+/// @param rounding of the rocks, as in addRock
+[[nodiscard]] Scene hangupScene(std::uint64_t seed, int rocks, double rounding);
 
 /// A muck slope of rocks against one wall, the scanner leaned towards it, the bell open above.
-[[nodiscard]] Scene pileScene(std::uint64_t seed, int rocks);
+[[nodiscard]] Scene pileScene(std::uint64_t seed, int rocks, double rounding);
 
 /// The bell after the blast: walls, drift, muck, a raise at the top.
 [[nodiscard]] Scene emptyScene(std::uint64_t seed);

@@ -47,6 +47,7 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                             {"beams", 1.0 * s.beams, 2, 100000},
                             {"rocks", 1.0 * s.rocks, 0, 3000},
                             {"rock roughness", s.rockRoughnessMm, 0, 200},
+                            {"rock rounding", s.rockRounding, 0, 0.9},
                             {"wall roughness", s.wallRoughnessMm, 0, 200},
                             {"absorbing patches", 1.0 * s.absorbingPatches, 0, 1000},
                             {"distance", s.distanceM, 0.1, 100},
@@ -79,8 +80,8 @@ std::optional<Error> refusal(const SimulationSettings& s) {
 }
 
 Result<Scene> sceneOf(const SimulationSettings& settings) {
-    if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks);
-    if (settings.scene == "pile") return pileScene(settings.seed, settings.rocks);
+    if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks, settings.rockRounding);
+    if (settings.scene == "pile") return pileScene(settings.seed, settings.rocks, settings.rockRounding);
     if (settings.scene == "empty") return emptyScene(settings.seed);
     if (settings.scene == "wall") return wallScene(settings.distanceM, settings.hole, settings.holeM);
     if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
@@ -159,7 +160,7 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Cartesi
         const bool absorbed = inPatch(sweep.patches, direction);
         const auto reliefAt = [&](std::size_t lane, double rangeM) {
             const Surface& surface = sweep.scene.surfaces[static_cast<std::size_t>(hits.surface[lane])];
-            return reliefM(sweep, surface, cosineOf(bundle, lane, surface), direction * rangeM);
+            return reliefM(sweep, surface, cosineOf(sweep.scene, bundle, hits, lane), direction * rangeM);
         };
         Echo echo = echoOf(bundle, hits, sweep.scene, settings);
         if (absorbed) echo = {};
@@ -178,7 +179,8 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Cartesi
         const double clean = static_cast<double>(hits.distanceM[0]);
         out.truth->object[k] = surface.object;
         out.truth->face[k] = surface.face;
-        out.truth->normal[k] = surface.normal;
+        out.truth->rounded[k] = surface.ridge >= 0 ? 1 : 0;
+        out.truth->normal[k] = normalAt(sweep.scene, surface, placeOf(bundle, hits, 0));
         out.truth->cleanMm[k] = static_cast<float>(1000.0 * (clean + reliefAt(0, clean)));
     }
 }
@@ -209,9 +211,13 @@ bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation&
 }
 
 SimulationTruth emptyTruth(const SimulationSettings& s, const Scene& scene) {
-    SimulationTruth truth{{s.lines, s.beams}, {s.lines, s.beams},
-                          {s.lines, s.beams}, {s.lines, s.beams, Eigen::Vector3f::Zero().eval()},
-                          {s.lines, s.beams}, {}};
+    SimulationTruth truth{{s.lines, s.beams},
+                          {s.lines, s.beams},
+                          {s.lines, s.beams},
+                          {s.lines, s.beams, Eigen::Vector3f::Zero().eval()},
+                          {s.lines, s.beams},
+                          {s.lines, s.beams},
+                          {}};
     for (const RockTruth& rock : scene.rocks) truth.rocks.push_back({rock.object, rock.centreM, rock.spansM, rock.volumeM3});
     return truth;
 }

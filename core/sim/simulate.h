@@ -36,6 +36,7 @@ struct SimulationSettings {
     // The scene.
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
+    double rockRounding = 0.0;    ///< radius of corners and ridges, as a share of the largest ball round a rock's middle that fits in it
     double wallRoughnessMm = 30.0;
     int absorbingPatches = 6;             ///< round spots that send nothing back
     double distanceM = 6.0;               ///< of the wall or of the staircase's middle tread
@@ -69,6 +70,7 @@ struct SimulationTruth {
     Grid<float> cleanMm;          ///< range with relief, without noise, steps or footprint
     Grid<Eigen::Vector3f> normal; ///< unit, scanner frame, towards the scanner; without relief
     Grid<std::uint8_t> absorbed;  ///< 1 in absorbing patches
+    Grid<std::uint8_t> rounded;   ///< 1 where a corner or ridge of a rock is rounded off
 
     struct Rock {
         int object = 0;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <random>
 
 namespace edgescan {
@@ -31,11 +32,15 @@ Grid<std::uint8_t> perfectMask(const TruthSet& truth) {
 
 TEST(Truth, SurvivesItsFiles) {
     SimulationSettings settings;
+    settings.rockRounding = 0.25;
     const Simulation bell = smallBell(settings);
     const fs::path folder = fs::path(testing::TempDir()) / "truth-of-a-bell";
     ASSERT_TRUE(writeTruth(bell, settings, folder));
     for (const char* name : {"gt_class.png", "gt_ignore.png", "object.png", "face.png", "range_clean.png", "rocks.json", "scene.json"})
         EXPECT_TRUE(fs::exists(folder / name)) << name;
+    const auto scene = nlohmann::json::parse(std::ifstream(folder / "scene.json"));
+    EXPECT_EQ(scene["seed"], 9);
+    EXPECT_EQ(scene["rock_rounding"], 0.25);
     const Result<TruthSet> read = readTruth(folder);
     ASSERT_TRUE(read) << read.error().sentence();
     const TruthSet made = truthSetOf(bell);
