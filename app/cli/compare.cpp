@@ -79,6 +79,18 @@ Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std
                     fs::path(flags.pictures) / "comparison.png");
 }
 
+// The first key of --only that no method has.
+std::optional<Error> unknownKey(const std::vector<std::string>& only) {
+    const std::vector<std::string> known = comparedKeys();
+    for (const std::string& key : only) {
+        if (std::ranges::find(known, key) != known.end()) continue;
+        std::string names;
+        for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+        return Error{"no method is called \"" + key + "\"", "--only", "use " + names};
+    }
+    return std::nullopt;
+}
+
 Result<Done> compare(const CompareFlags& flags) {
     Result<Scan> opened = openScan(flags.file, openOptions(flags.read));
     if (!opened) return opened.error();
@@ -101,7 +113,6 @@ Result<Done> compare(const CompareFlags& flags) {
     };
     const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
     if (tell) std::fprintf(stderr, "\r%-48s\r", "");
-    if (methods.empty()) return Error{"no method of that name is compared", "--only", "see the file names that --pictures writes"};
     if (!flags.pictures.empty()) {
         const Result<Done> saved = savePictures(flags, *scan, methods);
         if (!saved) return saved.error();
@@ -143,6 +154,11 @@ void addCompare(CLI::App& app, int& code) {
     command.add_flag("--no-peers", flags->noPeers, "Leave the PCL peers out");
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
+        if (const std::optional<Error> unknown = unknownKey(flags->settings.only)) {
+            complain(*unknown);
+            code = kWrongUsage;
+            return;
+        }
         const Result<Done> result = compare(*flags);
         code = result ? kDone : kRefused;
         if (!result) complain(result.error());

@@ -170,6 +170,12 @@ ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, co
 
 } // namespace
 
+std::vector<std::string> comparedKeys() {
+    std::vector<std::string> keys;
+    for (const ComparedMethod& method : ownMethods()) keys.push_back(method.key);
+    return keys;
+}
+
 std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
                                            const ComparisonSettings& settings, const ComparisonProgress& progress) {
     std::vector<ComparedMethod> methods = ownMethods();

@@ -44,11 +44,14 @@ struct ComparedMethod {
 struct ComparisonSettings {
     int repeats = 5; ///< of our own methods, interleaved; medians are told
     bool peers = true;
-    std::vector<std::string> only{}; ///< keys of our own methods; empty = all. A key that none has is passed over
+    std::vector<std::string> only{}; ///< comparedKeys() of our own methods; empty = all
     PeerLimits peerLimits;
     double tolerance = 2.0; ///< of the score, cells
     bool bestThreshold = false;
 };
+
+/// Keys of our own methods, in the order of the comparison: "thesis", then values of --method.
+[[nodiscard]] std::vector<std::string> comparedKeys();
 
 /// Called before each method with its name and the finished share; false stops.
 using ComparisonProgress = std::function<bool(const char* name, double fraction)>;

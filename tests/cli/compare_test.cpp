@@ -87,7 +87,14 @@ TEST_F(CliCompare, OnlySomeMethodsAreComparedWhicheverTheyAre) {
     EXPECT_EQ(report["methods"][0]["method"], "sobel");
     EXPECT_TRUE(report["table_6_1"].is_null());
     EXPECT_NE(runCli("compare " + scanPath + " --only sobel --repeats 1").out.find("Sobel"), std::string::npos);
-    EXPECT_EQ(runCli("compare " + scanPath + " --only nonsense").code, 1);
+    for (const char* only : {"nonsense", "sobel,nonsense", "nonsense,thesis"}) {
+        const auto refused = runCli("compare " + scanPath + " --repeats 1 --only " + only);
+        EXPECT_EQ(refused.code, 2) << only;
+        EXPECT_EQ(refused.out, "");
+        EXPECT_EQ(refused.err,
+                  "edgescan-cli: --only: no method is called \"nonsense\"; use thesis, roberts, sobel, prewitt, kirsch, robinson, "
+                  "marr-hildreth, log, canny, log-range, jumps, outlines, edgescan+.\n");
+    }
 }
 
 TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
