@@ -46,30 +46,44 @@ EDGESCAN_VECTORS void reachOfLine(const Cells& at, float windowM, float* __restr
     }
 }
 
-// Towards lower indices with `sign` -1. A side ends at a break, or where it is long enough.
-EDGESCAN_VECTORS void addUp(const Cells& at, int sign, const float* reach, SideSums& side) {
-    const std::ptrdiff_t step = sign * at.step;
-    const float* links = sign > 0 ? at.links - at.step : at.links;
+struct LaneSums {
+    Lanes alive = Lanes{} + 1.0F; // 1 until the side ends
+    Lanes cells{}, sum{}, weighted{};
+};
+
+inline __attribute__((always_inline)) void add(LaneSums& side, const Lanes& here, const float* u, const float* link, float distance,
+                                               const Lanes& reach) {
+    Lanes there, linked;
+    load(there, u);
+    load(linked, link);
+    side.alive = distance <= reach ? side.alive * linked : Lanes{};
+    const Lanes difference = side.alive * (there - here);
+    side.cells += side.alive;
+    side.sum += difference;
+    side.weighted += distance * difference;
+}
+
+inline __attribute__((always_inline)) void put(SideSums& side, int beam, const LaneSums& sums) {
+    store(side.cells.data() + beam, sums.cells);
+    store(side.sum.data() + beam, sums.sum);
+    store(side.weighted.data() + beam, sums.weighted);
+}
+
+// Both sides of all cells. A side ends at a break, or where it is long enough.
+EDGESCAN_VECTORS void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
     for (int j = 0; j < at.beams; j += kLanes) {
-        const auto farthest = static_cast<int>(*std::max_element(reach + j, reach + j + kLanes));
-        Lanes here, cells, there, link;
+        const float farthest = *std::max_element(reach + j, reach + j + kLanes);
+        Lanes here, cells;
         load(here, at.u + j);
         load(cells, reach + j);
-        Lanes alive = Lanes{} + 1.0F;
-        Lanes count{}, sum{}, weighted{};
-        for (int q = 1; q <= farthest; ++q) {
-            const auto distance = static_cast<float>(q);
-            load(there, at.u + j + q * step);
-            load(link, links + j + q * step);
-            alive = distance <= cells ? alive * link : Lanes{};
-            const Lanes difference = alive * (there - here);
-            count += alive;
-            sum += difference;
-            weighted += distance * difference;
+        LaneSums before, after;
+        std::ptrdiff_t there = at.step;
+        for (float distance = 1; distance <= farthest; ++distance, there += at.step) {
+            add(before, here, at.u + j - there, at.links + j - there, distance, cells);
+            add(after, here, at.u + j + there, at.links + j + there - at.step, distance, cells);
         }
-        store(side.cells.data() + j, count);
-        store(side.sum.data() + j, sum);
-        store(side.weighted.data() + j, weighted);
+        put(left, j, before);
+        put(right, j, after);
     }
 }
 
@@ -152,8 +166,7 @@ void fitLineOf(const PaddedGrid<float>& u, const PaddedGrid<float>& links, const
                const DepthLimits& limits, LineWork& work, LineFits& fits) {
     const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line), along == Along::Beams ? 1 : u.stride, u.beams};
     reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
-    addUp(at, -1, work.reach.data(), work.left);
-    addUp(at, 1, work.reach.data(), work.right);
+    addUp(at, work.reach.data(), work.left, work.right);
     fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),
              fits.fitted.data());
 }
