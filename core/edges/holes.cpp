@@ -2,6 +2,7 @@
 #include "core/edges/holes.h"
 
 #include "core/edges/opencv_view.h"
+#include "core/edges/vectors.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -19,13 +20,25 @@ constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
 // The ranges of a line with a cell on either side; what is no range agrees with nothing.
+EDGESCAN_VECTORS void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) out[j] = states[j] == CellState::Valid ? ranges[j] : std::numeric_limits<float>::quiet_NaN();
+}
+
 void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
     out.assign(static_cast<std::size_t>(scan.beams()) + 2, std::numeric_limits<float>::quiet_NaN());
-    if (line < 0 || line >= scan.lines()) return;
-    const float* ranges = scan.rangeMm.line(line);
-    const CellState* states = scan.state.line(line);
-    for (int beam = 0; beam < scan.beams(); ++beam) {
-        if (states[beam] == CellState::Valid) out[static_cast<std::size_t>(beam) + 1] = ranges[beam];
+    if (line >= 0 && line < scan.lines()) takeValid(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
+}
+
+// 255 where too few agree, of lines with a cell on either side.
+EDGESCAN_VECTORS void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float here = line[j];
+        const float allowed = kAgreeShare * here + kAgreeMm;
+        const auto agrees = [&](float there) { return std::abs(there - here) <= allowed ? 1 : 0; };
+        // The cell itself agrees too, unless it has no range.
+        const int agreeing = agrees(before[j - 1]) + agrees(before[j]) + agrees(before[j + 1]) + agrees(line[j - 1]) + agrees(here) +
+                             agrees(line[j + 1]) + agrees(after[j - 1]) + agrees(after[j]) + agrees(after[j + 1]);
+        out[j] = static_cast<std::uint8_t>((agreeing > 0) & (agreeing <= kNeighboursWanted) ? 255 : 0);
     }
 }
 
@@ -44,23 +57,10 @@ Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine) {
     std::array<std::vector<float>, 3> ranges; // of the lines before, at and after
     takeRanges(ranges[1], scan, firstLine - 1);
     takeRanges(ranges[2], scan, firstLine);
-    const auto beams = static_cast<std::size_t>(scan.beams());
-    std::vector<int> agreeing(beams);
     for (int line = firstLine; line < endLine; ++line) {
         std::rotate(ranges.begin(), ranges.begin() + 1, ranges.end());
         takeRanges(ranges[2], scan, line + 1);
-        const float* here = ranges[1].data() + 1;
-        std::fill(agreeing.begin(), agreeing.end(), 0);
-        for (const std::vector<float>& row : ranges) {
-            for (std::size_t shift = 0; shift < 3; ++shift) { // the cell itself agrees too
-                const float* there = row.data() + shift;
-                for (std::size_t j = 0; j < beams; ++j)
-                    agreeing[j] += std::abs(there[j] - here[j]) <= kAgreeShare * here[j] + kAgreeMm ? 1 : 0;
-            }
-        }
-        std::uint8_t* out = isolated.line(line - firstLine);
-        // A cell without a range does not even agree with itself.
-        for (std::size_t j = 0; j < beams; ++j) out[j] = agreeing[j] > 0 && agreeing[j] <= kNeighboursWanted ? 255 : 0;
+        isolatedOfLine(ranges[0].data() + 1, ranges[1].data() + 1, ranges[2].data() + 1, scan.beams(), isolated.line(line - firstLine));
     }
     return isolated;
 }

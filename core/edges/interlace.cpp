@@ -1,8 +1,12 @@
 // Displacements of beams and lines.
 #include "core/edges/interlace.h"
 
+#include "core/edges/vectors.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -34,32 +38,49 @@ float explained(const std::vector<Slip>& slips, float steps) {
     return without > 0 ? static_cast<float>(1 - with / without) : 0.0F;
 }
 
-struct Median {
-    float value = 0;
-    float spread = 0; // weighted median distance from it
-    std::size_t count = 0;
-};
-
-float weightedMiddle(std::vector<Slip>& slips) {
-    std::sort(slips.begin(), slips.end(), [](const Slip& a, const Slip& b) { return a.steps < b.steps; });
+// Whether the weighted median lies between -limit and limit, as it does on most lines.
+bool isMiddleWithin(float limit, const std::vector<Slip>& slips) {
     double total = 0;
-    for (const Slip& slip : slips) total += static_cast<double>(slip.weight);
-    double sum = 0;
+    double below = 0;
+    double upTo = 0;
     for (const Slip& slip : slips) {
-        sum += static_cast<double>(slip.weight);
-        if (2 * sum >= total) return slip.steps;
+        const auto weight = static_cast<double>(slip.weight);
+        total += weight;
+        below += slip.steps <= -limit ? weight : 0.0;
+        upTo += slip.steps < limit ? weight : 0.0;
+    }
+    return 2 * below < total && 2 * upTo >= total;
+}
+
+// The weighted median: the least value up to which half of the weight lies. Sums of so few bits are exact in double, so that the order in
+// which they are added does not matter.
+float weightedMiddle(std::vector<Slip> slips) {
+    const auto add = [](double sum, const Slip& slip) { return sum + static_cast<double>(slip.weight); };
+    const double total = std::accumulate(slips.begin(), slips.end(), 0.0, add);
+    double below = 0;
+    auto first = slips.begin();
+    auto end = slips.end();
+    while (first != end) {
+        const auto middle = first + (end - first) / 2;
+        std::nth_element(first, middle, end, [](const Slip& a, const Slip& b) { return a.steps < b.steps; });
+        const double before = std::accumulate(first, middle, below, add);
+        const double upTo = add(before, *middle);
+        if (2 * before >= total) {
+            end = middle;
+        } else if (2 * upTo >= total) {
+            return middle->steps;
+        } else {
+            below = upTo;
+            first = middle + 1;
+        }
     }
     return 0;
 }
 
-Median medianOf(std::vector<Slip>& slips) {
-    Median median;
-    median.count = slips.size();
-    if (slips.empty()) return median;
-    median.value = weightedMiddle(slips);
-    for (Slip& slip : slips) slip.steps = std::abs(slip.steps - median.value);
-    median.spread = weightedMiddle(slips);
-    return median;
+// Weighted median distance from `value`.
+float spreadAround(float value, std::vector<Slip> slips) {
+    for (Slip& slip : slips) slip.steps = std::abs(slip.steps - value);
+    return weightedMiddle(std::move(slips));
 }
 
 bool measured(const InverseRange& inverse, int line, int beam) { return inverse.support.at(line, beam) == Support::Measured; }
@@ -73,35 +94,73 @@ bool measuredAround(const InverseRange& inverse, int line, int beam) {
     return true;
 }
 
-// Odd beams against even ones on one line.
-void addParity(const InverseRange& inverse, int line, std::vector<Slip>& slips) {
-    const Grid<float>& u = inverse.u;
-    for (int j = 1; j + 1 < u.beams; ++j) {
-        if (!measuredAround(inverse, line, j)) continue;
-        float slant = 0;
-        for (int n = j - 1; n <= j + 1; ++n) slant += (u.at(line + 1, n) - u.at(line - 1, n)) / 6.0F;
-        const float share = std::abs(slant) / u.at(line, j);
-        if (share < kLeastSlant || share > kMostSlant) continue;
-        const float off = (u.at(line, j) - 0.5F * (u.at(line, j - 1) + u.at(line, j + 1))) / slant;
-        slips.push_back({j % 2 == 1 ? off : -off, share});
+// What the cells of a line tell of its slant.
+struct LineSlants {
+    explicit LineSlants(int beams) : slant(static_cast<std::size_t>(beams)), slanted(slant.size()) {}
+    std::vector<float> slant;          ///< change of u per line
+    std::vector<std::uint8_t> slanted; ///< 1 where it is slanted enough and no edge
+
+    /// Calls visit(beam, slant) where the line is slanted.
+    template <class Visit>
+    void forEach(Visit visit) const {
+        for (auto at = slanted.begin(); (at = std::find(at, slanted.end(), 1)) != slanted.end(); ++at) {
+            const auto beam = at - slanted.begin();
+            visit(static_cast<int>(beam), slant[static_cast<std::size_t>(beam)]);
+        }
+    }
+};
+
+// From the lines before and after.
+EDGESCAN_VECTORS void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                   std::uint8_t* __restrict slanted) {
+    for (int j = 1; j < beams - 1; ++j) {
+        const auto change = [&](int n) { return (u[n + stride] - u[n - stride]) / 6.0F; };
+        const float slant = change(j - 1) + change(j) + change(j + 1);
+        const float share = std::abs(slant) / u[j];
+        slants[j] = slant;
+        slanted[j] = static_cast<std::uint8_t>((share >= kLeastSlant) & (share <= kMostSlant));
     }
 }
 
-// The step from a line to the next, against the slants before and after it; the lines at the step itself are not in the slants, for
-// their noise would tell against it.
-void addExtra(const InverseRange& inverse, int line, int parity, std::vector<Slip>& slips) {
-    const Grid<float>& u = inverse.u;
-    for (int j = parity; j < u.beams; j += 2) {
-        const float before = 0.5F * (u.at(line - 1, j) - u.at(line - 3, j));
-        const float after = 0.5F * (u.at(line + 4, j) - u.at(line + 2, j));
+// Of a step to the next line, from the slants before and after it; the lines at the step itself are not in them, for their noise would
+// tell against it.
+EDGESCAN_VECTORS void slantsBesideStep(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                       std::uint8_t* __restrict slanted) {
+    for (int j = 0; j < beams; ++j) {
+        const float before = 0.5F * (u[j - stride] - u[j - 3 * stride]);
+        const float after = 0.5F * (u[j + 4 * stride] - u[j + 2 * stride]);
         const float slant = 0.5F * (before + after);
-        const float share = std::abs(slant) / u.at(line, j);
-        if (share < kLeastSlant || share > kMostSlant || std::abs(before - after) > std::abs(slant)) continue;
-        bool all = true;
-        for (int i = line - 3; i <= line + 4; ++i) all = all && measured(inverse, i, j);
-        if (!all) continue;
-        slips.push_back({(u.at(line + 1, j) - u.at(line, j)) / slant - 1, share, slant});
+        const float share = std::abs(slant) / u[j];
+        slants[j] = slant;
+        slanted[j] =
+            static_cast<std::uint8_t>((share >= kLeastSlant) & (share <= kMostSlant) & (std::abs(before - after) <= std::abs(slant)));
     }
+}
+
+// Odd beams against even ones on one line.
+void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::vector<Slip>& slips) {
+    const float* u = inverse.u.line(line);
+    slantsAround(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
+    slants.forEach([&](int j, float slant) {
+        if (!measuredAround(inverse, line, j)) return;
+        const float off = (u[j] - 0.5F * (u[j - 1] + u[j + 1])) / slant;
+        slips.push_back({j % 2 == 1 ? off : -off, std::abs(slant) / u[j]});
+    });
+}
+
+// The step from a line to the next for the beams of both parities.
+using StepSlips = std::array<std::vector<Slip>, 2>;
+
+void addExtra(const InverseRange& inverse, int line, LineSlants& slants, StepSlips& slips) {
+    const float* u = inverse.u.line(line);
+    const float* next = inverse.u.line(line + 1);
+    slantsBesideStep(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
+    slants.forEach([&](int j, float slant) {
+        for (int i = line - 3; i <= line + 4; ++i) {
+            if (!measured(inverse, i, j)) return;
+        }
+        slips[static_cast<std::size_t>(j % 2)].push_back({(next[j] - u[j]) / slant - 1, std::abs(slant) / u[j], slant});
+    });
 }
 
 // The smaller one where the slants on both sides agree in sign; 0 at an edge.
@@ -125,29 +184,29 @@ std::vector<float> parities(const InverseRange& inverse, int every) {
     int told = 0;
     int shifted = 0;
     std::vector<Slip> slips;
+    LineSlants slants(inverse.u.beams);
     for (int i = 1; i + 1 < inverse.u.lines; i += every) {
         slips.clear();
-        addParity(inverse, i, slips);
-        const Median median = medianOf(slips);
-        if (median.count < kFewestCells) continue;
+        addParity(inverse, i, slants, slips);
+        if (slips.size() < kFewestCells) continue;
         ++told;
-        if (std::abs(median.value) < kLeastParity || median.spread > kAgree) continue;
+        if (isMiddleWithin(kLeastParity, slips)) continue;
+        const float steps = weightedMiddle(slips);
+        if (spreadAround(steps, slips) > kAgree) continue;
         ++shifted;
-        parity[static_cast<std::size_t>(i)] = median.value;
+        parity[static_cast<std::size_t>(i)] = steps;
     }
     if (told < kFewestLines || 2 * shifted <= told) std::fill(parity.begin(), parity.end(), 0.0F);
     return parity;
 }
 
-// The slip after a line for the beams of one parity; 0 when there is none that explains what is seen.
-float extraStep(const InverseRange& inverse, int line, int parity) {
-    std::vector<Slip> slips;
-    addExtra(inverse, line, parity, slips);
-    if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(inverse.u.beams) / 25)) return 0;
-    const std::vector<Slip> all = slips;
-    const Median median = medianOf(slips);
-    if (std::abs(median.value) < kLeastExtra || median.spread > kAgree * std::max(1.0F, std::abs(median.value))) return 0;
-    return explained(all, median.value) < kExplained ? 0 : median.value;
+// The slip that the beams of one parity tell of; 0 when there is none that explains what is seen.
+float extraStep(const std::vector<Slip>& slips, int beams) {
+    if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
+    if (isMiddleWithin(kLeastExtra, slips)) return 0;
+    const float steps = weightedMiddle(slips);
+    if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
+    return explained(slips, steps) < kExplained ? 0 : steps;
 }
 
 void moveBeams(InverseRange& inverse, const std::vector<float>& parity) {
@@ -181,11 +240,15 @@ SweepSlips straighten(InverseRange& inverse) {
         result.parity = parities(inverse, 1);
         moveBeams(inverse, result.parity);
     }
+    LineSlants slants(inverse.u.beams);
+    StepSlips slips;
     for (int i = 3; i + 4 < lines; ++i) {
-        for (int parity = 0; parity < 2; ++parity) {
-            const float steps = extraStep(inverse, i, parity);
-            result.extra[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)] = steps;
+        addExtra(inverse, i, slants, slips);
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            const float steps = extraStep(slips[parity], inverse.u.beams);
+            result.extra[parity][static_cast<std::size_t>(i)] = steps;
             result.slips += steps != 0 ? 1 : 0;
+            slips[parity].clear();
         }
     }
     return result;

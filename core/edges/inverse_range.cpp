@@ -1,7 +1,10 @@
 // The sweep in inverse range.
 #include "core/edges/inverse_range.h"
 
+#include "core/base/order_statistic.h"
 #include "core/edges/holes.h"
+#include "core/edges/padded_grid.h"
+#include "core/edges/vectors.h"
 #include "core/scan/cartesian.h"
 
 #include <algorithm>
@@ -22,31 +25,60 @@ constexpr std::size_t kBins = 60;
 constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
-// Inverse ranges that short gaps between two measured cells of a line would get, and how far apart its two ends are.
-struct Filling {
-    Grid<float> u;
-    Grid<float> apart; // 1/m; negative: no filling
-};
+// 1 at measured cells, with a margin of 0.
+using MeasuredCells = PaddedGrid<std::uint8_t>;
 
-// `count` cells from `first`, `stride` apart; the filling whose ends are more alike stays.
-void fillGaps(const InverseRange& inverse, std::size_t first, std::size_t stride, int count, Filling& filling) {
-    int last = -1; // place of the last cell with a value
-    for (int n = 0; n < count; ++n) {
-        const std::size_t k = first + static_cast<std::size_t>(n) * stride;
-        if (inverse.support[k] != Support::Measured) continue;
-        const int gap = n - last - 1;
-        if (last >= 0 && gap > 0 && gap <= kLongestGap) {
-            const float from = inverse.u[first + static_cast<std::size_t>(last) * stride];
-            const float apart = std::abs(inverse.u[k] - from);
-            const float step = (inverse.u[k] - from) / static_cast<float>(gap + 1);
-            for (int g = 1; g <= gap; ++g) {
-                const std::size_t hole = first + static_cast<std::size_t>(last + g) * stride;
-                if (filling.apart[hole] >= 0 && filling.apart[hole] <= apart) continue;
-                filling.apart[hole] = apart;
-                filling.u[hole] = from + step * static_cast<float>(g);
-            }
-        }
-        last = n;
+// What was measured becomes inverse range; `isolated`: 255 where a cell stands alone.
+EDGESCAN_VECTORS void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
+                                   float* __restrict u, std::uint8_t* __restrict measured) {
+    for (int j = 0; j < beams; ++j) {
+        const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] > 0);
+        measured[j] = valid ? 1 : 0;
+        u[j] = valid ? 1000.0F / rangeMm[j] : kVoidU;
+    }
+}
+
+// 1 at measured cells that end a gap of 1 to 4 cells.
+EDGESCAN_VECTORS void findGapEnds(const std::uint8_t* measured, std::ptrdiff_t step, int beams, std::uint8_t* __restrict ends) {
+    static_assert(kLongestGap == 4);
+    for (int j = 0; j < beams; ++j) {
+        const int before = measured[j - 2 * step] | measured[j - 3 * step] | measured[j - 4 * step] | measured[j - 5 * step];
+        ends[j] = static_cast<std::uint8_t>(measured[j] & ~measured[j - step] & before);
+    }
+}
+
+// How far apart the two ends of a filled gap along the beams are, 1/m.
+float apartAlongBeams(const InverseRange& inverse, std::size_t hole) {
+    std::size_t before = hole;
+    std::size_t after = hole;
+    while (inverse.support[before] != Support::Measured) --before;
+    while (inverse.support[after] != Support::Measured) ++after;
+    return std::abs(inverse.u[after] - inverse.u[before]);
+}
+
+// The gap before cell `end`, `step` cells from one to the next. A hole that is filled along the beams already keeps the filling whose
+// ends are more alike.
+void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
+    std::size_t gap = 1;
+    while (inverse.support[end - (gap + 1) * step] != Support::Measured) ++gap;
+    const std::size_t start = end - (gap + 1) * step;
+    const float from = inverse.u[start];
+    const float apart = std::abs(inverse.u[end] - from);
+    const float slope = (inverse.u[end] - from) / static_cast<float>(gap + 1);
+    for (std::size_t g = 1; g <= gap; ++g) {
+        const std::size_t hole = start + g * step;
+        if (inverse.support[hole] == Support::Filled && apartAlongBeams(inverse, hole) <= apart) continue;
+        inverse.u[hole] = from + slope * static_cast<float>(g);
+        inverse.support[hole] = Support::Filled;
+    }
+}
+
+void fillGaps(InverseRange& inverse, const MeasuredCells& measured, std::ptrdiff_t stepMeasured, std::size_t step) {
+    std::vector<std::uint8_t> ends(static_cast<std::size_t>(measured.beams));
+    for (int i = 0; i < measured.lines; ++i) {
+        findGapEnds(measured.line(i), stepMeasured, measured.beams, ends.data());
+        for (auto end = ends.begin(); (end = std::find(end, ends.end(), 1)) != ends.end(); ++end)
+            fillGap(inverse, inverse.u.index(i, static_cast<int>(end - ends.begin())), step);
     }
 }
 
@@ -70,6 +102,15 @@ AngularSteps polarSteps(const Scan& scan, const PolarGeometry& polar) {
         for (std::size_t j = 0; j < fromAxis.size(); ++j) line[j] = lineStep * fromAxis[j];
     }
     return steps;
+}
+
+// Range of the inner cells of a line, and how far they lie off the straight line of their neighbours, both in metres.
+EDGESCAN_VECTORS void offStraight(const float* u, int beams, float* __restrict rangeM, float* __restrict off) {
+    for (int j = 1; j < beams - 1; ++j) {
+        const float range = 1.0F / u[j];
+        rangeM[j] = range;
+        off[j] = std::abs(u[j - 1] - 2 * u[j] + u[j + 1]) * range * range;
+    }
 }
 
 float medianAngle(std::vector<float>& angles) {
@@ -104,22 +145,16 @@ AngularSteps cameraSteps(const Scan& scan) {
 } // namespace
 
 InverseRange inverseRange(const Scan& scan) {
-    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), kVoidU), Grid<Support>(scan.lines(), scan.beams(), Support::Void)};
+    InverseRange inverse{Grid<float>(scan.lines(), scan.beams()), Grid<Support>(scan.lines(), scan.beams())};
     const Grid<std::uint8_t> isolated = isolatedCells(scan);
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::Valid || isolated[k] != 0 || scan.rangeMm[k] <= 0) continue;
-        inverse.u[k] = 1000.0F / scan.rangeMm[k];
-        inverse.support[k] = Support::Measured;
+    MeasuredCells measured(scan.lines(), scan.beams());
+    for (int i = 0; i < scan.lines(); ++i) {
+        takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.line(i), scan.beams(), inverse.u.line(i), measured.line(i));
+        std::transform(measured.line(i), measured.line(i) + scan.beams(), inverse.support.line(i),
+                       [](std::uint8_t is) { return is != 0 ? Support::Measured : Support::Void; });
     }
-    const auto beams = static_cast<std::size_t>(scan.beams());
-    Filling filling{Grid<float>(scan.lines(), scan.beams()), Grid<float>(scan.lines(), scan.beams(), -1.0F)};
-    for (int i = 0; i < scan.lines(); ++i) fillGaps(inverse, static_cast<std::size_t>(i) * beams, 1, scan.beams(), filling);
-    for (int j = 0; j < scan.beams(); ++j) fillGaps(inverse, static_cast<std::size_t>(j), beams, scan.lines(), filling);
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (inverse.support[k] == Support::Measured || filling.apart[k] < 0) continue;
-        inverse.u[k] = filling.u[k];
-        inverse.support[k] = Support::Filled;
-    }
+    fillGaps(inverse, measured, 1, 1);
+    fillGaps(inverse, measured, measured.stride, static_cast<std::size_t>(scan.beams()));
     return inverse;
 }
 
@@ -132,23 +167,24 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     std::vector<std::vector<float>> bins(kBins);
     // A quarter of a million cells tell it well enough.
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForNoise));
+    std::vector<float> rangeM(static_cast<std::size_t>(inverse.u.beams));
+    std::vector<float> off(rangeM.size());
     for (int i = every / 2; i < inverse.u.lines; i += every) {
-        const float* u = inverse.u.line(i);
+        offStraight(inverse.u.line(i), inverse.u.beams, rangeM.data(), off.data());
         const Support* support = inverse.support.line(i);
         for (int j = 1; j + 1 < inverse.u.beams; ++j) {
             if (support[j - 1] != Support::Measured || support[j] != Support::Measured || support[j + 1] != Support::Measured) continue;
-            const float rangeM = 1.0F / u[j];
-            const auto bin = static_cast<std::size_t>(rangeM / kBinM);
-            if (bin < kBins) bins[bin].push_back(std::abs(u[j - 1] - 2 * u[j] + u[j + 1]) * rangeM * rangeM);
+            const auto n = static_cast<std::size_t>(j);
+            const auto bin = static_cast<std::size_t>(rangeM[n] / kBinM);
+            if (bin < kBins) bins[bin].push_back(off[n]);
         }
     }
     double weight = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
     for (std::size_t b = 0; b < kBins; ++b) {
-        std::vector<float>& values = bins[b];
+        const std::vector<float>& values = bins[b];
         if (values.size() < kFewestPerBin) continue;
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(values.size()));
-        std::nth_element(values.begin(), place, values.end());
-        const double sigmaMm = 1000.0 * *place / std::sqrt(6.0) / kQuantileOfNormal;
+        const float quantile = nthSmallest(values, static_cast<std::size_t>(kQuantile * static_cast<double>(values.size())));
+        const double sigmaMm = 1000.0 * quantile / std::sqrt(6.0) / kQuantileOfNormal;
         const double x = (static_cast<double>(b) + 0.5) * kBinM;
         const auto w = static_cast<double>(values.size());
         weight += w;
