@@ -141,5 +141,36 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
     }
 }
 
+/// The paper's two passes over all cells, until neither takes one away.
+Grid<std::uint8_t> thinnedCellByCell(Grid<std::uint8_t> mask) {
+    for (int idle = 0, pass = 0; idle < 2; ++pass) {
+        const Grid<std::uint8_t> before = mask;
+        for (int i = 0; i < mask.lines; ++i) {
+            for (int j = 0; j < mask.beams; ++j) {
+                const auto p = [&](int di, int dj) { return before.contains(i + di, j + dj) && before.at(i + di, j + dj) != 0; };
+                const bool p2 = p(-1, 0), p3 = p(-1, 1), p4 = p(0, 1), p5 = p(1, 1), p6 = p(1, 0), p7 = p(1, -1), p8 = p(0, -1),
+                           p9 = p(-1, -1);
+                const int c = (!p2 && (p3 || p4)) + (!p4 && (p5 || p6)) + (!p6 && (p7 || p8)) + (!p8 && (p9 || p2));
+                const int n =
+                    std::min((p9 || p2) + (p3 || p4) + (p5 || p6) + (p7 || p8), (p2 || p3) + (p4 || p5) + (p6 || p7) + (p8 || p9));
+                const bool m = pass % 2 == 0 ? (p6 || p7 || !p9) && p8 : (p2 || p3 || !p5) && p4;
+                if (c == 1 && n >= 2 && n <= 3 && !m) mask.at(i, j) = 0;
+            }
+        }
+        idle = mask == before ? idle + 1 : 0;
+    }
+    return mask;
+}
+
+TEST(Thin, LooksOnlyWhereSomethingChangedAndMissesNothing) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 120; ++round) {
+        Grid<std::uint8_t> mask(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 40));
+        const unsigned filled = 5 + static_cast<unsigned>(random() % 95); // per cent: from dust to a full picture with holes
+        for (std::uint8_t& cell : mask.cells) cell = random() % 100 < filled ? 255 : 0;
+        EXPECT_EQ(thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
+    }
+}
+
 } // namespace
 } // namespace edgescan
