@@ -78,24 +78,53 @@ bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<f
     return farthest >= kOffSurface;
 }
 
-// 1 where the surfaces on both sides can be two thresholds apart at all; on a smooth surface they are not, and that is most cells.
-EDGESCAN_VECTORS void markWorthwhile(const float* u, std::ptrdiff_t step, const DepthLimits& limits, std::vector<std::uint8_t>& worth) {
+// A first look without divisions, which lets all pass that the closer look could snap; most cells it does not.
+constexpr float kLenient = 0.999F;     // of what a difference of ranges must be: rounding differs here and there
+constexpr float kRounding = 1e-6F;     // of the values themselves
+constexpr float kLenientSpot = 1.001F; // times the spot
+
+/// Jump threshold as a difference of inverse ranges: for a surface at u, times the other surface's u.
+struct FirstLook {
+    float jumpM;
+    float growth;
+    [[nodiscard]] float allowed(float u) const { return jumpM * u + growth; }
+};
+
+// The lines of two surfaces, continued to the cell: it is strictly between them, and they are two thresholds apart there.
+inline __attribute__((always_inline)) bool canBeBetween(float u, float before, float after, const FirstLook& look) {
+    const float least = std::min(before, after);
+    const float most = std::max(before, after);
+    const float apart = kLenient * kSurfacesApart * least * look.allowed(most);
+    return (least > 0) & (u > least) & (u < most) & (most - least + kRounding * (most + least) >= apart);
+}
+
+// 1 where a snap is worth a closer look: the surfaces on both sides are apart, and the cell is between them.
+EDGESCAN_VECTORS void markWorthwhile(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
+                                     const DepthLimits& limits, std::uint8_t* __restrict out) {
     const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
-    const int count = static_cast<int>(worth.size());
-    std::uint8_t* out = worth.data();
-    for (int j = 0; j < count; ++j) {
-        const float before = 2 * u[j - step] - u[j - 2 * step];
-        const float after = 2 * u[j + step] - u[j + 2 * step];
-        const float first = u[j - step];
-        const float second = u[j + 2 * step];
-        const float third = u[j + 3 * step];
-        const bool one = std::abs(before - after) > apart * before * after;
+    const FirstLook look{0.001F * limits.jumpMm, limits.growth};
+    for (int j = 0; j < beams; ++j) {
+        const float here = u[j];
+        const float before = 2 * u[j - s] - u[j - 2 * s];
+        const float after = 2 * u[j + s] - u[j + 2 * s];
+        const float first = u[j - s];
+        const float second = u[j + 2 * s];
+        const float third = u[j + 3 * s];
         // The ends of a run must be apart, and its first cell off a line through them.
-        const bool bent =
-            std::abs(u[j - 2 * step] - 2 * first + u[j]) + std::abs(u[j + step] - 2 * u[j] + first) > kBend * apart * u[j] * u[j];
-        const bool two = (std::abs(first - second) > apart * first * second) & bent;
-        const bool three = (std::abs(first - third) > apart * first * third) & bent;
-        out[j] = static_cast<std::uint8_t>(one | two | three);
+        const bool bent = std::abs(u[j - 2 * s] - 2 * first + here) + std::abs(u[j + s] - 2 * here + first) > kBend * apart * here * here;
+        const bool oneApart = std::abs(before - after) > apart * before * after;
+        const bool twoApart = (std::abs(first - second) > apart * first * second) & bent;
+        const bool threeApart = (std::abs(first - third) > apart * first * third) & bent;
+        // And so are their lines.
+        const float awayBefore = solid[j - 3 * s] != 0 ? 0.5F * (u[j - 3 * s] - first) : u[j - 2 * s] - first;
+        const float awaySecond = solid[j + 4 * s] != 0 ? 0.5F * (u[j + 4 * s] - second) : third - second;
+        const float awayThird = solid[j + 5 * s] != 0 ? 0.5F * (u[j + 5 * s] - third) : u[j + 4 * s] - third;
+        const float spot = kLenientSpot * (kSpotM * here + kSpotRad);
+        const bool one = canBeBetween(here, before, after, look);
+        const bool two = canBeBetween(here, first - awayBefore, second - 2 * awaySecond, look) & (2 * angle[j] <= spot);
+        const bool three = canBeBetween(here, first - awayBefore, third - 3 * awayThird, look) & (3 * angle[j] <= spot);
+        const bool solids = solid[j - 2 * s] * solid[j - s] * solid[j] * solid[j + s] * solid[j + 2 * s] != 0;
+        out[j] = static_cast<std::uint8_t>((oneApart | twoApart | threeApart) & (one | two | three) & solids);
     }
 }
 
@@ -106,12 +135,13 @@ void snapVeils(DepthField& field, const InverseRange& inverse, const AngularStep
     const PaddedGrid<float> from = field.u;
     std::vector<std::uint8_t> worth(static_cast<std::size_t>(from.beams));
     for (int i = 0; i < from.lines; ++i) {
-        markWorthwhile(from.line(i), step, limits, worth);
         const float* angle = anglesOf(steps, along, i);
         const Support* support = inverse.support.line(i);
         float* out = field.u.line(i);
-        for (int j = 0; j < from.beams; ++j) {
-            if (worth[static_cast<std::size_t>(j)] == 0 || support[j] == Support::Void) continue;
+        markWorthwhile(from.line(i), field.solid.line(i), angle, step, from.beams, limits, worth.data());
+        for (auto next = worth.begin(); (next = std::find(next, worth.end(), 1)) != worth.end(); ++next) {
+            const auto j = next - worth.begin();
+            if (support[j] == Support::Void) continue;
             const Place at{from.line(i) + j, field.solid.line(i) + j, step};
             if (snapOne(at, limits, out[j])) continue;
             const float rangeM = 1.0F / at.u[0];
