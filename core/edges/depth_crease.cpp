@@ -11,7 +11,7 @@ namespace edgescan {
 namespace {
 
 constexpr float kFewest = 3;
-constexpr float kMost = PaddedGrid<float>::kMargin;
+constexpr float kMost = kFoldLooks;
 constexpr float kWanted = 2;          // cells beyond the cell itself, on both sides
 constexpr float kNoiseFloor = 5;      // standard deviations
 constexpr float kNoiseShare = 0.55F;  // of the range noise that is left after smoothing (METHOD.md step 5)
@@ -21,11 +21,8 @@ constexpr float kDegPerRad = 57.2957795F;
 // With room for whole lanes.
 std::vector<float> lineOf(int beams) { return std::vector<float>(static_cast<std::size_t>(beams + kLanes)); }
 
-// Sums over one side of each cell of a line; differences to the cell itself keep the digits.
-struct SideSums {
-    explicit SideSums(int beams) : cells(lineOf(beams)), sum(lineOf(beams)), weighted(lineOf(beams)) {}
-    std::vector<float> cells, sum, weighted;
-};
+using SideSums = FoldWork::SideSums;
+using LineFits = FoldWork::LineFits;
 
 // A line of the sweep, and the way along which it is looked at.
 struct Cells {
@@ -110,17 +107,6 @@ inline __attribute__((always_inline)) float angleDeg(float y, float x) {
     return angle * kDegPerRad;
 }
 
-// One line: what its two sides say about each cell.
-struct LineFits {
-    explicit LineFits(int beams) {
-        for (auto* values : {&before, &after, &noise, &misfit, &fitted}) values->resize(static_cast<std::size_t>(beams));
-    }
-    std::vector<float> before, after; ///< tangents of the angle at which the surface recedes; equal where only one side was fitted
-    std::vector<float> noise;         ///< standard deviation of the difference of the tangents
-    std::vector<float> misfit;        ///< distance of the two lines at the cell along the beam, mm
-    std::vector<float> fitted;        ///< 1 where both sides have enough cells
-};
-
 // The lines through both sides of each cell. Results go to `fits`.
 EDGESCAN_VECTORS void fitSides(const Cells& at, const SideSums& left, const SideSums& right, const DepthLimits& limits,
                                float* __restrict before, float* __restrict after, float* __restrict noise, float* __restrict misfit,
@@ -155,22 +141,6 @@ EDGESCAN_VECTORS void fitSides(const Cells& at, const SideSums& left, const Side
     }
 }
 
-// Rooms for the work on a line.
-struct LineWork {
-    explicit LineWork(int beams) : reach(lineOf(beams)), left(beams), right(beams) {}
-    std::vector<float> reach;
-    SideSums left, right;
-};
-
-void fitLineOf(const PaddedGrid<float>& u, const PaddedGrid<float>& links, const AngularSteps& steps, Along along, int line,
-               const DepthLimits& limits, LineWork& work, LineFits& fits) {
-    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line), along == Along::Beams ? 1 : u.stride, u.beams};
-    reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
-    addUp(at, work.reach.data(), work.left, work.right);
-    fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),
-             fits.fitted.data());
-}
-
 EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
     const float* before = along.before.data();
     const float* after = along.after.data();
@@ -198,21 +168,30 @@ EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across,
     }
 }
 
+void fitLineOf(const Lines& u, const Lines& links, const AngularSteps& steps, Along along, int line, const DepthLimits& limits,
+               FoldWork& work, LineFits& fits) {
+    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line), stepOf(u, along), u.beams};
+    reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
+    addUp(at, work.reach.data(), work.left, work.right);
+    fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),
+             fits.fitted.data());
+}
+
 } // namespace
 
-FoldStrengths foldStrengths(const PaddedGrid<float>& u, const PaddedGrid<float>& linksAlongBeams, const PaddedGrid<float>& linksAlongLines,
-                            const AngularSteps& steps, const DepthLimits& limits) {
-    FoldStrengths strengths{PaddedGrid<float>(u.lines, u.beams), PaddedGrid<float>(u.lines, u.beams)};
-    LineFits beamwise(u.beams);
-    LineFits linewise(u.beams);
-    LineWork work(u.beams);
-    for (int i = 0; i < u.lines; ++i) {
-        fitLineOf(u, linksAlongBeams, steps, Along::Beams, i, limits, work, beamwise);
-        fitLineOf(u, linksAlongLines, steps, Along::Lines, i, limits, work, linewise);
-        strengthsOf(beamwise, linewise, limits, u.beams, strengths.alongBeams.line(i));
-        strengthsOf(linewise, beamwise, limits, u.beams, strengths.alongLines.line(i));
-    }
-    return strengths;
+FoldWork::SideSums::SideSums(int beams) : cells(lineOf(beams)), sum(lineOf(beams)), weighted(lineOf(beams)) {}
+
+FoldWork::LineFits::LineFits(int beams)
+    : before(lineOf(beams)), after(lineOf(beams)), noise(lineOf(beams)), misfit(lineOf(beams)), fitted(lineOf(beams)) {}
+
+FoldWork::FoldWork(int beams) : reach(lineOf(beams)), left(beams), right(beams), beamwise(beams), linewise(beams) {}
+
+void foldStrengths(const Lines& u, const Lines& linksAlongBeams, const Lines& linksAlongLines, const AngularSteps& steps, int line,
+                   const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths) {
+    fitLineOf(u, linksAlongBeams, steps, Along::Beams, line, limits, work, work.beamwise);
+    fitLineOf(u, linksAlongLines, steps, Along::Lines, line, limits, work, work.linewise);
+    strengthsOf(work.beamwise, work.linewise, limits, u.beams, strengths.alongBeams.next());
+    strengthsOf(work.linewise, work.beamwise, limits, u.beams, strengths.alongLines.next());
 }
 
 } // namespace edgescan

@@ -1,11 +1,9 @@
 // EdgeScan+: its stages one after the other.
 #include "core/edges/depth_edges.h"
 
-#include "core/edges/depth_crease.h"
-#include "core/edges/depth_jump.h"
 #include "core/edges/interlace.h"
+#include "core/edges/surface_lines.h"
 #include "core/edges/vectors.h"
-#include "core/edges/veil.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,18 +46,6 @@ DepthLimits limitsOf(const InverseRange& inverse, const AngularSteps& steps, con
     return limits;
 }
 
-DepthField fieldOf(const InverseRange& inverse) {
-    const Grid<float>& u = inverse.u;
-    DepthField field{PaddedGrid<float>(u.lines, u.beams, 1.0F), PaddedGrid<float>(u.lines, u.beams)};
-    for (int i = 0; i < u.lines; ++i) {
-        std::copy(u.line(i), u.line(i) + u.beams, field.u.line(i));
-        const Support* support = inverse.support.line(i);
-        float* solid = field.solid.line(i);
-        for (int j = 0; j < u.beams; ++j) solid[j] = support[j] == Support::Void ? 0.0F : 1.0F;
-    }
-    return field;
-}
-
 // Two responses at a cell as one: the stronger alone, or both together where they fold alike; a fold that runs askew shows only part of
 // itself in each way.
 float together(float stronger, float weaker, bool both) {
@@ -82,11 +68,13 @@ EDGESCAN_VECTORS void suppressLine(const float* beamwise, const float* linewise,
     }
 }
 
-void suppress(const PaddedGrid<float>& alongBeams, const PaddedGrid<float>& alongLines, const InverseRange& inverse, bool both,
-              Grid<float>& kept) {
-    for (int i = 0; i < kept.lines; ++i) {
-        suppressLine(alongBeams.line(i), alongLines.line(i), alongLines.stride, inverse.support.line(i), kept.beams, both, kept.line(i));
-    }
+// The next line of `kept`.
+void suppress(const Lines& alongBeams, const Lines& alongLines, int line, const Grid<Support>& support, bool both,
+              std::vector<float>& kept) {
+    if (line < 0 || line >= support.lines) return;
+    std::vector<float> values(static_cast<std::size_t>(support.beams));
+    suppressLine(alongBeams.line(line), alongLines.line(line), alongLines.stride, support.line(line), support.beams, both, values.data());
+    kept.insert(kept.end(), values.begin(), values.end());
 }
 
 // Keeps chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least.
@@ -140,29 +128,23 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const AngularSteps steps = angularSteps(scan);
     DepthLimits limits = limitsOf(inverse, steps, settings);
     if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
-    DepthField field = fieldOf(inverse);
-    snapVeils(field, inverse, steps, Along::Beams, limits);
-    snapVeils(field, inverse, steps, Along::Lines, limits);
-
-    const PaddedGrid<float> jumpBeams = crackJumps(field, Along::Beams, slips, limits);
-    const PaddedGrid<float> jumpLines = crackJumps(field, Along::Lines, slips, limits);
-    const PaddedGrid<float> linkBeams = surfaceLinks(field, jumpBeams, Along::Beams, slips);
-    const PaddedGrid<float> linkLines = surfaceLinks(field, jumpLines, Along::Lines, slips);
-
+    std::vector<float> jumps;
+    std::vector<float> folds;
+    jumps.reserve(scan.cells());
+    folds.reserve(scan.cells());
+    SurfaceLines surface(inverse, steps, slips, limits);
+    while (folds.size() < scan.cells()) {
+        surface.advance();
+        // A line behind: the lines on both sides are looked at.
+        suppress(surface.jumps(Along::Beams), surface.jumps(Along::Lines), surface.jumpLine() - 1, inverse.support, false, jumps);
+        suppress(surface.folds(Along::Beams), surface.folds(Along::Lines), surface.foldLine() - 1, inverse.support, true, folds);
+    }
     DepthResponses result;
-    result.jump = Grid<float>(scan.lines(), scan.beams());
-    result.crease = Grid<float>(scan.lines(), scan.beams());
+    result.jump = Grid<float>(scan.lines(), scan.beams(), std::move(jumps));
+    result.crease = Grid<float>(scan.lines(), scan.beams(), std::move(folds));
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
     result.border = borderCells(inverse.support);
-    suppress(onNearerCells(field, jumpBeams, Along::Beams), onNearerCells(field, jumpLines, Along::Lines), inverse, false, result.jump);
-
-    for (int pass = 0; pass < limits.passes; ++pass) {
-        smoothSurfaces(field.u, linkBeams, Along::Beams);
-        smoothSurfaces(field.u, linkLines, Along::Lines);
-    }
-    const FoldStrengths folds = foldStrengths(field.u, linkBeams, linkLines, steps, limits);
-    suppress(folds.alongBeams, folds.alongLines, inverse, true, result.crease);
     result.support = std::move(inverse.support);
     return result;
 }

@@ -1,19 +1,23 @@
-// Inverse range with a margin, as the stages of EdgeScan+ pass it on.
+// Inverse range line by line, as the stages of EdgeScan+ pass it on.
 #pragma once
 
 #include "core/edges/inverse_range.h"
-#include "core/edges/padded_grid.h"
+#include "core/edges/line_window.h"
 
 namespace edgescan {
 
 /// The two ways through a sweep: along the fan, and across the lines.
 enum class Along : std::uint8_t { Beams, Lines };
 
-struct DepthField {
-    PaddedGrid<float> u;     ///< 1/m
-    PaddedGrid<float> solid; ///< 1 where u was measured or filled, 0 in voids and in the margin
+using Lines = LineWindow<float>;
 
-    [[nodiscard]] std::ptrdiff_t step(Along along) const { return along == Along::Beams ? 1 : u.stride; }
+[[nodiscard]] inline std::ptrdiff_t stepOf(const Lines& lines, Along along) { return along == Along::Beams ? 1 : lines.stride; }
+
+struct DepthField {
+    const Lines& u;     ///< 1/m; 1 in the margin
+    const Lines& solid; ///< 1 where u was measured or filled, 0 in voids and in the margin
+
+    [[nodiscard]] std::ptrdiff_t step(Along along) const { return stepOf(u, along); }
 };
 
 /// Thresholds of the stages, from sliders and noise (METHOD.md steps 3, 5 and 6).

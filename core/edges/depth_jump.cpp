@@ -23,15 +23,13 @@ float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity
     return along == Along::Lines && inside ? extra[static_cast<std::size_t>(line)] : 0.0F;
 }
 
-std::ptrdiff_t stepOf(const PaddedGrid<float>& grid, Along along) { return along == Along::Beams ? 1 : grid.stride; }
-
 // What the step to the next line is too long by, for beams of both parities.
 struct Extra {
     float even, odd;
     [[nodiscard]] float of(int beam) const { return even + static_cast<float>(beam & 1) * (odd - even); }
 };
 
-// Lines of arithmetic from -1 to `beams`. `out` overlaps nothing.
+// From beam -1 to `beams`. `out` overlaps nothing.
 EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const DepthLimits& limits,
                                   float* __restrict out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
@@ -71,52 +69,28 @@ EDGESCAN_VECTORS void nearerOfLine(const float* u, const float* jump, std::ptrdi
     }
 }
 
-EDGESCAN_VECTORS void smoothLine(const float* line, const float* previous, const float* link, std::ptrdiff_t s, int beams,
-                                 float* __restrict out) {
-    for (int j = 0; j < beams; ++j) out[j] = line[j] + 0.25F * link[j] * link[j - s] * (previous[j] + line[j + s] - 2 * line[j]);
+EDGESCAN_VECTORS void smoothLine(const float* u, const float* link, std::ptrdiff_t s, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) out[j] = u[j] + 0.25F * link[j] * link[j - s] * (u[j - s] + u[j + s] - 2 * u[j]);
 }
 
 } // namespace
 
-PaddedGrid<float> crackJumps(const DepthField& field, Along along, const SweepSlips& slips, const DepthLimits& limits) {
-    PaddedGrid<float> jumps(field.u.lines, field.u.beams);
-    const std::ptrdiff_t s = field.step(along);
-    for (int i = -1; i <= field.u.lines; ++i) {
-        const Extra extra{extraAt(slips, along, i, 0), extraAt(slips, along, i, 1)};
-        jumpsOfLine(field.u.line(i), field.solid.line(i), s, field.u.beams, extra, limits, jumps.line(i));
-    }
-    return jumps;
+void crackJumps(const DepthField& field, Along along, int line, const SweepSlips& slips, const DepthLimits& limits, Lines& jumps) {
+    const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
+    jumpsOfLine(field.u.line(line), field.solid.line(line), field.step(along), field.u.beams, extra, limits, jumps.next());
 }
 
-PaddedGrid<float> surfaceLinks(const DepthField& field, const PaddedGrid<float>& jumps, Along along, const SweepSlips& slips) {
-    PaddedGrid<float> links(jumps.lines, jumps.beams);
-    const std::ptrdiff_t s = field.step(along);
-    for (int i = -1; i <= jumps.lines; ++i) {
-        const Extra extra{extraAt(slips, along, i, 0), extraAt(slips, along, i, 1)};
-        linksOfLine(jumps.line(i), field.solid.line(i), s, jumps.beams, extra, links.line(i));
-    }
-    return links;
+void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Lines& links) {
+    const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
+    linksOfLine(jumps.line(line), field.solid.line(line), field.step(along), field.u.beams, extra, links.next());
 }
 
-PaddedGrid<float> onNearerCells(const DepthField& field, const PaddedGrid<float>& jumps, Along along) {
-    PaddedGrid<float> cells(jumps.lines, jumps.beams);
-    for (int i = 0; i < jumps.lines; ++i) nearerOfLine(field.u.line(i), jumps.line(i), field.step(along), jumps.beams, cells.line(i));
-    return cells;
+void onNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells) {
+    nearerOfLine(field.u.line(line), jumps.line(line), field.step(along), field.u.beams, cells.next());
 }
 
-void smoothSurfaces(PaddedGrid<float>& u, const PaddedGrid<float>& links, Along along) {
-    const std::ptrdiff_t s = stepOf(u, along);
-    // The line before, as it was; along the beams the line itself.
-    std::vector<float> before(u.line(-1), u.line(-1) + u.beams);
-    std::vector<float> smooth(static_cast<std::size_t>(u.beams));
-    for (int i = 0; i < u.lines; ++i) {
-        float* line = u.line(i);
-        const float* link = links.line(i);
-        const float* previous = along == Along::Beams ? line - 1 : before.data();
-        smoothLine(line, previous, link, s, u.beams, smooth.data());
-        if (along == Along::Lines) std::copy(line, line + u.beams, before.begin());
-        std::copy(smooth.begin(), smooth.end(), line);
-    }
+void smoothSurfaces(const Lines& u, const Lines& links, Along along, int line, Lines& smooth) {
+    smoothLine(u.line(line), links.line(line), stepOf(u, along), u.beams, smooth.next());
 }
 
 } // namespace edgescan

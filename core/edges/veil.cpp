@@ -130,29 +130,25 @@ EDGESCAN_VECTORS void markWorthwhile(const float* u, const float* solid, const f
 
 } // namespace
 
-void snapVeils(DepthField& field, const InverseRange& inverse, const AngularSteps& steps, Along along, const DepthLimits& limits) {
+void snapVeils(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped) {
     const std::ptrdiff_t step = field.step(along);
-    const PaddedGrid<float> from = field.u;
-    std::vector<std::uint8_t> worth(static_cast<std::size_t>(from.beams));
-    for (int i = 0; i < from.lines; ++i) {
-        const float* angle = anglesOf(steps, along, i);
-        const Support* support = inverse.support.line(i);
-        float* out = field.u.line(i);
-        markWorthwhile(from.line(i), field.solid.line(i), angle, step, from.beams, limits, worth.data());
-        for (auto next = worth.begin(); (next = std::find(next, worth.end(), 1)) != worth.end(); ++next) {
-            const auto j = next - worth.begin();
-            if (support[j] == Support::Void) continue;
-            const Place at{from.line(i) + j, field.solid.line(i) + j, step};
-            if (snapOne(at, limits, out[j])) continue;
-            const float rangeM = 1.0F / at.u[0];
-            const float cell = rangeM * angle[j];
-            const float spot = kSpotM + kSpotRad * rangeM;
-            std::array<float, kLongestRun> run{};
-            for (int count = 2; count <= kLongestRun && static_cast<float>(count) * cell <= spot; ++count) {
-                if (!snapRun(at, count, limits, run)) continue;
-                for (int n = 0; n < count; ++n) out[j + n * step] = run[static_cast<std::size_t>(n)];
-                break;
-            }
+    const float* u = field.u.line(line);
+    const float* solid = field.solid.line(line);
+    float* out = snapped.line(line);
+    std::vector<std::uint8_t> worth(static_cast<std::size_t>(field.u.beams));
+    markWorthwhile(u, solid, angle, step, field.u.beams, limits, worth.data());
+    for (auto next = worth.begin(); (next = std::find(next, worth.end(), 1)) != worth.end(); ++next) {
+        const auto j = next - worth.begin();
+        const Place at{u + j, solid + j, step};
+        if (snapOne(at, limits, out[j])) continue;
+        const float rangeM = 1.0F / at.u[0];
+        const float cell = rangeM * angle[j];
+        const float spot = kSpotM + kSpotRad * rangeM;
+        std::array<float, kLongestRun> run{};
+        for (int count = 2; count <= kLongestRun && static_cast<float>(count) * cell <= spot; ++count) {
+            if (!snapRun(at, count, limits, run)) continue;
+            for (int n = 0; n < count; ++n) out[j + n * step] = run[static_cast<std::size_t>(n)];
+            break;
         }
     }
 }

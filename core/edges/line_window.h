@@ -1,0 +1,53 @@
+// The lines of a padded grid round those that are worked on, so that what one stage passes on to the next stays in the cache.
+#pragma once
+
+#include "core/edges/padded_grid.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace edgescan {
+
+/// Lines come one after the other. The newest ones, `held` at least, can be reached from each other by the stride, with the margin of a
+/// PaddedGrid on the left and on the right. Before the first line there are lines of the margin's value, too.
+template <class T>
+class LineWindow {
+public:
+    static constexpr int kMargin = PaddedGrid<T>::kMargin;
+
+    LineWindow(int beamCount, int held, T fill = T{}, int firstLine = 0)
+        : beams(beamCount), stride(beamCount + 2 * kMargin), fill_(fill), held_(held), end_(firstLine), oldest_(firstLine - held),
+          cells_(static_cast<std::size_t>(stride) * static_cast<std::size_t>(held + kRoom) + PaddedGrid<T>::kBeyond, fill) {}
+
+    /// Cell (line, 0).
+    [[nodiscard]] T* line(int i) { return cells_.data() + (i - oldest_) * stride + kMargin; }
+    [[nodiscard]] const T* line(int i) const { return cells_.data() + (i - oldest_) * stride + kMargin; }
+
+    /// The line after the newest one, to be written; its margin is there already.
+    T* next() {
+        if (end_ - oldest_ == held_ + kRoom) {
+            std::copy(cells_.begin() + kRoom * stride, cells_.begin() + (held_ + kRoom) * stride, cells_.begin());
+            oldest_ += kRoom;
+        }
+        return line(end_++);
+    }
+    /// The same, of the margin's value: what is after the last line of the sweep.
+    void nextEmpty() {
+        T* cells = next();
+        std::fill(cells, cells + beams, fill_);
+    }
+
+    int beams = 0;
+    std::ptrdiff_t stride = 0; ///< from a cell to the one on the next line
+
+private:
+    static constexpr int kRoom = 16; // lines that come before the newest ones are moved to the front again
+    T fill_;
+    int held_;
+    int end_;    // line after the newest one
+    int oldest_; // line at the front
+    std::vector<T> cells_;
+};
+
+} // namespace edgescan
