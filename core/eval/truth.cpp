@@ -2,7 +2,7 @@
 #include "core/eval/truth.h"
 
 #include "core/eval/thin.h"
-#include "core/scan/cartesian.h"
+#include "core/sim/seam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,9 @@
 namespace edgescan {
 namespace {
 
-using Eigen::Vector3d;
-
-constexpr double kJumpMm = 50.0;       // from here on an occluding edge
-constexpr double kUnsureJumpMm = 20.0; // from here on not scored
+constexpr double kJumpMm = 50.0; // from here on an occluding edge
 constexpr double kContactDeg = 15.0;
 constexpr double kCreaseDeg = 30.0;
-constexpr double kUnsureCreaseDeg = 15.0;
 constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
 constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
 constexpr int kFirstRock = 2;             // object numbers below are void and wall
@@ -26,50 +22,19 @@ constexpr int kReach = 2;                 // cells to each side that a detection
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
 
-struct Judge {
-    const SimulationTruth& truth;
-    CartesianTables tables;
+double foldDeg(const SimulationTruth& truth, std::size_t a, std::size_t b) {
+    const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
+    return std::acos(cosine) * 180.0 / std::numbers::pi;
+}
 
-    Judge(const Scan& scan, const SimulationTruth& of) : truth(of), tables(scan) {}
-
-    // Range at which the tangent plane of cell a is met along the ray of cell b, mm; negative or infinite when it is not.
-    [[nodiscard]] double planeAt(std::size_t a, const Vector3d& rayA, const Vector3d& rayB) const {
-        const Vector3d normal = truth.normal[a].cast<double>();
-        return truth.cleanMm[a] * normal.dot(rayA) / normal.dot(rayB);
-    }
-
-    [[nodiscard]] double foldDeg(std::size_t a, std::size_t b) const {
-        const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
-        return std::acos(cosine) * 180.0 / std::numbers::pi;
-    }
-
-    // What lies between two neighbouring cells that both hit something; `nearer` gets the cell that carries it.
-    [[nodiscard]] PairKind between(int lineA, int beamA, int lineB, int beamB, std::size_t& nearer) const {
-        const std::size_t a = truth.cleanMm.index(lineA, beamA);
-        const std::size_t b = truth.cleanMm.index(lineB, beamB);
-        const Vector3d rayA = tables.direction(lineA, beamA);
-        const Vector3d rayB = tables.direction(lineB, beamB);
-        nearer = truth.cleanMm[a] <= truth.cleanMm[b] ? a : b;
-        const bool otherObject = truth.object[a] != truth.object[b];
-        const bool sameFace = !otherObject && truth.face[a] == truth.face[b];
-        const bool rock = truth.object[a] >= kFirstRock;
-        const bool round = truth.rounded[a] != 0 || truth.rounded[b] != 0;
-        if (sameFace && rock && !round) return PairKind::Nothing;
-        // How far b's surface lies behind a's, on either ray; of one sign: the planes do not meet between the rays.
-        const double gapAtA = planeAt(b, rayB, rayA) - truth.cleanMm[a];
-        const double gapAtB = truth.cleanMm[b] - planeAt(a, rayA, rayB);
-        const bool apart = gapAtA * gapAtB > 0 && std::isfinite(gapAtA) && std::isfinite(gapAtB);
-        const double gap = apart ? std::min(std::abs(gapAtA), std::abs(gapAtB)) : 0.0;
-        if (gap > kJumpMm) return PairKind::Occluding;
-        if (gap > kUnsureJumpMm) return PairKind::Unsure;
-        if (sameFace && !rock) return PairKind::Nothing; // the facets of a wall's mesh are no creases
-        const double fold = foldDeg(a, b);
-        if (otherObject) return fold > kContactDeg ? PairKind::Contact : PairKind::Nothing;
-        if (fold > kCreaseDeg) return PairKind::Crease;
-        if (round) return PairKind::Nothing; // see spreadFolds
-        return fold > kUnsureCreaseDeg ? PairKind::Unsure : PairKind::Nothing;
-    }
-};
+PairKind kindOf(const sim::Seam& seam, bool otherObject, bool round) {
+    if (seam.tearMm > kJumpMm) return PairKind::Occluding;
+    if (seam.tearMm > sim::kLeastTearMm) return PairKind::Unsure;
+    if (otherObject) return seam.foldDeg > kContactDeg ? PairKind::Contact : PairKind::Nothing;
+    if (seam.foldDeg > kCreaseDeg) return PairKind::Crease;
+    if (round) return PairKind::Nothing; // see spreadFolds
+    return seam.foldDeg > sim::kLeastFoldDeg ? PairKind::Unsure : PairKind::Nothing;
+}
 
 void dilate(Grid<std::uint8_t>& mask, int reach) {
     const Grid<std::uint8_t> before = mask;
@@ -112,18 +77,16 @@ struct Marks {
     }
 };
 
-void judgePair(const Judge& judge, Marks& marks, int lineA, int beamA, int lineB, int beamB) {
-    const std::size_t a = marks.edgeClass.index(lineA, beamA);
-    const std::size_t b = marks.edgeClass.index(lineB, beamB);
-    const bool hitA = judge.truth.object[a] != 0;
-    const bool hitB = judge.truth.object[b] != 0;
+void judgePair(const SimulationTruth& truth, Marks& marks, std::size_t a, std::size_t b, const sim::Seam& seam) {
+    const bool hitA = truth.object[a] != 0;
+    const bool hitB = truth.object[b] != 0;
     if (!hitA && !hitB) return;
     if (hitA != hitB) {
         marks.mark(hitA ? a : b, EdgeClass::Void);
         return;
     }
-    std::size_t nearer = a;
-    switch (judge.between(lineA, beamA, lineB, beamB, nearer)) {
+    const std::size_t nearer = truth.cleanMm[a] <= truth.cleanMm[b] ? a : b;
+    switch (kindOf(seam, truth.object[a] != truth.object[b], truth.rounded[a] != 0 || truth.rounded[b] != 0)) {
     case PairKind::Nothing:
         return;
     case PairKind::Occluding:
@@ -143,8 +106,7 @@ void judgePair(const Judge& judge, Marks& marks, int lineA, int beamA, int lineB
 
 // Along one row of cells of one rock: a rounded fold that turns by a crease's angle, but over several cells, or by less from one cell to
 // the next. Whether it is an edge, and where, nobody can say.
-void markSpreadFolds(const Judge& judge, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
-    const SimulationTruth& truth = judge.truth;
+void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
     const std::size_t first = spread.index(line, beam);
     if (truth.object[first] < kFirstRock) return;
     bool round = false;
@@ -152,7 +114,7 @@ void markSpreadFolds(const Judge& judge, Grid<std::uint8_t>& spread, int line, i
         const std::size_t k = spread.index(line + n * lineStep, beam + n * beamStep);
         if (truth.object[k] != truth.object[first]) return;
         round = round || truth.rounded[k] != 0;
-        if (!round || n == 0 || judge.foldDeg(first, k) <= (n == 1 ? kUnsureCreaseDeg : kCreaseDeg)) continue;
+        if (!round || n == 0 || foldDeg(truth, first, k) <= (n == 1 ? sim::kLeastFoldDeg : kCreaseDeg)) continue;
         for (int m = 0; m <= n; ++m) spread.at(line + m * lineStep, beam + m * beamStep) = 255;
         return;
     }
@@ -160,12 +122,12 @@ void markSpreadFolds(const Judge& judge, Grid<std::uint8_t>& spread, int line, i
 
 // Cells that are not scored for rounded folds. Edges that are sure stay, and so does what lies beside an outline: towards it every round
 // rock turns away from the scanner.
-Grid<std::uint8_t> spreadFolds(const Judge& judge, const Grid<std::uint8_t>& edgeClass) {
+Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uint8_t>& edgeClass) {
     Grid<std::uint8_t> spread(edgeClass.lines, edgeClass.beams);
     for (int i = 0; i < spread.lines; ++i) {
         for (int j = 0; j < spread.beams; ++j) {
-            markSpreadFolds(judge, spread, i, j, 0, 1);
-            markSpreadFolds(judge, spread, i, j, 1, 0);
+            markSpreadFolds(truth, spread, i, j, 0, 1);
+            markSpreadFolds(truth, spread, i, j, 1, 0);
         }
     }
     Grid<std::uint8_t> outline(spread.lines, spread.beams);
@@ -180,28 +142,32 @@ Grid<std::uint8_t> spreadFolds(const Judge& judge, const Grid<std::uint8_t>& edg
 
 } // namespace
 
-EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth) {
-    const Judge judge(scan, truth);
-    const int lines = scan.lines();
-    const int beams = scan.beams();
+EdgeTruth edgeTruth(const SimulationTruth& truth) {
+    const int lines = truth.object.lines;
+    const int beams = truth.object.beams;
     Marks marks{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams)};
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j) {
-            if (j + 1 < beams) judgePair(judge, marks, i, j, i, j + 1);
-            if (i + 1 < lines) judgePair(judge, marks, i, j, i + 1, j);
+            const std::size_t k = truth.object.index(i, j);
+            const auto next = static_cast<std::size_t>(beams);
+            if (j + 1 < beams) judgePair(truth, marks, k, k + 1, truth.toNextBeam[k]);
+            if (i + 1 < lines) judgePair(truth, marks, k, k + next, truth.toNextLine[k]);
         }
     }
     EdgeTruth result{std::move(marks.edgeClass), notScored(truth)};
-    dilate(marks.unsure, 1);
-    for (std::size_t k = 0; k < marks.unsure.size(); ++k) result.ignore[k] |= marks.unsure[k];
     Grid<std::uint8_t> all(lines, beams);
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = result.edgeClass[k] != 0 ? 255 : 0;
     const Grid<std::uint8_t> thin = thinned(all);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (thin[k] == 0) result.edgeClass[k] = 0;
     }
-    const Grid<std::uint8_t> spread = spreadFolds(judge, result.edgeClass);
+    const Grid<std::uint8_t> spread = spreadFolds(truth, result.edgeClass);
     for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
+    // An edge that is sure stays so beside one that is not.
+    dilate(marks.unsure, 1);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (result.edgeClass[k] == 0) result.ignore[k] |= marks.unsure[k];
+    }
     return result;
 }
 

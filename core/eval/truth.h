@@ -21,7 +21,6 @@ struct EdgeTruth {
     Grid<std::uint8_t> ignore;    ///< 255: not scored, rounded folds among it that turn by 30 degrees within 4 cells but not within one
 };
 
-/// `truth` must belong to `scan` (same shape, polar geometry).
-[[nodiscard]] EdgeTruth edgeTruth(const Scan& scan, const SimulationTruth& truth);
+[[nodiscard]] EdgeTruth edgeTruth(const SimulationTruth& truth);
 
 } // namespace edgescan

@@ -126,14 +126,14 @@ Result<Grid<std::uint16_t>> readNumbers(const fs::path& path) {
 } // namespace
 
 TruthSet truthSetOf(const Simulation& simulation) {
-    return {edgeTruth(simulation.scan, *simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
+    return {edgeTruth(*simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
 }
 
 Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
-    const EdgeTruth edges = edgeTruth(simulation.scan, *simulation.truth);
+    const EdgeTruth edges = edgeTruth(*simulation.truth);
     const auto texts = {std::pair{"rocks.json", rocksJson(simulation).dump(2) + "\n"},
                         std::pair{"scene.json", sceneJson(settings).dump(2) + "\n"}};
     for (const auto& [name, text] : texts) {

@@ -4,6 +4,7 @@
 #include "core/scan/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/caster.h"
+#include "core/sim/cell_seams.h"
 #include "core/sim/noise.h"
 #include "core/sim/random.h"
 #include "core/sim/scenes.h"
@@ -185,28 +186,36 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Cartesi
     }
 }
 
-/// False when cancelled. Lines are handed out one by one; a cell depends on nothing but its own index.
-bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
-    const Caster caster(sweep.scene, sweep.footprint);
-    const std::array<CartesianTables, 2> aim{CartesianTables(sweep.aim[0]), CartesianTables(sweep.aim[1])};
-    const int lines = sweep.settings.lines;
+/// Lines are handed out one by one to all cores. False when cancelled.
+bool forAllLines(const SimulationSettings& settings, const SimulationProgress& progress, const std::function<void(int line)>& work) {
     std::atomic<int> next{0};
     std::atomic<int> finished{0};
     std::atomic<bool> stopped{false};
-    const auto work = [&](bool reports) {
-        for (int line = next++; line < lines && !stopped; line = next++) {
-            castLine(sweep, caster, aim, line, out);
+    const auto share = [&](bool reports) {
+        for (int line = next++; line < settings.lines && !stopped; line = next++) {
+            work(line);
             const int done = ++finished;
-            if (reports && progress && !progress(static_cast<double>(done) / lines)) stopped = true;
+            if (reports && progress && !progress(static_cast<double>(done) / settings.lines)) stopped = true;
         }
     };
-    const unsigned cores = sweep.settings.threads > 0 ? static_cast<unsigned>(sweep.settings.threads) : std::thread::hardware_concurrency();
+    const unsigned cores = settings.threads > 0 ? static_cast<unsigned>(settings.threads) : std::thread::hardware_concurrency();
     {
         std::vector<std::jthread> others;
-        for (unsigned t = 1; t < cores; ++t) others.emplace_back(work, false);
-        work(true);
+        for (unsigned t = 1; t < cores; ++t) others.emplace_back(share, false);
+        share(true);
     }
-    if (stopped) return false;
+    return !stopped;
+}
+
+/// False when cancelled. A cell depends on nothing but its own index.
+bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
+    const Caster caster(sweep.scene, sweep.footprint);
+    const std::array<CartesianTables, 2> aim{CartesianTables(sweep.aim[0]), CartesianTables(sweep.aim[1])};
+    if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
+    if (out.truth) {
+        const SeamSources sources{sweep.scene, caster, {&aim[0], &aim[1]}, !sweep.settings.surface.empty()};
+        forAllLines(sweep.settings, {}, [&](int line) { findSeams(sources, line, *out.truth); });
+    }
     return !progress || progress(1.0);
 }
 
@@ -215,6 +224,8 @@ SimulationTruth emptyTruth(const SimulationSettings& s, const Scene& scene) {
                           {s.lines, s.beams},
                           {s.lines, s.beams},
                           {s.lines, s.beams, Eigen::Vector3f::Zero().eval()},
+                          {s.lines, s.beams},
+                          {s.lines, s.beams},
                           {s.lines, s.beams},
                           {s.lines, s.beams},
                           {}};

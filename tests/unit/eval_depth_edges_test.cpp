@@ -33,16 +33,16 @@ std::size_t countOf(const EdgeTruth& truth, EdgeClass wanted) {
 
 TEST(EdgeTruth, AWallHasNoEdgeAndABellHasAllKinds) {
     const Simulation wall = simulated("wall", 3);
-    const EdgeTruth none = edgeTruth(wall.scan, *wall.truth);
+    const EdgeTruth none = edgeTruth(*wall.truth);
     for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_EQ(countOf(none, c), 0U);
     const Simulation bell = simulated("hangup", 3);
-    const EdgeTruth all = edgeTruth(bell.scan, *bell.truth);
+    const EdgeTruth all = edgeTruth(*bell.truth);
     for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_GT(countOf(all, c), 100U);
 }
 
 TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
     const Simulation bell = simulated("hangup", 4);
-    const EdgeTruth truth = edgeTruth(bell.scan, *bell.truth);
+    const EdgeTruth truth = edgeTruth(*bell.truth);
     Grid<std::uint8_t> mask(bell.scan.lines(), bell.scan.beams());
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edgeClass[k] != 0 ? 255 : 0;
     const EdgeScore perfect = scoreEdges(mask, truth, 2);
@@ -72,7 +72,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     EdgeScore gray;
     for (const char* scene : {"hangup", "pile"}) {
         const Simulation bell = simulated(scene, 21);
-        const EdgeTruth truth = edgeTruth(bell.scan, *bell.truth);
+        const EdgeTruth truth = edgeTruth(*bell.truth);
         depth += scoreEdges(depthEdges(bell.scan, {}).mask, truth, 2);
         gray += scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
     }
@@ -114,7 +114,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const Simulation bell = *simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = scoreEdges(edgeLines(bell.scan), edgeTruth(bell.scan, *bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = scoreEdges(edgeLines(bell.scan), edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);
