@@ -43,14 +43,16 @@ const Parameter* sweptParameter(const Settings& settings) {
     return nullptr;
 }
 
-std::vector<double> usualThresholds(const Parameter& parameter) {
-    std::vector<double> thresholds;
+// `own`, the threshold of the settings, is among them: the best of a sweep is never worse than what the settings give.
+std::vector<double> usualThresholds(const Parameter& parameter, double own) {
+    std::vector<double> thresholds{own};
     const std::string key = parameter.key;
     // Steps fine enough that the best F is missed by less than a thousandth where F is flat, wide enough for all noises.
     const double from = key == "lower" ? 0.5 : key == "step" ? 0.25 : 0.5;
     const double to = key == "lower" ? 4096.0 : key == "step" ? 64.0 : 2.6;
     const double factor = key == "sensitivity" ? 1.1 : std::sqrt(2.0);
     for (double value = from; value <= to; value *= factor) thresholds.push_back(snapped(parameter, value));
+    std::ranges::sort(thresholds);
     thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
     return thresholds;
 }
@@ -116,13 +118,18 @@ private:
     std::unique_ptr<DepthResponses> responses_;
 };
 
-void show(const char* title, const Json& evaluation) {
-    std::cout << title << std::fixed << std::setprecision(3);
+void show(const Json& evaluation) {
+    std::cout << "                precision  recall      F\n" << std::fixed << std::setprecision(3);
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
-        std::cout << "  " << group << ' ' << evaluation[group]["f"].get<double>();
-    std::cout << "\n  rocks with 80 / 90 % of their outline: " << std::setprecision(0)
-              << 100 * evaluation["rocks"]["at_least_80_percent"].get<double>() << " / "
-              << 100 * evaluation["rocks"]["at_least_90_percent"].get<double>() << " %";
+        std::cout << std::setw(15) << group << "      " << evaluation[group]["precision"].get<double>() << "   "
+                  << evaluation[group]["recall"].get<double>() << "  " << evaluation[group]["f"].get<double>() << '\n';
+    const Json& rocks = evaluation["rocks"];
+    std::cout << std::setprecision(0);
+    if (rocks["count"] == 0)
+        std::cout << "no rock with an outline to find";
+    else
+        std::cout << "rocks with 80 / 90 % of their outline: " << 100 * rocks["at_least_80_percent"].get<double>() << " / "
+                  << 100 * rocks["at_least_90_percent"].get<double>() << " % of " << rocks["count"];
     if (evaluation.contains("error_mm"))
         std::cout << ", 3D error P50 / P95 " << evaluation["error_mm"]["p50"].get<double>() << " / "
                   << evaluation["error_mm"]["p95"].get<double>() << " mm";
@@ -132,7 +139,8 @@ void show(const char* title, const Json& evaluation) {
 Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     const Parameter* swept = sweptParameter(settings);
     ThresholdSweep sweep;
-    if (evaluate.sweep && swept != nullptr) sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(*swept) : evaluate.thresholds;
+    if (evaluate.sweep && swept != nullptr)
+        sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(*swept, swept->get(settings)) : evaluate.thresholds;
     Evaluation fixed;
     for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
         Result<Case> one = openCase(evaluate, n);
@@ -161,10 +169,31 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     return json;
 }
 
+// Thresholds and flags that a person typed and that would change nothing, or not what was meant.
+Result<Done> checkUsage(const Evaluate& evaluate, const Settings& settings) {
+    if (std::isnan(evaluate.tolerance)) return Error{"the tolerance is no number", "--tolerance", "give 0 to 20 cells"};
+    if (std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask) && anyTyped(evaluate.method))
+        return Error{"a mask holds its edges already, so no method finds them", "evaluate", "leave the flags of the method out"};
+    if (!evaluate.thresholds.empty() && !evaluate.sweep) return Error{"thresholds belong to a sweep", "--thresholds", "give --sweep too"};
+    const Parameter* swept = sweptParameter(settings);
+    for (std::size_t n = 0; swept != nullptr && n < evaluate.thresholds.size(); ++n) {
+        const double value = evaluate.thresholds[n];
+        if (!(value >= swept->minimum && value <= swept->maximum) || (n > 0 && value <= evaluate.thresholds[n - 1]))
+            return Error{"value " + std::to_string(n + 1) + " is out of place", "--thresholds",
+                         "give rising values of --" + std::string(swept->key) + ", from " + formatValue(*swept, swept->minimum) + " to " +
+                             formatValue(*swept, swept->maximum)};
+    }
+    return Done{};
+}
+
 int run(const Evaluate& evaluate) {
     const Result<Settings> settings = settingsOf(evaluate.method);
     if (!settings) {
         complain(settings.error());
+        return kWrongUsage;
+    }
+    if (const Result<Done> usage = checkUsage(evaluate, *settings); !usage) {
+        complain(usage.error());
         return kWrongUsage;
     }
     const bool masks = std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask);
@@ -193,7 +222,7 @@ int run(const Evaluate& evaluate) {
         complain(written.error());
         return kRefused;
     }
-    show("F", (*json)["fixed"]);
+    show((*json)["fixed"]);
     if (!json->contains("sweep")) return kDone;
     const Json& sweep = (*json)["sweep"];
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})

@@ -18,6 +18,7 @@ constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this t
 constexpr double kGuessError = 1e-6;    // relative
 constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
+constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
 
 // How a swept threshold becomes a threshold of the gradient, and roughly back.
 struct Sweep {
@@ -277,11 +278,12 @@ EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thres
 
     curve.stableFrom = curve.stableTo = curve.thresholds.front();
     double best = 1.0;
-    const double fewest = kSmallestShare * static_cast<double>(curve.edges.front());
+    const double most = kLargestShare * static_cast<double>(map.highest.size());
+    const double fewest = kSmallestShare * std::min(most, static_cast<double>(curve.edges.front()));
     std::size_t end = 0;
     for (std::size_t start = 0; start < places; ++start) {
         const auto here = static_cast<double>(curve.edges[start]);
-        if (curve.thresholds[start] <= 0 || here < std::max(fewest, 1.0)) continue;
+        if (curve.thresholds[start] <= 0 || here > most || here < std::max(fewest, 1.0)) continue;
         end = std::max(end, start);
         while (end + 1 < places && static_cast<double>(curve.edges[end + 1]) >= kStableShare * here) ++end;
         const double ratio = curve.thresholds[end] / curve.thresholds[start];

@@ -44,7 +44,8 @@ struct EdgeCountCurve {
 };
 
 /// At these thresholds (ascending, two at least). The plateau is the longest stretch, as ratio of its ends, over which no more than a fifth
-/// of the edges goes; stretches that hold under 5 % of the edges at the first do not count.
+/// of the edges goes. Stretches that begin with over 15 % of all cells do not count, nor those that hold under 5 % of the edges at the
+/// first threshold, or of that many cells.
 [[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds);
 
 /// Largest threshold at which `holds` is true, to the last bit; `holds` must be true for small ones and false for large ones. Below 0: for

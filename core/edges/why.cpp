@@ -149,10 +149,11 @@ std::string reason(const Why& why, const Settings& settings) {
     if (why.probe.edge) return strength + " is enough where it continues its chain";
     const bool lost = why.suppressedBy && (why.strength > why.lower || why.strength == 0);
     if (lost)
-        return cellName(*why.suppressedBy) + " beside it is stronger (" + number(why.suppressedBy->strength) +
-               "), and an edge is one cell wide";
+        return cellName(*why.suppressedBy) + " beside it is " + (why.suppressedBy->strength > why.strength ? "stronger (" : "as strong (") +
+               number(why.suppressedBy->strength) + "), and an edge is one cell wide";
     if (why.standing == Standing::Below) {
-        const std::string text = strength + " is below the " + (oneThreshold ? "" : "lower ") + "threshold " + number(why.lower);
+        const std::string text = strength + (why.strength < why.lower ? " is below the " : " is no more than the ") +
+                                 (oneThreshold ? "" : "lower ") + "threshold " + number(why.lower);
         return why.suppressedBy ? text + ", and " + cellName(*why.suppressedBy) + " beside it is stronger" : text;
     }
     if (why.chain.empty())

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -74,12 +75,30 @@ TEST_F(CliEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
     EXPECT_EQ(evaluated(scan, "--preset thesis --sweep --thresholds 6")["swept"], "lower");
 }
 
+TEST_F(CliEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
+    const json report = evaluated(scan, "--method jumps --sensitivity 1.03 --sweep");
+    const json& thresholds = report["sweep"]["thresholds"];
+    EXPECT_NE(std::find(thresholds.begin(), thresholds.end(), json(1.03)), thresholds.end()) << thresholds.dump();
+    EXPECT_TRUE(std::is_sorted(thresholds.begin(), thresholds.end()));
+    for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
+        EXPECT_GE(report["sweep"][group]["ods"].get<double>(), report["fixed"][group]["f"].get<double>()) << group;
+}
+
 TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {
     const auto twice = runCli("evaluate " + scan + " --truth " + truth + " --truth " + truth);
     EXPECT_EQ(twice.code, 2);
     EXPECT_NE(twice.err.find("once per file"), std::string::npos) << twice.err;
     const std::string mask = maskOf("mask.png", [](std::uint8_t cell) { return cell > 0; });
     EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --sweep").code, 2);
+    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --method canny").code, 2);
+    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --tolerance nan").code, 2);
+    const std::string sweep = "evaluate " + scan + " --truth " + truth + " --method edgescan+ ";
+    EXPECT_EQ(runCli(sweep + "--thresholds 1,2").code, 2); // without --sweep
+    for (const char* wrong : {"2,1", "1,1", "0.1,1", "1,nan", "1,5"}) {
+        const auto run = runCli(sweep + "--sweep --thresholds " + wrong);
+        EXPECT_EQ(run.code, 2) << wrong;
+        EXPECT_NE(run.err.find("rising values of --sensitivity, from 0.3 to 3"), std::string::npos) << wrong << run.err;
+    }
     EXPECT_EQ(runCli("evaluate " + scan + " --truth " + (folder / "nowhere").string()).code, 1);
 
     ASSERT_TRUE(savePng8(Grid<std::uint8_t>(10, 12), folder / "small.png"));

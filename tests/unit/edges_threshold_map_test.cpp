@@ -171,6 +171,10 @@ TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
     }
     EXPECT_EQ(curve.stableFrom, 2.0);
     EXPECT_EQ(curve.stableTo, 44.0);
+    // A picture that is full of edges is not stable, however far it stays so.
+    for (std::size_t k = 0; k < 1000; ++k) map.highest[k] = 90.0 + static_cast<double>(k % 100) / 100.0;
+    const EdgeCountCurve full = edgeCountCurve(map, wholeNumbers(101));
+    EXPECT_EQ(full.stableFrom, full.stableTo);
     const EdgeCountCurve none = edgeCountCurve({Grid<double>(3, 3, -1.0)}, wholeNumbers(11));
     EXPECT_EQ(none.stableFrom, none.stableTo);
 }
