@@ -111,7 +111,7 @@ void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) 
     }
 }
 
-// Thresholds that give from a third to three times as many edges as the truth has.
+// Of the threshold in the settings and of those that give from a third to three times as many edges as the truth has.
 std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const Settings& settings, const TruthSet& truth,
                                            double tolerance) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(scan, settings));
@@ -121,13 +121,17 @@ std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& sc
     }
     std::ranges::sort(highest, std::greater<>());
     const auto wanted = static_cast<double>(std::ranges::count_if(truth.edges.edgeClass.cells, [](std::uint8_t c) { return c != 0; }));
-    std::optional<BestThreshold> best;
+    std::vector<double> thresholds{findParameter(sweptParameter(settings.method))->get(settings)};
     for (const double share : {0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.3, 1.6, 2.0, 3.0}) {
         const auto place = static_cast<std::size_t>(share * wanted);
         if (place >= highest.size()) break;
-        const Evaluation score = evaluateMask(edgesAt(map, highest[place]), truth, scan.get(), tolerance);
+        thresholds.push_back(highest[place]);
+    }
+    std::optional<BestThreshold> best;
+    for (const double threshold : thresholds) {
+        const Evaluation score = evaluateMask(edgesAt(map, threshold), truth, scan.get(), tolerance);
         if (best && best->score.score.all.f() >= score.score.all.f()) continue;
-        best = BestThreshold{sweptParameter(settings.method), highest[place], score};
+        best = BestThreshold{sweptParameter(settings.method), threshold, score};
     }
     return best;
 }
