@@ -107,6 +107,7 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
         const double fixed = method["score"]["all"]["f"].get<double>();
         EXPECT_GT(fixed, 0.0) << method["name"];
         EXPECT_LE(fixed, 1.0);
+        EXPECT_GE(method["best"]["score"]["all"]["f"].get<double>(), fixed) << method["name"];
     }
     const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");
     EXPECT_NE(table.out.find("Thesis, table 6.1"), std::string::npos);
