@@ -127,6 +127,23 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
     }
 
+    void theCountUnderTheSliderIsThatOfThePicture() {
+        Settings between = cannySettings(); // a threshold between two places of the slider
+        between.method = Method::Kirsch;
+        between.lower = 58.5;
+        use(between);
+        CountCurve* curve = window_->panel().curve("lower");
+        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        const auto edges = static_cast<qulonglong>(window_->session().picture()->frame->edges->size());
+        const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
+        QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
+        Settings share = cannySettings();
+        share.method = Method::LogRange;
+        share.stepPercent = 4.0;
+        use(share);
+        QCOMPARE(window_->panel().findChild<QLabel*>("upper")->text(), QString("Strong from  12.0 % of range"));
+    }
+
     void whyAnswersForTheCellClicked() {
         use(cannySettings());
         const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);

@@ -49,6 +49,12 @@ void CountCurve::showValue(double value) {
     update();
 }
 
+void CountCurve::showFound(double threshold, std::size_t edges) {
+    found_ = {threshold, edges};
+    setAccessibleDescription(words());
+    update();
+}
+
 double CountCurve::xOf(double threshold) const {
     const int margin = style()->pixelMetric(QStyle::PM_SliderLength) / 2; // where the middle of the slider's handle can be
     const double share = static_cast<double>(sliderPosition(parameter_, threshold)) / kSliderSteps;
@@ -65,7 +71,8 @@ QString CountCurve::words() const {
     if (!curve_ || curve_->edges.empty()) return tr("number of edges: not known yet");
     const auto next = std::ranges::lower_bound(curve_->thresholds, value_);
     const auto place = std::min(static_cast<std::size_t>(next - curve_->thresholds.begin()), curve_->edges.size() - 1);
-    QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(curve_->edges[place])));
+    const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];
+    QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
     if (curve_->stableTo > curve_->stableFrom)
         text += tr(" · stable from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
     return text;

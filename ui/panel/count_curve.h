@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <utility>
 
 namespace edgescan {
 struct Parameter;
@@ -26,6 +27,8 @@ public:
     void showCurve(std::optional<EdgeCountCurve> curve);
     /// The threshold in use.
     void showValue(double value);
+    /// How many edges there are at a threshold: the curve knows it only at places of the slider.
+    void showFound(double threshold, std::size_t edges);
     [[nodiscard]] const std::optional<EdgeCountCurve>& curve() const { return curve_; }
 
     [[nodiscard]] QSize sizeHint() const override { return {260, 58}; }
@@ -42,6 +45,7 @@ private:
     const Parameter& parameter_;
     std::optional<EdgeCountCurve> curve_;
     double value_ = 0.0;
+    std::optional<std::pair<double, std::size_t>> found_; ///< threshold and edges
 };
 
 } // namespace edgescan::ui

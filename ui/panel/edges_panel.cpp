@@ -3,6 +3,7 @@
 
 #include "core/edges/detectors/detector.h"
 #include "core/edges/detectors/zero_crossings.h"
+#include "core/edges/frame_thresholds.h"
 #include "core/edges/parameters.h"
 #include "core/edges/step_meaning.h"
 #include "ui/cloud/edge_cells.h"
@@ -46,7 +47,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     }
     column->addLayout(grid);
 
-    auto* fold = new QToolButton;
+    auto* fold = fold_ = new QToolButton;
     fold->setText(tr("Advanced"));
     fold->setCheckable(true);
     fold->setArrowType(Qt::RightArrow);
@@ -243,6 +244,8 @@ void EdgesPanel::showResult(const Frame& frame) {
     jumpMm_ = frame.responses ? frame.responses->jumpMm : kAutomatic;
     classesKnown_ = frame.classes != nullptr;
     classCounts_ = countClasses(frame);
+    if (CountCurve* below = curve(sweptParameter(frame.settings.method)); below != nullptr && frame.edges)
+        below->showFound(findParameter(sweptParameter(frame.settings.method))->get(frame.settings), frame.edges->size());
     showInUse();
     showMeaning();
     showClasses();
@@ -262,6 +265,8 @@ void EdgesPanel::showClasses() {
 }
 
 void EdgesPanel::showInUse() {
+    const auto folded = [this](const Parameter& p) { return p.advanced && p.usedBy(shown_); };
+    fold_->setVisible(std::ranges::any_of(parameters(), folded));
     for (ParameterRow* row : rows_) {
         const std::string key = row->parameter().key;
         double inUse = kAutomatic;
@@ -283,8 +288,10 @@ void EdgesPanel::showUpper() {
     const bool used = findParameter("ratio")->usedBy(shown_);
     upper_->setVisible(used);
     lock_->setVisible(used);
-    QString text = tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
-    if (shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
+    const bool share = shown_.method == Method::LogRange; // of the range: it has no levels
+    QString text = share ? tr("Strong from  %1 % of range").arg(shown_.ratio * shown_.stepPercent, 0, 'f', 1)
+                         : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
+    if (!share && shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
     upper_->setText(text);
 }
 

@@ -91,6 +91,7 @@ private:
     QLabel* modified_ = nullptr;
     std::vector<CountCurve*> curves_;
     QLabel* upper_ = nullptr;
+    QToolButton* fold_ = nullptr;
     QLabel* meaning_ = nullptr;
     QLabel* behind_ = nullptr;
     QToolButton* lock_ = nullptr;
