@@ -162,6 +162,8 @@ ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, co
         (conversion ? method.steps.conversion : step.stage == "merge" ? method.steps.merge : method.steps.edges) += step.milliseconds;
     }
     method.mask = found->mask;
+    for (const PeerClass& kind : found->classes)
+        method.kinds.emplace_back(kind.name, kind.mask.size() - static_cast<std::size_t>(std::ranges::count(kind.mask.cells, 0)));
     method.share = found->share;
     if (peer == Peer::BoundaryRadius) method.name += " " + formatValue(*findParameter("lower"), settings.peerLimits.radiusM) + " m";
     if (method.share < 1.0) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgescan {
@@ -35,10 +36,11 @@ struct ComparedMethod {
     ComparedSteps steps;
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
     std::size_t edges = 0;
-    double share = 1.0;                ///< of the points that a peer did before its time was up
-    std::optional<Evaluation> score;   ///< with its fixed settings; null without truth or when not all was done
-    std::optional<BestThreshold> best; ///< of all edges, with the threshold that suits this scan best
-    std::string note;                  ///< why there is no result, or what to know about it
+    double share = 1.0;                                       ///< of the points that a peer did before its time was up
+    std::optional<Evaluation> score;                          ///< with its fixed settings; null without truth or when not all was done
+    std::optional<BestThreshold> best;                        ///< of all edges, with the threshold that suits this scan best
+    std::string note;                                         ///< why there is no result, or what to know about it
+    std::vector<std::pair<std::string, std::size_t>> kinds{}; ///< cells of each kind of edge that a peer tells apart
 };
 
 struct ComparisonSettings {

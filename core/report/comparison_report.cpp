@@ -92,6 +92,11 @@ std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& 
     for (const ComparedMethod& method : methods) text += methodRow(method);
     for (const ComparedMethod& method : methods) {
         if (!method.note.empty()) text += "  " + method.name + ": " + method.note + "\n";
+        if (method.kinds.size() < 2) continue;
+        text += "  " + method.name + ":";
+        for (const auto& [kind, cells] : method.kinds)
+            text += (kind == method.kinds.front().first ? " " : ", ") + std::to_string(cells) + " " + kind;
+        text += "\n";
     }
 
     const ComparedMethod* thesis = find(methods, "thesis");
@@ -127,6 +132,7 @@ nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<Comp
                          {"merge", s.merge},
                          {"total", s.total()}};
             row["edges"] = method.edges;
+            for (const auto& [kind, cells] : method.kinds) row["kinds"][kind] = cells;
             row["share_of_points_done"] = method.share;
         }
         if (method.settings) row["settings"] = settingsToJson(*method.settings);

@@ -64,6 +64,9 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
         EXPECT_TRUE(method["run"].get<bool>() || method.contains("note")) << method.dump();
         if (!method["run"].get<bool>()) continue;
         EXPECT_GT(method["ms"]["total"].get<double>(), 0.0) << method["name"];
+        if (method["method"] != "PCL RangeImageBorderExtractor") continue;
+        EXPECT_EQ(method["kinds"]["object border"], method["edges"]); // the others are no edges of the nearer surface
+        EXPECT_TRUE(method["kinds"].contains("shadow border") && method["kinds"].contains("veil point"));
     }
     for (const char* name : {"thesis", "canny", "log-range", "roberts", "sobel", "prewitt", "kirsch", "robinson", "marr-hildreth", "log",
                              "jumps", "outlines", "edgescan+"})
