@@ -79,6 +79,14 @@ Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std
                     fs::path(flags.pictures) / "comparison.png");
 }
 
+// Flags that would change nothing, or make every score 0.
+std::optional<Error> wrongUsage(const CompareFlags& flags) {
+    if (std::isnan(flags.settings.tolerance)) return Error{"the tolerance is no number", "--tolerance", "give 0 to 20 cells"};
+    if (flags.settings.bestThreshold && flags.truth.empty())
+        return Error{"without truth no threshold is the best", "--best", "give --truth DIR too"};
+    return std::nullopt;
+}
+
 // The first key of --only that no method has.
 std::optional<Error> unknownKey(const std::vector<std::string>& only) {
     const std::vector<std::string> known = comparedKeys();
@@ -154,8 +162,9 @@ void addCompare(CLI::App& app, int& code) {
     command.add_flag("--no-peers", flags->noPeers, "Leave the PCL peers out");
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
-        if (const std::optional<Error> unknown = unknownKey(flags->settings.only)) {
-            complain(*unknown);
+        const std::optional<Error> unknown = unknownKey(flags->settings.only);
+        if (const std::optional<Error> wrong = unknown ? unknown : wrongUsage(*flags)) {
+            complain(*wrong);
             code = kWrongUsage;
             return;
         }

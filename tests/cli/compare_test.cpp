@@ -112,6 +112,8 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
         EXPECT_LE(fixed, 1.0);
         EXPECT_GE(method["best"]["score"]["all"]["f"].get<double>(), fixed) << method["name"];
     }
+    EXPECT_EQ(runCli("compare " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);
+    EXPECT_EQ(runCli("compare " + bell + " --no-peers --best").code, 2); // best by which truth?
     const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");
     EXPECT_NE(table.out.find("Thesis, table 6.1"), std::string::npos);
     EXPECT_NE(table.out.find("1852880 ms"), std::string::npos);
