@@ -1,6 +1,7 @@
 // Displacements of beams and lines.
 #include "core/edges/interlace.h"
 
+#include "core/edges/marks.h"
 #include "core/edges/vectors.h"
 
 #include <algorithm>
@@ -103,10 +104,7 @@ struct LineSlants {
     /// Calls visit(beam, slant) where the line is slanted.
     template <class Visit>
     void forEach(Visit visit) const {
-        for (auto at = slanted.begin(); (at = std::find(at, slanted.end(), 1)) != slanted.end(); ++at) {
-            const auto beam = at - slanted.begin();
-            visit(static_cast<int>(beam), slant[static_cast<std::size_t>(beam)]);
-        }
+        forEachMarked(slanted, [&](std::size_t beam) { visit(static_cast<int>(beam), slant[beam]); });
     }
 };
 

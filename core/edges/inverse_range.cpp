@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/edges/holes.h"
+#include "core/edges/marks.h"
 #include "core/edges/padded_grid.h"
 #include "core/edges/vectors.h"
 #include "core/scan/cartesian.h"
@@ -77,8 +78,7 @@ void fillGaps(InverseRange& inverse, const MeasuredCells& measured, std::ptrdiff
     std::vector<std::uint8_t> ends(static_cast<std::size_t>(measured.beams));
     for (int i = 0; i < measured.lines; ++i) {
         findGapEnds(measured.line(i), stepMeasured, measured.beams, ends.data());
-        for (auto end = ends.begin(); (end = std::find(end, ends.end(), 1)) != ends.end(); ++end)
-            fillGap(inverse, inverse.u.index(i, static_cast<int>(end - ends.begin())), step);
+        forEachMarked(ends, [&](std::size_t beam) { fillGap(inverse, inverse.u.index(i, static_cast<int>(beam)), step); });
     }
 }
 

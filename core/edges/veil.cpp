@@ -1,6 +1,7 @@
 // Mixed pixels.
 #include "core/edges/veil.h"
 
+#include "core/edges/marks.h"
 #include "core/edges/vectors.h"
 
 #include <algorithm>
@@ -17,6 +18,11 @@ constexpr float kSpotRad = 0.0046F;
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
 constexpr float kBend = 0.25F;         // of the least distance of the surfaces
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least
+
+// What is told without divisions first lets more pass than is wanted, as rounding differs here and there.
+constexpr float kLenient = 0.999F;   // of the distance wanted
+constexpr float kRounding = 1e-6F;   // of u
+constexpr float kWiderSpot = 1.001F; // times the spot
 
 float gapMm(float u, float v) { return std::abs(1000.0F / u - 1000.0F / v); }
 
@@ -55,6 +61,43 @@ float slopeAway(const Place& at, int end, int sign) {
     return at.solid[(end + 2 * sign) * at.step] != 0 ? 0.5F * (u(2) - u(0)) : u(1) - u(0);
 }
 
+// The continuations of both sides at the cells of a run.
+struct RunLines {
+    std::array<float, kLongestRun> before, after;
+};
+
+// Two surfaces at a cell. What is asked of them is told without divisions: a distance in metres is the difference of two u over their
+// product. Where rounding may decide, the answer is yes.
+struct TwoSurfaces {
+    float farther, nearer; // u
+    float allowed;         // jump threshold, as a difference of u over the farther one
+    float rounding;
+};
+inline __attribute__((always_inline)) TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
+    const float nearer = std::max(before, after);
+    return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer};
+}
+inline __attribute__((always_inline)) bool canBeBetween(float u, const TwoSurfaces& at) {
+    return (at.farther > 0) & (u > at.farther) & (u < at.nearer) &
+           (at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed);
+}
+inline __attribute__((always_inline)) bool canBeOff(float u, const TwoSurfaces& at, float thresholds) {
+    const float least = thresholds * u * at.allowed;
+    return (at.nearer - u + at.rounding >= least) & ((u - at.farther + at.rounding) * at.nearer >= least * at.farther);
+}
+
+bool canBeRun(const Place& at, int count, const RunLines& lines, const DepthLimits& limits) {
+    bool off = false;
+    for (int n = 0; n < count; ++n) {
+        const float u = at.u[n * at.step];
+        const TwoSurfaces surfaces =
+            surfacesAt(lines.before[static_cast<std::size_t>(n)], lines.after[static_cast<std::size_t>(n)], limits);
+        if (!canBeBetween(u, surfaces)) return false;
+        off = off || canBeOff(u, surfaces, kOffSurface);
+    }
+    return off;
+}
+
 // `count` cells from here on.
 bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<float, kLongestRun>& result) {
     if (!solidAll(at.solid, at.step, -2, count + 1)) return false;
@@ -62,12 +105,17 @@ bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<f
     const float last = at.u[count * at.step];
     const float slopeBefore = slopeAway(at, -1, -1);
     const float slopeAfter = slopeAway(at, count, 1);
+    RunLines lines{};
+    for (int n = 0; n < count; ++n) {
+        lines.before[static_cast<std::size_t>(n)] = first - static_cast<float>(n + 1) * slopeBefore;
+        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(count - n) * slopeAfter;
+    }
+    if (!canBeRun(at, count, lines, limits)) return false;
     float farthest = 0;
     for (int n = 0; n < count; ++n) {
         const float u = at.u[n * at.step];
-        const float before = first - static_cast<float>(n + 1) * slopeBefore;
-        const float after = last - static_cast<float>(count - n) * slopeAfter;
-        if (before <= 0 || after <= 0 || u <= std::min(before, after) || u >= std::max(before, after)) return false;
+        const float before = lines.before[static_cast<std::size_t>(n)];
+        const float after = lines.after[static_cast<std::size_t>(n)];
         const float allowed = limits.jumpAt(1000.0F / std::max(before, after));
         if (std::min(gapMm(before, after), gapMm(first, last)) < kSurfacesApart * allowed) return false;
         const float toBefore = gapMm(before, u);
@@ -78,54 +126,43 @@ bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<f
     return farthest >= kOffSurface;
 }
 
-// A first look without divisions, which lets all pass that the closer look could snap; most cells it does not.
-constexpr float kLenient = 0.999F;     // of what a difference of ranges must be: rounding differs here and there
-constexpr float kRounding = 1e-6F;     // of the values themselves
-constexpr float kLenientSpot = 1.001F; // times the spot
-
-/// Jump threshold as a difference of inverse ranges: for a surface at u, times the other surface's u.
-struct FirstLook {
-    float jumpM;
-    float growth;
-    [[nodiscard]] float allowed(float u) const { return jumpM * u + growth; }
-};
-
-// The lines of two surfaces, continued to the cell: it is strictly between them, and they are two thresholds apart there.
-inline __attribute__((always_inline)) bool canBeBetween(float u, float before, float after, const FirstLook& look) {
-    const float least = std::min(before, after);
-    const float most = std::max(before, after);
-    const float apart = kLenient * kSurfacesApart * least * look.allowed(most);
-    return (least > 0) & (u > least) & (u < most) & (most - least + kRounding * (most + least) >= apart);
+// The surfaces on both sides of a cell can be two thresholds apart: on a smooth surface they are not.
+bool isWorthwhile(const Place& at, const DepthLimits& limits) {
+    const auto u = [&](int n) { return at.u[n * at.step]; };
+    const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
+    const float before = 2 * u(-1) - u(-2);
+    const float after = 2 * u(1) - u(2);
+    if (std::abs(before - after) > apart * before * after) return true;
+    // The ends of a run must be apart, and its first cell off a line through them.
+    const bool two = std::abs(u(-1) - u(2)) > apart * u(-1) * u(2);
+    const bool three = std::abs(u(-1) - u(3)) > apart * u(-1) * u(3);
+    return (two || three) && std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
-// 1 where a snap is worth a closer look: the surfaces on both sides are apart, and the cell is between them.
-EDGESCAN_VECTORS void markWorthwhile(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
-                                     const DepthLimits& limits, std::uint8_t* __restrict out) {
-    const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
-    const FirstLook look{0.001F * limits.jumpMm, limits.growth};
+// A first look at a whole line, which lets all pass that the closer looks could snap; not 0 where one is worth it.
+EDGESCAN_VECTORS void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
+                                    const DepthLimits& limits, float* __restrict worth) {
     for (int j = 0; j < beams; ++j) {
-        const float here = u[j];
-        const float before = 2 * u[j - s] - u[j - 2 * s];
-        const float after = 2 * u[j + s] - u[j + 2 * s];
-        const float first = u[j - s];
-        const float second = u[j + 2 * s];
-        const float third = u[j + 3 * s];
-        // The ends of a run must be apart, and its first cell off a line through them.
-        const bool bent = std::abs(u[j - 2 * s] - 2 * first + here) + std::abs(u[j + s] - 2 * here + first) > kBend * apart * here * here;
-        const bool oneApart = std::abs(before - after) > apart * before * after;
-        const bool twoApart = (std::abs(first - second) > apart * first * second) & bent;
-        const bool threeApart = (std::abs(first - third) > apart * first * third) & bent;
-        // And so are their lines.
-        const float awayBefore = solid[j - 3 * s] != 0 ? 0.5F * (u[j - 3 * s] - first) : u[j - 2 * s] - first;
-        const float awaySecond = solid[j + 4 * s] != 0 ? 0.5F * (u[j + 4 * s] - second) : third - second;
-        const float awayThird = solid[j + 5 * s] != 0 ? 0.5F * (u[j + 5 * s] - third) : u[j + 4 * s] - third;
-        const float spot = kLenientSpot * (kSpotM * here + kSpotRad);
-        const bool one = canBeBetween(here, before, after, look);
-        const bool two = canBeBetween(here, first - awayBefore, second - 2 * awaySecond, look) & (2 * angle[j] <= spot);
-        const bool three = canBeBetween(here, first - awayBefore, third - 3 * awayThird, look) & (3 * angle[j] <= spot);
-        const bool solids = solid[j - 2 * s] * solid[j - s] * solid[j] * solid[j + s] * solid[j + 2 * s] != 0;
-        out[j] = static_cast<std::uint8_t>((oneApart | twoApart | threeApart) & (one | two | three) & solids);
+        const float b3 = u[j - 3 * s], b2 = u[j - 2 * s], b1 = u[j - s], here = u[j];
+        const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s], a5 = u[j + 5 * s];
+        const float spot = kWiderSpot * (kSpotM * here + kSpotRad);
+        const float slopeBefore = solid[j - 3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
+        const float slopeSecond = solid[j + 4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
+        const float slopeThird = solid[j + 5 * s] != 0 ? 0.5F * (a5 - a3) : a4 - a3;
+        const TwoSurfaces alone = surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits);
+        const TwoSurfaces first = surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits);
+        const TwoSurfaces second = surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits);
+        const TwoSurfaces ofThree = surfacesAt(b1 - slopeBefore, a3 - 3 * slopeThird, limits);
+        const bool one = canBeBetween(here, alone) & canBeOff(here, alone, 1);
+        const bool two = canBeBetween(here, first) & canBeBetween(a1, second) &
+                         (canBeOff(here, first, kOffSurface) | canBeOff(a1, second, kOffSurface)) & (2 * angle[j] <= spot);
+        const bool three = canBeBetween(here, ofThree) & (3 * angle[j] <= spot);
+        worth[j] = (one | two | three) & (solid[j] != 0) ? 1.0F : 0.0F;
     }
+}
+
+EDGESCAN_VECTORS void toMarks(const float* look, int beams, std::uint8_t* __restrict marks) {
+    for (int j = 0; j < beams; ++j) marks[j] = look[j] != 0 ? 1 : 0;
 }
 
 } // namespace
@@ -135,22 +172,24 @@ void snapVeils(const DepthField& field, Along along, int line, const float* angl
     const float* u = field.u.line(line);
     const float* solid = field.solid.line(line);
     float* out = snapped.line(line);
-    std::vector<std::uint8_t> worth(static_cast<std::size_t>(field.u.beams));
-    markWorthwhile(u, solid, angle, step, field.u.beams, limits, worth.data());
-    for (auto next = worth.begin(); (next = std::find(next, worth.end(), 1)) != worth.end(); ++next) {
-        const auto j = next - worth.begin();
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(field.u.beams));
+    std::vector<float> look(marks.size());
+    takeFirstLook(u, solid, angle, step, field.u.beams, limits, look.data());
+    toMarks(look.data(), field.u.beams, marks.data());
+    forEachMarked(marks, [&](std::size_t j) {
         const Place at{u + j, solid + j, step};
-        if (snapOne(at, limits, out[j])) continue;
+        if (!isWorthwhile(at, limits)) return;
+        if (snapOne(at, limits, out[j])) return;
         const float rangeM = 1.0F / at.u[0];
         const float cell = rangeM * angle[j];
         const float spot = kSpotM + kSpotRad * rangeM;
         std::array<float, kLongestRun> run{};
         for (int count = 2; count <= kLongestRun && static_cast<float>(count) * cell <= spot; ++count) {
             if (!snapRun(at, count, limits, run)) continue;
-            for (int n = 0; n < count; ++n) out[j + n * step] = run[static_cast<std::size_t>(n)];
+            for (int n = 0; n < count; ++n) out[static_cast<std::ptrdiff_t>(j) + n * step] = run[static_cast<std::size_t>(n)];
             break;
         }
-    }
+    });
 }
 
 } // namespace edgescan
