@@ -170,7 +170,7 @@ EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across,
 
 void fitLineOf(const Lines& u, const Lines& links, const AngularSteps& steps, Along along, int line, const DepthLimits& limits,
                FoldWork& work, LineFits& fits) {
-    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line), stepOf(u, along), u.beams};
+    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line, work.angles), stepOf(u, along), u.beams};
     reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
     addUp(at, work.reach.data(), work.left, work.right);
     fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),

@@ -33,6 +33,7 @@ struct FoldWork {
         std::vector<float> misfit;        ///< distance of the two lines at the cell along the beam, mm
         std::vector<float> fitted;        ///< 1 where both sides have enough cells
     };
+    std::vector<float> angles;
     std::vector<float> reach; ///< cells of a side that are within the window
     SideSums left, right;
     LineFits beamwise, linewise;

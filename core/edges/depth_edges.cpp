@@ -2,6 +2,7 @@
 #include "core/edges/depth_edges.h"
 
 #include "core/edges/interlace.h"
+#include "core/edges/marks.h"
 #include "core/edges/surface_lines.h"
 #include "core/edges/vectors.h"
 
@@ -107,15 +108,28 @@ Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, in
     return state;
 }
 
+// 1 at measured cells with a void beside them. A line that is not there is told by the line itself, which holds no void beside itself.
+EDGESCAN_VECTORS void markBorder(const Support* before, const Support* line, const Support* after, int beams,
+                                 std::uint8_t* __restrict marks) {
+    const auto mark = [&](int j, int left, int right) {
+        const bool empty =
+            (before[j] == Support::Void) | (after[j] == Support::Void) | (line[left] == Support::Void) | (line[right] == Support::Void);
+        marks[j] = static_cast<std::uint8_t>((line[j] == Support::Measured) & empty);
+    };
+    for (int j = 1; j < beams - 1; ++j) mark(j, j - 1, j + 1);
+    if (beams == 0) return;
+    mark(0, 0, std::min(1, beams - 1));
+    mark(beams - 1, std::max(0, beams - 2), beams - 1);
+}
+
 std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
     std::vector<std::uint32_t> cells;
-    const auto empty = [&](int i, int j) { return support.contains(i, j) && support.at(i, j) == Support::Void; };
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(support.beams));
     for (int i = 0; i < support.lines; ++i) {
-        for (int j = 0; j < support.beams; ++j) {
-            if (support.at(i, j) != Support::Measured) continue;
-            if (empty(i - 1, j) || empty(i + 1, j) || empty(i, j - 1) || empty(i, j + 1))
-                cells.push_back(static_cast<std::uint32_t>(support.index(i, j)));
-        }
+        markBorder(support.line(std::max(0, i - 1)), support.line(i), support.line(std::min(support.lines - 1, i + 1)), support.beams,
+                   marks.data());
+        forEachMarked(marks,
+                      [&](std::size_t beam) { cells.push_back(static_cast<std::uint32_t>(support.index(i, static_cast<int>(beam)))); });
     }
     return cells;
 }

@@ -4,6 +4,9 @@
 #include "core/edges/inverse_range.h"
 #include "core/edges/line_window.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace edgescan {
 
 /// The two ways through a sweep: along the fan, and across the lines.
@@ -35,9 +38,13 @@ struct DepthLimits {
     [[nodiscard]] float jumpAt(float rangeMm) const { return jumpMm + growth * rangeMm; }
 };
 
-/// Angle of one index step at the cells of a line, radians.
-[[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line) {
-    return along == Along::Beams ? steps.beam.data() : steps.line.line(line);
+/// Angle of one index step at the cells of a line, radians. `room` holds it where it differs from line to line.
+[[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line, std::vector<float>& room) {
+    if (along == Along::Beams) return steps.beam.data();
+    const float step = steps.line[static_cast<std::size_t>(line)];
+    room.resize(steps.fromAxis.size());
+    std::transform(steps.fromAxis.begin(), steps.fromAxis.end(), room.begin(), [step](float sine) { return step * sine; });
+    return room.data();
 }
 
 } // namespace edgescan

@@ -7,10 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace edgescan {
 namespace {
@@ -54,15 +52,20 @@ Grid<std::uint8_t> isolatedCells(const Scan& scan) { return isolatedCells(scan, 
 
 Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine) {
     Grid<std::uint8_t> isolated(endLine - firstLine, scan.beams());
-    std::array<std::vector<float>, 3> ranges; // of the lines before, at and after
-    takeRanges(ranges[1], scan, firstLine - 1);
-    takeRanges(ranges[2], scan, firstLine);
-    for (int line = firstLine; line < endLine; ++line) {
-        std::rotate(ranges.begin(), ranges.begin() + 1, ranges.end());
-        takeRanges(ranges[2], scan, line + 1);
-        isolatedOfLine(ranges[0].data() + 1, ranges[1].data() + 1, ranges[2].data() + 1, scan.beams(), isolated.line(line - firstLine));
-    }
+    IsolatedLines lines(scan, firstLine);
+    for (int i = 0; i < isolated.lines; ++i) lines.next(isolated.line(i));
     return isolated;
+}
+
+IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), line_(firstLine) {
+    takeRanges(ranges_[1], scan, firstLine - 1);
+    takeRanges(ranges_[2], scan, firstLine);
+}
+
+void IsolatedLines::next(std::uint8_t* isolated) {
+    std::rotate(ranges_.begin(), ranges_.begin() + 1, ranges_.end());
+    takeRanges(ranges_[2], *scan_, ++line_);
+    isolatedOfLine(ranges_[0].data() + 1, ranges_[1].data() + 1, ranges_[2].data() + 1, scan_->beams(), isolated);
 }
 
 Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings) {

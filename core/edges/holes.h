@@ -4,6 +4,10 @@
 #include "core/edges/settings.h"
 #include "core/scan/scan.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace edgescan {
 
 /// lines x beams: 255 where the cell has no valid range, else 0.
@@ -13,6 +17,19 @@ namespace edgescan {
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
 /// Only the lines [firstLine, endLine).
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine);
+
+/// The same line by line. The scan must outlive it.
+class IsolatedLines {
+public:
+    IsolatedLines(const Scan& scan, int firstLine);
+    /// Beams values of the next line.
+    void next(std::uint8_t* isolated);
+
+private:
+    const Scan* scan_;
+    int line_;                                 // next one
+    std::array<std::vector<float>, 3> ranges_; // of the lines before, at and after
+};
 
 /// 255 where a cell takes no part in the gray methods under these settings; empty (0 x 0) when all take part.
 [[nodiscard]] Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings);

@@ -3,8 +3,8 @@
 
 #include "core/base/order_statistic.h"
 #include "core/edges/holes.h"
+#include "core/edges/line_window.h"
 #include "core/edges/marks.h"
-#include "core/edges/padded_grid.h"
 #include "core/edges/vectors.h"
 #include "core/scan/cartesian.h"
 
@@ -26,15 +26,13 @@ constexpr std::size_t kBins = 60;
 constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
-// 1 at measured cells, with a margin of 0.
-using MeasuredCells = PaddedGrid<std::uint8_t>;
-
 // What was measured becomes inverse range; `isolated`: 255 where a cell stands alone.
 EDGESCAN_VECTORS void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
-                                   float* __restrict u, std::uint8_t* __restrict measured) {
+                                   float* __restrict u, std::uint8_t* __restrict measured, Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
         const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] > 0);
         measured[j] = valid ? 1 : 0;
+        support[j] = valid ? Support::Measured : Support::Void;
         u[j] = valid ? 1000.0F / rangeMm[j] : kVoidU;
     }
 }
@@ -74,33 +72,20 @@ void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
     }
 }
 
-void fillGaps(InverseRange& inverse, const MeasuredCells& measured, std::ptrdiff_t stepMeasured, std::size_t step) {
-    std::vector<std::uint8_t> ends(static_cast<std::size_t>(measured.beams));
-    for (int i = 0; i < measured.lines; ++i) {
-        findGapEnds(measured.line(i), stepMeasured, measured.beams, ends.data());
-        forEachMarked(ends, [&](std::size_t beam) { fillGap(inverse, inverse.u.index(i, static_cast<int>(beam)), step); });
-    }
-}
-
-AngularSteps polarSteps(const Scan& scan, const PolarGeometry& polar) {
+AngularSteps polarSteps(const PolarGeometry& polar) {
     const auto stepOf = [](const std::vector<double>& deg, std::size_t i) {
         if (deg.size() < 2) return 1.0;
         const std::size_t a = i == 0 ? 0 : i - 1;
         const std::size_t b = i + 1 == deg.size() ? i : i + 1;
         return std::max(1e-6, std::abs(deg[b] - deg[a]) / static_cast<double>(b - a));
     };
-    AngularSteps steps{std::vector<float>(static_cast<std::size_t>(scan.beams())), Grid<float>(scan.lines(), scan.beams())};
-    for (std::size_t j = 0; j < steps.beam.size(); ++j) steps.beam[j] = static_cast<float>(stepOf(polar.beamDeg, j) * kRadPerDeg);
-    std::vector<float> fromAxis;
-    for (const double deg : polar.beamDeg) {
-        const double a = deg * kRadPerDeg;
-        fromAxis.push_back(static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? std::sin(a) : std::cos(a)), 0.02)));
+    AngularSteps steps;
+    for (std::size_t j = 0; j < polar.beamDeg.size(); ++j) {
+        const double a = polar.beamDeg[j] * kRadPerDeg;
+        steps.beam.push_back(static_cast<float>(stepOf(polar.beamDeg, j) * kRadPerDeg));
+        steps.fromAxis.push_back(static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? std::sin(a) : std::cos(a)), 0.02)));
     }
-    for (int i = 0; i < scan.lines(); ++i) {
-        const auto lineStep = static_cast<float>(stepOf(polar.lineDeg, static_cast<std::size_t>(i)) * kRadPerDeg);
-        float* line = steps.line.line(i);
-        for (std::size_t j = 0; j < fromAxis.size(); ++j) line[j] = lineStep * fromAxis[j];
-    }
+    for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) steps.line.push_back(static_cast<float>(stepOf(polar.lineDeg, i) * kRadPerDeg));
     return steps;
 }
 
@@ -139,28 +124,37 @@ AngularSteps cameraSteps(const Scan& scan) {
         }
     }
     return {std::vector<float>(static_cast<std::size_t>(scan.beams()), medianAngle(alongBeams)),
-            Grid<float>(scan.lines(), scan.beams(), medianAngle(alongLines))};
+            std::vector<float>(static_cast<std::size_t>(scan.lines()), medianAngle(alongLines)),
+            std::vector<float>(static_cast<std::size_t>(scan.beams()), 1.0F)};
 }
 
 } // namespace
 
 InverseRange inverseRange(const Scan& scan) {
+    const auto beams = static_cast<std::size_t>(scan.beams());
     InverseRange inverse{Grid<float>(scan.lines(), scan.beams()), Grid<Support>(scan.lines(), scan.beams())};
-    const Grid<std::uint8_t> isolated = isolatedCells(scan);
-    MeasuredCells measured(scan.lines(), scan.beams());
+    IsolatedLines isolatedLines(scan, 0);
+    std::vector<std::uint8_t> isolated(beams);
+    LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0
+    std::vector<std::uint8_t> gapEnds(beams);
     for (int i = 0; i < scan.lines(); ++i) {
-        takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.line(i), scan.beams(), inverse.u.line(i), measured.line(i));
-        std::transform(measured.line(i), measured.line(i) + scan.beams(), inverse.support.line(i),
-                       [](std::uint8_t is) { return is != 0 ? Support::Measured : Support::Void; });
+        isolatedLines.next(isolated.data());
+        std::uint8_t* line = measured.next();
+        takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), scan.beams(), inverse.u.line(i), line,
+                     inverse.support.line(i));
+        const auto fillGaps = [&](std::ptrdiff_t stepOfMeasured, std::size_t step) {
+            findGapEnds(line, stepOfMeasured, scan.beams(), gapEnds.data());
+            forEachMarked(gapEnds, [&](std::size_t beam) { fillGap(inverse, inverse.u.index(i, 0) + beam, step); });
+        };
+        fillGaps(1, 1);
+        fillGaps(measured.stride, beams);
     }
-    fillGaps(inverse, measured, 1, 1);
-    fillGaps(inverse, measured, measured.stride, static_cast<std::size_t>(scan.beams()));
     return inverse;
 }
 
 AngularSteps angularSteps(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    return polar != nullptr ? polarSteps(scan, *polar) : cameraSteps(scan);
+    return polar != nullptr ? polarSteps(*polar) : cameraSteps(scan);
 }
 
 RangeNoise rangeNoise(const InverseRange& inverse) {
@@ -205,9 +199,9 @@ double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {
     for (int i = every / 2; i < inverse.u.lines; i += every) {
         const float* u = inverse.u.line(i);
         const Support* support = inverse.support.line(i);
-        const float* across = steps.line.line(i);
         for (int j = 0; j < inverse.u.beams; ++j) {
-            if (support[j] == Support::Measured) areas.push_back(steps.beam[static_cast<std::size_t>(j)] * across[j] / (u[j] * u[j]));
+            if (support[j] == Support::Measured)
+                areas.push_back(steps.beam[static_cast<std::size_t>(j)] * steps.lineAt(i, j) / (u[j] * u[j]));
         }
     }
     if (areas.empty()) return 0.0;

@@ -20,11 +20,13 @@ struct InverseRange {
     Grid<Support> support; ///< lines x beams
 };
 
-/// Angular size of one index step, radians: along the fan per beam, across the lines per cell (line step x sine of the angle from
-/// the rotation axis).
+/// Angular size of one index step, radians.
 struct AngularSteps {
-    std::vector<float> beam; ///< beams values
-    Grid<float> line;        ///< lines x beams
+    std::vector<float> beam;     ///< beams values: along the fan
+    std::vector<float> line;     ///< lines values: across the lines, at right angles to the rotation axis ...
+    std::vector<float> fromAxis; ///< ... times beams values, the sine of the angle from it
+
+    [[nodiscard]] float lineAt(int i, int j) const { return line[static_cast<std::size_t>(i)] * fromAxis[static_cast<std::size_t>(j)]; }
 };
 
 /// Step 1 of METHOD.md: cells that stand alone are dropped, gaps of up to 4 cells with both sides present are filled.

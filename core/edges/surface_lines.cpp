@@ -64,13 +64,14 @@ void SurfaceLines::takeLine(int line) {
 void SurfaceLines::snapAlongBeams(int line) {
     const float* u = measured_.line(line);
     std::copy(u, u + measured_.beams, snappedOnce_.next());
-    if (isInside(line)) snapVeils({measured_, solid_}, Along::Beams, line, anglesOf(steps_, Along::Beams, line), limits_, snappedOnce_);
+    if (isInside(line)) snapVeils({measured_, solid_}, Along::Beams, line, steps_.beam.data(), limits_, snappedOnce_);
     u = snappedOnce_.line(line);
     std::copy(u, u + snappedOnce_.beams, snapped_.next());
 }
 
 void SurfaceLines::snapAlongLines(int line) {
-    if (isInside(line)) snapVeils({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line), limits_, snapped_);
+    if (isInside(line))
+        snapVeils({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), limits_, snapped_);
 }
 
 // Cracks from the margin before the first line to the last one's.

@@ -39,7 +39,7 @@ PeerScan peerScan(const Scan& scan) {
             if (scan.state[k] != CellState::Valid) continue;
             result.pointsM[k] = (tables.point(k) - tables.sensor()).cast<float>();
             const float range = scan.rangeMm[k] * 0.001F;
-            const float down = static_cast<float>(i - scan.lines() / 2) * steps.line[k];
+            const float down = static_cast<float>(i - scan.lines() / 2) * steps.lineAt(i, j);
             result.unrolledM[k] = {(across[static_cast<std::size_t>(j)] - middle) * range, down * range, range};
         }
     }
