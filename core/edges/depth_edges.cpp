@@ -1,6 +1,7 @@
 // EdgeScan+: its stages one after the other.
 #include "core/edges/depth_edges.h"
 
+#include "core/base/large_room.h"
 #include "core/edges/interlace.h"
 #include "core/edges/marks.h"
 #include "core/edges/surface_lines.h"
@@ -142,10 +143,8 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     const AngularSteps steps = angularSteps(scan);
     DepthLimits limits = limitsOf(inverse, steps, settings);
     if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
-    std::vector<float> jumps;
-    std::vector<float> folds;
-    jumps.reserve(scan.cells());
-    folds.reserve(scan.cells());
+    auto jumps = roomFor<float>(scan.cells());
+    auto folds = roomFor<float>(scan.cells());
     SurfaceLines surface(inverse, steps, slips, limits);
     while (folds.size() < scan.cells()) {
         surface.advance();

@@ -1,6 +1,7 @@
 // The sweep in inverse range.
 #include "core/edges/inverse_range.h"
 
+#include "core/base/large_room.h"
 #include "core/base/order_statistic.h"
 #include "core/edges/holes.h"
 #include "core/edges/line_window.h"
@@ -132,7 +133,7 @@ AngularSteps cameraSteps(const Scan& scan) {
 
 InverseRange inverseRange(const Scan& scan) {
     const auto beams = static_cast<std::size_t>(scan.beams());
-    InverseRange inverse{Grid<float>(scan.lines(), scan.beams()), Grid<Support>(scan.lines(), scan.beams())};
+    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), roomFor<float>(scan.cells())), Grid<Support>(scan.lines(), scan.beams())};
     IsolatedLines isolatedLines(scan, 0);
     std::vector<std::uint8_t> isolated(beams);
     LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0
@@ -140,6 +141,7 @@ InverseRange inverseRange(const Scan& scan) {
     for (int i = 0; i < scan.lines(); ++i) {
         isolatedLines.next(isolated.data());
         std::uint8_t* line = measured.next();
+        inverse.u.cells.resize(inverse.u.index(i + 1, 0));
         takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), scan.beams(), inverse.u.line(i), line,
                      inverse.support.line(i));
         const auto fillGaps = [&](std::ptrdiff_t stepOfMeasured, std::size_t step) {

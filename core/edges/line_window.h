@@ -1,7 +1,5 @@
-// The lines of a padded grid round those that are worked on, so that what one stage passes on to the next stays in the cache.
+// The lines of a grid round those that are worked on, so that what one stage passes on to the next stays in the cache.
 #pragma once
-
-#include "core/edges/padded_grid.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,16 +7,17 @@
 
 namespace edgescan {
 
-/// Lines come one after the other. The newest ones, `held` at least, can be reached from each other by the stride, with the margin of a
-/// PaddedGrid on the left and on the right. Before the first line there are lines of the margin's value, too.
+/// Lines come one after the other. The newest ones, `held` at least, can be reached from each other by the stride. They have a margin on
+/// the left and on the right, and before the first line there are lines of the margin's value too, so that a filter can look a few cells in
+/// any direction without asking where the sweep ends.
 template <class T>
 class LineWindow {
 public:
-    static constexpr int kMargin = PaddedGrid<T>::kMargin;
+    static constexpr int kMargin = 16; ///< cells
 
     LineWindow(int beamCount, int held, T fill = T{}, int firstLine = 0)
         : beams(beamCount), stride(beamCount + 2 * kMargin), fill_(fill), held_(held), end_(firstLine), oldest_(firstLine - held),
-          cells_(static_cast<std::size_t>(stride) * static_cast<std::size_t>(held + kRoom) + PaddedGrid<T>::kBeyond, fill) {}
+          cells_(static_cast<std::size_t>(stride) * static_cast<std::size_t>(held + kRoom) + kBeyond, fill) {}
 
     /// Cell (line, 0).
     [[nodiscard]] T* line(int i) { return cells_.data() + (i - oldest_) * stride + kMargin; }
@@ -42,7 +41,8 @@ public:
     std::ptrdiff_t stride = 0; ///< from a cell to the one on the next line
 
 private:
-    static constexpr int kRoom = 16; // lines that come before the newest ones are moved to the front again
+    static constexpr int kBeyond = 64; // cells after the last line, for loops that work on whole lanes
+    static constexpr int kRoom = 16;   // lines that come before the newest ones are moved to the front again
     T fill_;
     int held_;
     int end_;    // line after the newest one
