@@ -1,13 +1,16 @@
-// Loops that are compiled twice, with the processor choosing: for any x86-64 and for AVX2. Both give the same bits: no operation is fused
-// or reordered (-ffp-contract=off, no -ffast-math). Elsewhere, and under sanitizers that cannot bear the choosing, once.
+// Loops that are compiled several times, with the processor choosing: for any x86-64, for AVX2, and for AVX-512 (x86-64-v4) where the
+// compiler can. All give the same bits: no operation is fused or reordered (-ffp-contract=off, no -ffast-math). Elsewhere, and under
+// sanitizers that cannot bear the choosing, once.
 #pragma once
 
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define EDGESCAN_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
+#if !defined(__x86_64__) || !defined(__GNUC__) || defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define EDGESCAN_VECTORS
+#elif __GNUC__ >= 12
+#define EDGESCAN_VECTORS __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
+#define EDGESCAN_VECTORS __attribute__((target_clones("avx2", "default")))
 #endif
 
 namespace edgescan {
