@@ -19,7 +19,7 @@ constexpr float kSlopesApart = 1.41F; // two slopes with the noise of one each
 constexpr float kDegPerRad = 57.2957795F;
 
 // With room for whole lanes.
-std::vector<float> lineOf(int beams) { return std::vector<float>(static_cast<std::size_t>(beams + kLanes)); }
+std::vector<float> lineOf(int beams) { return std::vector<float>(static_cast<std::size_t>(beams + kMostLanes)); }
 
 using SideSums = FoldWork::SideSums;
 using LineFits = FoldWork::LineFits;
@@ -43,12 +43,14 @@ EDGESCAN_VECTORS void reachOfLine(const Cells& at, float windowM, float* __restr
     }
 }
 
+template <class Lanes>
 struct LaneSums {
     Lanes alive = Lanes{} + 1.0F; // 1 until the side ends
     Lanes cells{}, sum{}, weighted{};
 };
 
-inline __attribute__((always_inline)) void add(LaneSums& side, const Lanes& here, const float* u, const float* link, float distance,
+template <class Lanes>
+inline __attribute__((always_inline)) void add(LaneSums<Lanes>& side, const Lanes& here, const float* u, const float* link, float distance,
                                                const Lanes& reach) {
     Lanes there, linked;
     load(there, u);
@@ -60,20 +62,22 @@ inline __attribute__((always_inline)) void add(LaneSums& side, const Lanes& here
     side.weighted += distance * difference;
 }
 
-inline __attribute__((always_inline)) void put(SideSums& side, int beam, const LaneSums& sums) {
+template <class Lanes>
+inline __attribute__((always_inline)) void put(SideSums& side, int beam, const LaneSums<Lanes>& sums) {
     store(side.cells.data() + beam, sums.cells);
     store(side.sum.data() + beam, sums.sum);
     store(side.weighted.data() + beam, sums.weighted);
 }
 
 // Both sides of all cells. A side ends at a break, or where it is long enough.
-EDGESCAN_VECTORS void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    for (int j = 0; j < at.beams; j += kLanes) {
-        const float farthest = *std::max_element(reach + j, reach + j + kLanes);
+template <class Lanes>
+inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
+    for (int j = 0; j < at.beams; j += kLanes<Lanes>) {
+        const float farthest = *std::max_element(reach + j, reach + j + kLanes<Lanes>);
         Lanes here, cells;
         load(here, at.u + j);
         load(cells, reach + j);
-        LaneSums before, after;
+        LaneSums<Lanes> before, after;
         std::ptrdiff_t there = at.step;
         for (float distance = 1; distance <= farthest; ++distance, there += at.step) {
             add(before, here, at.u + j - there, at.links + j - there, distance, cells);
@@ -82,6 +86,17 @@ EDGESCAN_VECTORS void addUp(const Cells& at, const float* reach, SideSums& left,
         put(left, j, before);
         put(right, j, after);
     }
+}
+
+EDGESCAN_VECTORS void addUpByEight(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
+    addUpBy<EightLanes>(at, reach, left, right);
+}
+
+void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
+    if (EDGESCAN_WIDE_VECTORS)
+        addUpByEight(at, reach, left, right);
+    else
+        addUpBy<FourLanes>(at, reach, left, right);
 }
 
 // Slope of u per step outwards and height of the line over the cell.
