@@ -1,11 +1,10 @@
 // edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/edges/gray.h"
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
+#include "core/report/comparison_pictures.h"
 #include "core/report/comparison_report.h"
-#include "core/report/contact_sheet.h"
 #include "core/report/report.h"
 
 #include <algorithm>
@@ -23,10 +22,6 @@ namespace edgescan::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kColumns = 4;
-constexpr int kTilePixels = 460;
-constexpr int kLargeTilePixels = 920; // where there are few
 
 struct CompareFlags {
     std::string file, truth, json, pictures;
@@ -49,34 +44,21 @@ std::string fileName(const std::string& name) {
     return result;
 }
 
-// What stands below a picture's title.
-std::string caption(const ComparedMethod& method) {
-    if (method.edges == 0 && !method.note.empty()) return "not run: see the table";
-    std::string text = std::to_string(method.edges) + " edge cells";
-    char number[64];
-    std::snprintf(number, sizeof number, ", %.1f ms", method.steps.total());
-    text += number;
-    if (method.share < 1.0) return text + " (not all points done)";
-    if (!method.score) return text;
-    std::snprintf(number, sizeof number, ", F %.3f", method.score->score.all.f());
-    return text + number;
-}
-
-Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std::vector<ComparedMethod>& methods) {
+Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std::vector<ComparedMethod>& methods,
+                          const std::optional<TruthSet>& truth) {
+    const fs::path folder = flags.pictures;
     std::error_code failed;
-    fs::create_directories(flags.pictures, failed);
+    fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", flags.pictures, "give one that can be written to"};
-    std::vector<SheetTile> tiles{{grayImage(scan, Settings{}).levels, false, "range image", "logarithmic gray levels"}};
     for (const ComparedMethod& method : methods) {
-        tiles.push_back({method.mask, true, method.name, caption(method)});
         if (method.edges == 0 && !method.note.empty()) continue;
-        const Result<Done> saved = savePng8(method.mask, fs::path(flags.pictures) / (fileName(method.key) + ".png"));
-        if (!saved) return saved.error();
+        if (const Result<Done> saved = savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved) return saved.error();
     }
-    const std::string title = scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
-    const int columns = static_cast<int>(std::min(kColumns, tiles.size()));
-    return savePng8(contactSheet(tiles, columns, tiles.size() > kColumns ? kTilePixels : kLargeTilePixels, title),
-                    fs::path(flags.pictures) / "comparison.png");
+    if (truth) {
+        const Grid<Rgb> sheet = truthSheet(scan, methods, truth->edges, flags.settings.tolerance);
+        if (const Result<Done> saved = sheet.size() > 0 ? savePngRgb(sheet, folder / "truth.png") : Done{}; !saved) return saved.error();
+    }
+    return savePngRgb(edgesSheet(scan, methods), folder / "comparison.png");
 }
 
 // Flags that would change nothing, or make every score 0.
@@ -122,7 +104,7 @@ Result<Done> compare(const CompareFlags& flags) {
     const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
     if (tell) std::fprintf(stderr, "\r%-48s\r", "");
     if (!flags.pictures.empty()) {
-        const Result<Done> saved = savePictures(flags, *scan, methods);
+        const Result<Done> saved = savePictures(flags, *scan, methods, truth);
         if (!saved) return saved.error();
     }
     if (flags.json != "-") std::cout << comparisonText(*scan, methods);
@@ -141,7 +123,9 @@ void addCompare(CLI::App& app, int& code) {
     command.add_option("FILE", flags->file, "Scan")->required();
     command.add_option("--truth", flags->truth, "Folder with ground truth of simulate --truth: also scores");
     command.add_option("--json", flags->json, "All figures; - is stdout, instead of the tables");
-    command.add_option("--pictures", flags->pictures, "Folder for a labelled sheet (comparison.png) and one mask per method");
+    command.add_option("--pictures", flags->pictures,
+                       "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
+                       "mask per method");
     command.add_option("--tolerance", flags->settings.tolerance, "How far a detection may lie from a true edge [cells]")
         ->check(CLI::Range(0.0, 20.0))
         ->capture_default_str();

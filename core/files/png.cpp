@@ -1,4 +1,4 @@
-// Gray PNG through libpng. Its errors leave by longjmp: the functions that set it hold nothing that needs a destructor.
+// PNG through libpng. Its errors leave by longjmp: the functions that set it hold nothing that needs a destructor.
 #include "core/files/png.h"
 
 #include "core/base/memory.h"
@@ -45,13 +45,18 @@ void keepMessage(png_structp png, png_const_charp text) {
 void ignoreWarning(png_structp, png_const_charp) {}
 }
 
+struct Shape {
+    png_uint_32 width = 0, height = 0;
+    int depth = 8;
+    int colour = PNG_COLOR_TYPE_GRAY;
+};
+
 /// rows: big-endian samples, height pointers. Only trivial objects live here, so a longjmp skips no destructor.
-bool encode(png_structp png, png_infop head, Sink* sink, png_uint_32 width, png_uint_32 height, int depth, png_bytepp rows,
-            png_textp note) {
+bool encode(png_structp png, png_infop head, Sink* sink, Shape shape, png_bytepp rows, png_textp note) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, sink, appendToSink, flushNothing);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_IHDR(png, head, width, height, depth, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+    png_set_IHDR(png, head, shape.width, shape.height, shape.depth, shape.colour, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, 4); // half the time of the default for a few per cent of size
     if (note != nullptr) png_set_text(png, head, note, 1);
@@ -61,13 +66,12 @@ bool encode(png_structp png, png_infop head, Sink* sink, png_uint_32 width, png_
     return true;
 }
 
-Result<std::string> samplesBytes(std::vector<png_byte>& samples, int lines, int beams, int depth, const std::string& where,
-                                 const std::string& record) {
-    if (lines <= 0 || beams <= 0) return Error{"there are no cells to make a picture of", where, "open a scan first"};
-    const std::size_t bytesPerRow = samples.size() / static_cast<std::size_t>(lines);
+Result<std::string> samplesBytes(std::vector<png_byte>& samples, Shape shape, const std::string& where, const std::string& record) {
+    if (shape.width == 0 || shape.height == 0) return Error{"there are no cells to make a picture of", where, "open a scan first"};
+    const std::size_t bytesPerRow = samples.size() / shape.height;
     std::vector<png_bytep> rows;
-    rows.reserve(static_cast<std::size_t>(lines));
-    for (int i = 0; i < lines; ++i) rows.push_back(samples.data() + static_cast<std::size_t>(i) * bytesPerRow);
+    rows.reserve(shape.height);
+    for (std::size_t i = 0; i < shape.height; ++i) rows.push_back(samples.data() + i * bytesPerRow);
     Message message;
     Sink sink;
     std::string keyword = kPngRecordKeyword;
@@ -79,11 +83,16 @@ Result<std::string> samplesBytes(std::vector<png_byte>& samples, int lines, int 
     note.text_length = words.size();
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
     png_infop head = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool encoded = head != nullptr && encode(png, head, &sink, static_cast<png_uint_32>(beams), static_cast<png_uint_32>(lines),
-                                                   depth, rows.data(), words.empty() ? nullptr : &note);
+    const bool encoded = head != nullptr && encode(png, head, &sink, shape, rows.data(), words.empty() ? nullptr : &note);
     png_destroy_write_struct(&png, &head);
     if (!encoded) return Error{std::string("the picture cannot be made: ") + message.text, where, "free some memory"};
     return std::string(reinterpret_cast<const char*>(sink.bytes.data()), sink.bytes.size());
+}
+
+template <class Cell>
+Shape shapeOf(const Grid<Cell>& cells, int depth, int colour) {
+    if (cells.lines <= 0 || cells.beams <= 0) return {};
+    return {static_cast<png_uint_32>(cells.beams), static_cast<png_uint_32>(cells.lines), depth, colour};
 }
 
 struct FreeImage {
@@ -95,7 +104,7 @@ struct FreeImage {
 
 Result<std::string> png8Bytes(const Grid<std::uint8_t>& gray, const std::string& where, const std::string& record) {
     std::vector<png_byte> samples(gray.cells.begin(), gray.cells.end());
-    return samplesBytes(samples, gray.lines, gray.beams, 8, where, record);
+    return samplesBytes(samples, shapeOf(gray, 8, PNG_COLOR_TYPE_GRAY), where, record);
 }
 
 Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::string& where, const std::string& record) {
@@ -105,7 +114,7 @@ Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::str
         samples.push_back(static_cast<png_byte>(value >> 8U));
         samples.push_back(static_cast<png_byte>(value & 255U));
     }
-    return samplesBytes(samples, values.lines, values.beams, 16, where, record);
+    return samplesBytes(samples, shapeOf(values, 16, PNG_COLOR_TYPE_GRAY), where, record);
 }
 
 Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::path& path) {
@@ -116,6 +125,15 @@ Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::pat
 
 Result<Done> savePng16(const Grid<std::uint16_t>& values, const std::filesystem::path& path) {
     const auto bytes = png16Bytes(values, path.string());
+    if (!bytes) return bytes.error();
+    return writeWholeFile(path, *bytes);
+}
+
+Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& path) {
+    std::vector<png_byte> samples;
+    samples.reserve(picture.size() * 3);
+    for (const Rgb& pixel : picture.cells) samples.insert(samples.end(), {pixel.red, pixel.green, pixel.blue});
+    const auto bytes = samplesBytes(samples, shapeOf(picture, 8, PNG_COLOR_TYPE_RGB), path.string(), {});
     if (!bytes) return bytes.error();
     return writeWholeFile(path, *bytes);
 }

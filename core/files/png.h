@@ -1,4 +1,4 @@
-// Gray pictures: row = line, column = beam, row 0 = first line.
+// PNG pictures: row = line, column = beam, row 0 = first line.
 #pragma once
 
 #include "core/base/grid.h"
@@ -10,6 +10,11 @@
 #include <string_view>
 
 namespace edgescan {
+
+struct Rgb {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Rgb&) const = default;
+};
 
 /// Keyword of the text chunk that carries provenance.
 inline constexpr const char* kPngRecordKeyword = "edgescan-record";
@@ -29,6 +34,9 @@ Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::pat
 
 /// 16-bit gray, for example ranges in millimetres.
 Result<Done> savePng16(const Grid<std::uint16_t>& values, const std::filesystem::path& path);
+
+/// 8 bits per colour. Error: as above.
+Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& path);
 
 /// An 8-bit (or less) gray or colour picture as gray, for example an edge mask. Error: missing, damaged, 16-bit, too large.
 Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path);

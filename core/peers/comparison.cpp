@@ -7,6 +7,7 @@
 #include "core/edges/detectors/log_range.h"
 #include "core/edges/frame_thresholds.h"
 #include "core/edges/holes.h"
+#include "core/edges/interlace.h"
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
 #include "core/edges/presets.h"
@@ -39,6 +40,7 @@ auto timed(double& milliseconds, Step step) {
 struct Run {
     ComparedSteps steps;
     Grid<std::uint8_t> mask;
+    Grid<std::uint8_t> classes;
 };
 
 Run runGray(const Scan& scan, const Settings& settings) {
@@ -66,8 +68,13 @@ Run runOnce(const Scan& scan, const Settings& settings) {
         run = runGray(scan, settings);
     else if (settings.method == Method::LogRange)
         run.mask = timed(run.steps.edges, [&] { return logRangeEdges(scan, settings); });
-    else
-        run.mask = timed(run.steps.edges, [&] { return depthEdges(scan, depthEdgeSettings(settings)).mask; });
+    else {
+        DepthEdges found = timed(run.steps.edges, [&] { return depthEdges(scan, depthEdgeSettings(settings)); });
+        run.mask = std::move(found.mask);
+        run.classes = Grid<std::uint8_t>(scan.lines(), scan.beams());
+        for (std::size_t k = 0; k < run.mask.size(); ++k)
+            run.classes[k] = run.mask[k] != 0 ? static_cast<std::uint8_t>(found.kind[k]) : std::uint8_t{0};
+    }
     const auto points = timed(run.steps.merge, [&] {
         const CartesianTables tables(scan);
         std::vector<Eigen::Vector3d> all;
@@ -84,21 +91,60 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+ComparedMethod ownMethod(std::string name, std::string key, const Settings& settings) {
+    ComparedMethod method;
+    method.name = std::move(name);
+    method.key = std::move(key);
+    method.settings = settings;
+    return method;
+}
+
 std::vector<ComparedMethod> ownMethods() {
-    std::vector<ComparedMethod> methods;
-    const Preset thesis = *findPreset("thesis");
-    methods.push_back({"Canny, thesis to the letter", "thesis", thesis.settings, {}, {}, 0, 1.0, {}, {}, {}});
+    std::vector<ComparedMethod> methods{ownMethod("Canny, thesis to the letter", "thesis", findPreset("thesis")->settings)};
     const Parameter& method = *findParameter("method");
+    const Parameter& mask = *findParameter("log-mask");
     // In the order of the thesis's chapter, ours last.
     for (const Method m : {Method::Roberts, Method::Sobel, Method::Prewitt, Method::Kirsch, Method::Robinson, Method::MarrHildreth,
                            Method::Log, Method::Canny, Method::LogRange, Method::Jumps, Method::Outlines, Method::EdgeScanPlus}) {
         Settings settings;
         settings.method = m;
         settings.lower = lowerWithSameStep(cannySettings(), settings);
-        std::string name = choiceLabel(method, settings);
-        if (m == Method::Canny) name = "Canny, logarithmic gray levels";
-        methods.push_back({name, formatValue(method, method.get(settings)), settings, {}, {}, 0, 1.0, {}, {}, {}});
+        const std::string key = formatValue(method, method.get(settings));
+        if (m == Method::EdgeScanPlus) {
+            Settings asMeasured = settings;
+            asMeasured.straighten = false;
+            methods.push_back(ownMethod("EdgeScan+, angles as measured", kAsMeasuredKey, asMeasured));
+        }
+        if (m != Method::Log) {
+            methods.push_back(
+                ownMethod(m == Method::Canny ? "Canny, logarithmic gray levels" : choiceLabel(method, settings), key, settings));
+            continue;
+        }
+        for (const LogMask one : {LogMask::FourNeighbours, LogMask::EightNeighbours, LogMask::FiveByFive}) {
+            settings.logMask = one;
+            settings.lower = lowerWithSameStep(cannySettings(), settings);
+            const bool first = one == LogMask::FourNeighbours;
+            methods.push_back(ownMethod(choiceLabel(method, settings) + ", " + choiceLabel(mask, settings),
+                                        first ? key : key + "-" + formatValue(mask, mask.get(settings)), settings));
+        }
     }
+    return methods;
+}
+
+// Beams are interlaced or lines slipped, and EdgeScan+ takes it into account.
+bool isDisplaced(const Scan& scan) {
+    InverseRange inverse = inverseRange(scan);
+    const SweepSlips slips = straighten(inverse);
+    return slips.interlaced || slips.slips > 0;
+}
+
+// Those that `only` names; all that say something about the scan where it is empty.
+std::vector<ComparedMethod> wantedMethods(const Scan& scan, const std::vector<std::string>& only) {
+    std::vector<ComparedMethod> methods = ownMethods();
+    const bool displaced = !only.empty() || isDisplaced(scan);
+    std::erase_if(methods, [&](const ComparedMethod& m) {
+        return only.empty() ? m.key == kAsMeasuredKey && !displaced : std::ranges::find(only, m.key) == only.end();
+    });
     return methods;
 }
 
@@ -129,9 +175,10 @@ std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& sc
     }
     std::optional<BestThreshold> best;
     for (const double threshold : thresholds) {
-        const Evaluation score = evaluateMask(edgesAt(map, threshold), truth, scan.get(), tolerance);
+        Grid<std::uint8_t> mask = edgesAt(map, threshold);
+        const Evaluation score = evaluateMask(mask, truth, scan.get(), tolerance);
         if (best && best->score.score.all.f() >= score.score.all.f()) continue;
-        best = BestThreshold{sweptParameter(settings.method), threshold, score};
+        best = BestThreshold{sweptParameter(settings.method), threshold, score, std::move(mask)};
     }
     return best;
 }
@@ -148,9 +195,15 @@ double millisecondsOfPoints(const Scan& scan) {
     return milliseconds;
 }
 
-ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
-    ComparedMethod method{peerName(peer), peerName(peer), {}, {}, {}, 0, 1.0, {}, {}, {}};
+ComparedMethod peerMethod(Peer peer, const Scan& scan) {
+    ComparedMethod method;
+    method.name = method.key = peerName(peer);
     method.mask = Grid<std::uint8_t>(scan.lines(), scan.beams());
+    return method;
+}
+
+ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
+    ComparedMethod method = peerMethod(peer, scan);
     const Result<PeerEdges> found = module.run(peer, seen, settings.peerLimits);
     if (!found) {
         method.note = found.error().sentence();
@@ -184,9 +237,7 @@ std::vector<std::string> comparedKeys() {
 
 std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
                                            const ComparisonSettings& settings, const ComparisonProgress& progress) {
-    std::vector<ComparedMethod> methods = ownMethods();
-    if (!settings.only.empty())
-        std::erase_if(methods, [&](const ComparedMethod& m) { return std::ranges::find(settings.only, m.key) == settings.only.end(); });
+    std::vector<ComparedMethod> methods = wantedMethods(*scan, settings.only);
     const std::size_t own = methods.size();
     const int repeats = std::max(1, settings.repeats);
     const auto total = static_cast<double>(repeats) * static_cast<double>(own) + (settings.peers ? kPeers : 0);
@@ -199,6 +250,7 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
             Run run = runOnce(*scan, *methods[n].settings);
             steps[n].push_back(run.steps);
             methods[n].mask = std::move(run.mask);
+            methods[n].classes = std::move(run.classes);
         }
     }
     for (std::size_t n = 0; n < own; ++n) medianSteps(methods[n], steps[n]);
@@ -209,19 +261,13 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
         for (int n = 0; n < kPeers; ++n) {
             const Peer peer = static_cast<Peer>(n);
             if (!goesOn(peerName(peer))) return {};
-            if (module)
+            if (module) {
                 methods.push_back(runPeer(**module, peer, *scan, seen, settings));
-            else
-                methods.push_back({peerName(peer),
-                                   peerName(peer),
-                                   {},
-                                   {},
-                                   Grid<std::uint8_t>(scan->lines(), scan->beams()),
-                                   0,
-                                   0.0,
-                                   {},
-                                   {},
-                                   module.error().sentence()});
+                continue;
+            }
+            methods.push_back(peerMethod(peer, *scan));
+            methods.back().share = 0.0;
+            methods.back().note = module.error().sentence();
         }
     }
     for (ComparedMethod& method : methods) {

@@ -27,6 +27,7 @@ struct BestThreshold {
     std::string parameter; ///< key of the table
     double value = 0.0;
     Evaluation score;
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
 };
 
 struct ComparedMethod {
@@ -34,7 +35,8 @@ struct ComparedMethod {
     std::string key;                  ///< value of --method, "thesis", or the peer's name
     std::optional<Settings> settings; ///< null for a peer
     ComparedSteps steps;
-    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
+    Grid<std::uint8_t> mask;    ///< lines x beams, 255 = edge
+    Grid<std::uint8_t> classes; ///< lines x beams, DepthEdge; empty where the method tells no classes apart
     std::size_t edges = 0;
     double share = 1.0;                                       ///< of the points that a peer did before its time was up
     std::optional<Evaluation> score;                          ///< with its fixed settings; null without truth or when not all was done
@@ -52,7 +54,12 @@ struct ComparisonSettings {
     bool bestThreshold = false;
 };
 
-/// Keys of our own methods, in the order of the comparison: "thesis", then values of --method.
+/// "edgescan+as-measured": EdgeScan+ that takes neither interlaced beams nor slipped lines into account. Unless `only` names it, it is a
+/// row where the scan has some.
+inline constexpr const char* kAsMeasuredKey = "edgescan+as-measured";
+
+/// Keys of our own methods, in the order of the comparison: "thesis", kAsMeasuredKey, and values of --method (with that of --log-mask
+/// behind it for the other two masks of LoG).
 [[nodiscard]] std::vector<std::string> comparedKeys();
 
 /// Called before each method with its name and the finished share; false stops.

@@ -1,4 +1,4 @@
-// Small pictures side by side.
+// Pictures side by side.
 #include "core/report/contact_sheet.h"
 
 #include "core/edges/opencv_view.h"
@@ -12,64 +12,116 @@ namespace edgescan {
 namespace {
 
 constexpr int kGap = 10;
-constexpr int kTextHeight = 18;
-constexpr double kTextSize = 0.42;
-constexpr std::uint8_t kPaper = 40;
-constexpr double kInk = 235;
-constexpr double kFaintInk = 170;
+constexpr int kTextHeight = 22;
+constexpr double kTextSize = 0.5;
+constexpr int kSampleCell = 12; // pixels of a cell in the legend
+constexpr int kShapePixels = 3;
+const cv::Scalar kPaper(40, 40, 40);
+const cv::Scalar kInk(235, 235, 235);
+const cv::Scalar kFaintInk(190, 190, 190);
+// Behind marks: pale enough for three colours, with the surfaces still to be seen.
+constexpr double kPaleFrom = 165.0;
+constexpr double kPaleSpan = 0.33;
+
+cv::Scalar scalarOf(const Rgb& colour) { return {double(colour.red), double(colour.green), double(colour.blue)}; }
+
+int widthOf(const std::string& text) {
+    int baseline = 0;
+    return cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kTextSize, 1, &baseline).width;
+}
 
 // Text that is cut off rather than run into its neighbour.
-void write(cv::Mat& sheet, std::string text, int x, int y, int width, double ink) {
-    int baseline = 0;
-    while (!text.empty() && cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kTextSize, 1, &baseline).width > width) text.pop_back();
-    cv::putText(sheet, text, {x, y + kTextHeight - 5}, cv::FONT_HERSHEY_SIMPLEX, kTextSize, cv::Scalar(ink), 1, cv::LINE_AA);
+void write(cv::Mat& sheet, std::string text, cv::Point at, int width, const cv::Scalar& ink) {
+    while (!text.empty() && widthOf(text) > width) text.pop_back();
+    cv::putText(sheet, text, {at.x, at.y + kTextHeight - 7}, cv::FONT_HERSHEY_SIMPLEX, kTextSize, ink, 1, cv::LINE_AA);
 }
 
-// The brightest cell that falls into each pixel: an edge one cell wide must not fade away.
-cv::Mat brightest(const cv::Mat& picture, cv::Size size) {
-    cv::Mat result(size, CV_8U, cv::Scalar(0));
-    for (int i = 0; i < picture.rows; ++i) {
-        const int y = std::min(i * size.height / picture.rows, size.height - 1);
-        for (int j = 0; j < picture.cols; ++j) {
-            std::uint8_t& pixel = result.at<std::uint8_t>(y, std::min(j * size.width / picture.cols, size.width - 1));
-            pixel = std::max(pixel, picture.at<std::uint8_t>(i, j));
+void drawMark(cv::Mat& sheet, const cv::Rect& cell, const SheetMark& mark) {
+    const cv::Scalar colour = scalarOf(mark.colour);
+    const MarkShape shape = std::min(cell.width, cell.height) < kShapePixels ? MarkShape::Square : mark.shape;
+    if (shape == MarkShape::Cross) {
+        const cv::Point last(cell.x + cell.width - 1, cell.y + cell.height - 1);
+        cv::line(sheet, cell.tl(), last, colour);
+        cv::line(sheet, {last.x, cell.y}, {cell.x, last.y}, colour);
+    } else {
+        cv::rectangle(sheet, cell, colour, shape == MarkShape::Square ? cv::FILLED : 1);
+    }
+}
+
+// The kinds of the legend, one after the other, ending on a new line where the sheet is narrow. Returns the height used.
+int drawLegend(cv::Mat* sheet, const std::vector<SheetMark>& legend, cv::Point at, int width) {
+    const int left = at.x;
+    const int top = at.y;
+    for (const SheetMark& mark : legend) {
+        const int needed = kSampleCell + kGap + widthOf(mark.name) + 3 * kGap;
+        if (at.x > left && at.x + needed > left + width) at = {left, at.y + kTextHeight};
+        if (sheet != nullptr) {
+            drawMark(*sheet, {at.x, at.y + (kTextHeight - kSampleCell) / 2, kSampleCell, kSampleCell}, mark);
+            write(*sheet, mark.name, {at.x + kSampleCell + kGap, at.y}, width, kInk);
+        }
+        at.x += needed;
+    }
+    return legend.empty() ? 0 : at.y + kTextHeight - top;
+}
+
+// Pixels of cell `n` of `count` along `pixels`.
+std::pair<int, int> pixelsOf(int n, int count, int pixels) {
+    const auto edge = [&](int i) { return static_cast<int>(static_cast<std::int64_t>(i) * pixels / count); };
+    return {edge(n), std::max(1, edge(n + 1) - edge(n))};
+}
+
+void drawMarks(cv::Mat& sheet, const Grid<std::uint8_t>& marks, const cv::Rect& place, const std::vector<SheetMark>& legend) {
+    for (std::size_t kind = 1; kind <= legend.size(); ++kind) {
+        for (int i = 0; i < marks.lines; ++i) {
+            const auto [y, height] = pixelsOf(i, marks.lines, place.height);
+            for (int j = 0; j < marks.beams; ++j) {
+                if (marks.at(i, j) != kind) continue;
+                const auto [x, width] = pixelsOf(j, marks.beams, place.width);
+                drawMark(sheet, {place.x + x, place.y + y, width, height}, legend[kind - 1]);
+            }
         }
     }
-    return result;
 }
 
-cv::Mat scaled(const SheetTile& tile, cv::Size size) {
-    const cv::Mat picture = asMat(tile.picture);
-    const bool smaller = size.width < picture.cols;
-    if (tile.mask && smaller) return brightest(picture, size);
-    cv::Mat result;
-    cv::resize(picture, result, size, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_NEAREST);
-    return result;
+void drawTile(cv::Mat& sheet, const SheetTile& tile, const cv::Rect& place, const std::vector<SheetMark>& legend) {
+    const bool smaller = place.width < tile.picture.beams;
+    cv::Mat gray;
+    cv::resize(asMat(tile.picture), gray, place.size(), 0, 0, smaller ? cv::INTER_AREA : cv::INTER_NEAREST);
+    if (tile.marks.size() > 0) gray.convertTo(gray, CV_8U, kPaleSpan, kPaleFrom);
+    cv::Mat onSheet = sheet(place);
+    cv::cvtColor(gray, onSheet, cv::COLOR_GRAY2RGB);
+    if (tile.marks.lines == tile.picture.lines && tile.marks.beams == tile.picture.beams) drawMarks(sheet, tile.marks, place, legend);
 }
 
 } // namespace
 
-Grid<std::uint8_t> contactSheet(const std::vector<SheetTile>& tiles, int columns, int tilePixels, const std::string& title) {
+Grid<Rgb> contactSheet(const std::vector<SheetTile>& tiles, const SheetLook& look) {
     if (tiles.empty() || tiles.front().picture.size() == 0) return {};
     const Grid<std::uint8_t>& first = tiles.front().picture;
     const int count = static_cast<int>(tiles.size());
-    const int across = std::clamp(columns, 1, count);
-    const int tileHeight = std::max(1, static_cast<int>(std::lround(static_cast<double>(tilePixels) * first.lines / first.beams)));
+    const int across = std::clamp(look.columns, 1, count);
+    const int tileHeight = std::max(1, static_cast<int>(std::lround(static_cast<double>(look.tilePixels) * first.lines / first.beams)));
     const int pitch = tileHeight + 2 * kTextHeight + kGap;
-    const int rows = (count + across - 1) / across;
-    Grid<std::uint8_t> sheet(kGap + kTextHeight + kGap + rows * pitch, kGap + across * (tilePixels + kGap), kPaper);
-    cv::Mat whole = asMat(sheet);
-    write(whole, title, kGap, kGap, sheet.beams - 2 * kGap, kInk);
+    const int width = kGap + across * (look.tilePixels + kGap);
+    const int top = 2 * kGap + kTextHeight + drawLegend(nullptr, look.legend, {kGap, 0}, width - 2 * kGap);
+    cv::Mat sheet(top + (count + across - 1) / across * pitch, width, CV_8UC3, kPaper);
+    write(sheet, look.title, {kGap, kGap}, width - 2 * kGap, kInk);
+    drawLegend(&sheet, look.legend, {kGap, kGap + kTextHeight}, width - 2 * kGap);
     for (int n = 0; n < count; ++n) {
         const SheetTile& tile = tiles[static_cast<std::size_t>(n)];
-        const int x = kGap + (n % across) * (tilePixels + kGap);
-        const int y = 2 * kGap + kTextHeight + (n / across) * pitch;
-        write(whole, tile.title, x, y, tilePixels, kInk);
-        write(whole, tile.line, x, y + kTextHeight, tilePixels, kFaintInk);
-        if (tile.picture.size() == 0) continue;
-        scaled(tile, {tilePixels, tileHeight}).copyTo(whole(cv::Rect(x, y + 2 * kTextHeight, tilePixels, tileHeight)));
+        const cv::Point at(kGap + (n % across) * (look.tilePixels + kGap), top + (n / across) * pitch);
+        write(sheet, tile.title, at, look.tilePixels, kInk);
+        write(sheet, tile.line, {at.x, at.y + kTextHeight}, look.tilePixels, kFaintInk);
+        if (tile.picture.size() > 0) drawTile(sheet, tile, {at.x, at.y + 2 * kTextHeight, look.tilePixels, tileHeight}, look.legend);
     }
-    return sheet;
+    Grid<Rgb> pixels(sheet.rows, sheet.cols);
+    for (int i = 0; i < sheet.rows; ++i) {
+        for (int j = 0; j < sheet.cols; ++j) {
+            const auto& pixel = sheet.at<cv::Vec3b>(i, j);
+            pixels.at(i, j) = {pixel[0], pixel[1], pixel[2]};
+        }
+    }
+    return pixels;
 }
 
 } // namespace edgescan

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <set>
 
 namespace edgescan {
@@ -69,9 +70,10 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
         EXPECT_TRUE(method["kinds"].contains("shadow border") && method["kinds"].contains("veil point"));
     }
     for (const char* name : {"thesis", "canny", "log-range", "roberts", "sobel", "prewitt", "kirsch", "robinson", "marr-hildreth", "log",
-                             "jumps", "outlines", "edgescan+"})
+                             "log-eight", "log-5x5", "jumps", "outlines", "edgescan+"})
         EXPECT_EQ(names.count(name), 1U) << name;
-    EXPECT_EQ(names.size(), 18U);
+    EXPECT_EQ(names.size(), 20U);
+    EXPECT_EQ(names.count("edgescan+as-measured"), 0U); // nothing is displaced here
     EXPECT_EQ(report["table_6_1"]["total"]["thesis_printed_ms"], 297);
     EXPECT_EQ(report["table_6_2"]["pcl_boundary"]["thesis_printed_ms"], 1852880);
     const auto sheet = readPng8(pictures + "/comparison.png");
@@ -96,8 +98,25 @@ TEST_F(CliCompare, OnlySomeMethodsAreComparedWhicheverTheyAre) {
         EXPECT_EQ(refused.out, "");
         EXPECT_EQ(refused.err,
                   "edgescan-cli: --only: no method is called \"nonsense\"; use thesis, roberts, sobel, prewitt, kirsch, robinson, "
-                  "marr-hildreth, log, canny, log-range, jumps, outlines, edgescan+.\n");
+                  "marr-hildreth, log, log-eight, log-5x5, canny, log-range, jumps, outlines, edgescan+as-measured, edgescan+.\n");
     }
+}
+
+TEST_F(CliCompare, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
+    const std::string bell = (folder / "bell.json").string();
+    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 260 --beams 300 --interlace 0.35 --seed 3").code, 0);
+    const auto run = runCli("compare " + bell + " --no-peers --repeats 1 --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    std::map<std::string, std::size_t> edges;
+    const json report = json::parse(run.out);
+    for (const json& method : report["methods"]) edges[method["method"].get<std::string>()] = method["edges"].get<std::size_t>();
+    ASSERT_EQ(edges.count("edgescan+as-measured"), 1U);
+    const auto detected = [&](const char* slips) {
+        return json::parse(runCli("detect " + bell + " --slips " + slips + " --json -").out)["edges"].get<std::size_t>();
+    };
+    EXPECT_EQ(edges["edgescan+as-measured"], detected("off"));
+    EXPECT_EQ(edges["edgescan+"], detected("on"));
+    EXPECT_NE(edges["edgescan+"], edges["edgescan+as-measured"]);
 }
 
 TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
@@ -106,12 +125,19 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 90 --beams 110 --seed 4 --truth " + truth).code, 0);
     const auto run = runCli("compare " + bell + " --truth " + truth + " --no-peers --best --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
-    for (const json& method : json::parse(run.out)["methods"]) {
+    const json report = json::parse(run.out);
+    for (const json& method : report["methods"]) {
         const double fixed = method["score"]["all"]["f"].get<double>();
         EXPECT_GT(fixed, 0.0) << method["name"];
         EXPECT_LE(fixed, 1.0);
         EXPECT_GE(method["best"]["score"]["all"]["f"].get<double>(), fixed) << method["name"];
     }
+    const std::string pictures = (folder / "pictures").string();
+    ASSERT_EQ(runCli("compare " + bell + " --truth " + truth + " --only thesis,edgescan+ --best --repeats 1 --pictures " + pictures).code,
+              0);
+    const auto found = readPng8(pictures + "/truth.png");
+    ASSERT_TRUE(found) << found.error().sentence();
+    EXPECT_GT(found->beams, 2 * 1100); // 10 pixels per cell
     EXPECT_EQ(runCli("compare " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);
     EXPECT_EQ(runCli("compare " + bell + " --no-peers --best").code, 2); // best by which truth?
     const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");

@@ -88,3 +88,22 @@ TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
     ASSERT_TRUE(cv::imwrite((folder / "mask.png").string(), mask));
     EXPECT_EQ(*readPng8(folder / "mask.png"), *frame->mask);
 }
+
+TEST(OpenCvOracle, ReadsOurColours) {
+    const Folder folder;
+    Grid<Rgb> picture(5, 7);
+    for (std::size_t k = 0; k < picture.size(); ++k)
+        picture[k] = {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(255 - k), static_cast<std::uint8_t>(7 * k)};
+    ASSERT_TRUE(savePngRgb(picture, folder / "colours.png"));
+    const cv::Mat read = cv::imread((folder / "colours.png").string(), cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(read.type(), CV_8UC3);
+    ASSERT_EQ(read.rows, 5);
+    ASSERT_EQ(read.cols, 7);
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < 7; ++j) {
+            const auto& pixel = read.at<cv::Vec3b>(i, j); // blue first
+            EXPECT_EQ(picture.at(i, j), (Rgb{pixel[2], pixel[1], pixel[0]}));
+        }
+    }
+    EXPECT_FALSE(savePngRgb({}, folder / "empty.png"));
+}
