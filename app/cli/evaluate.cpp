@@ -28,7 +28,6 @@ struct Evaluate {
     std::string json;
     double tolerance = 2.0;
     bool sweep = false;
-    bool measuredOnly = false;
     std::vector<double> thresholds;
     MethodFlags method;
     ReadFlags read;
@@ -97,23 +96,19 @@ Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
 /// Masks of one scan at rising thresholds; what does not depend on the threshold is worked out once.
 class MaskMaker {
 public:
-    MaskMaker(std::shared_ptr<const Scan> scan, const Settings& settings, bool bridged)
-        : scan_(std::move(scan)), settings_(settings), bridged_(bridged) {}
+    MaskMaker(std::shared_ptr<const Scan> scan, const Settings& settings) : scan_(std::move(scan)), settings_(settings) {}
 
     Grid<std::uint8_t> at(const Parameter* parameter, double threshold) {
         if (parameter != nullptr) parameter->set(settings_, threshold);
         if (parameter != findParameter("sensitivity")) return *pipeline_.run(scan_, settings_)->mask;
         const DepthEdgeSettings depth = depthEdgeSettings(settings_);
         if (!responses_) responses_ = std::make_unique<DepthResponses>(depthResponses(*scan_, depth));
-        DepthEdges edges = decideDepthEdges(*responses_, depth);
-        for (std::size_t k = 0; bridged_ && k < edges.mask.size(); ++k) edges.mask[k] |= edges.bridges[k];
-        return std::move(edges.mask);
+        return decideDepthEdges(*responses_, depth).mask;
     }
 
 private:
     std::shared_ptr<const Scan> scan_;
     Settings settings_;
-    bool bridged_;
     Pipeline pipeline_;
     std::unique_ptr<DepthResponses> responses_;
 };
@@ -149,7 +144,7 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
             fixed += evaluateMask(one->mask, one->truth, nullptr, evaluate.tolerance);
             continue;
         }
-        MaskMaker maker(one->scan, settings, !evaluate.measuredOnly);
+        MaskMaker maker(one->scan, settings);
         const auto score = [&](const Grid<std::uint8_t>& mask) {
             return evaluateMask(mask, one->truth, one->scan.get(), evaluate.tolerance);
         };
@@ -244,8 +239,6 @@ void addEvaluate(CLI::App& app, int& code) {
         ->check(CLI::Range(0.0, 20.0))
         ->capture_default_str();
     command.add_flag("--sweep", evaluate->sweep, "Also the best threshold for all scans (ODS), for each (OIS), and average precision");
-    command.add_flag("--measured-only", evaluate->measuredOnly,
-                     "EdgeScan+: edges count only where a range was measured, not where they run on across a short gap");
     command.add_option("--thresholds", evaluate->thresholds, "Thresholds of the sweep, ascending, instead of the usual ones")
         ->delimiter(',');
     command.add_option("--json", evaluate->json, "All figures; - is stdout");

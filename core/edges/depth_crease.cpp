@@ -11,11 +11,11 @@ namespace edgescan {
 namespace {
 
 constexpr float kFewest = 3;
-constexpr float kMost = kFoldLooks;
-constexpr float kWanted = 2;          // cells beyond the cell itself, on both sides
-constexpr float kNoiseFloor = 5;      // standard deviations
-constexpr float kNoiseShare = 0.55F;  // of the range noise that is left after smoothing (METHOD.md step 5)
-constexpr float kSlopesApart = 1.41F; // two slopes with the noise of one each
+constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is looked at
+constexpr float kWanted = 2;            // cells beyond the cell itself, on both sides
+constexpr float kNoiseFloor = 3.5F;     // standard deviations
+constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (METHOD.md step 5)
+constexpr float kSlopesApart = 1.41F;   // two slopes with the noise of one each
 constexpr float kDegPerRad = 57.2957795F;
 
 // With room for whole lanes.
@@ -49,15 +49,18 @@ struct LaneSums {
     Lanes cells{}, sum{}, weighted{};
 };
 
+// A cell before a break is left out unless it is the first of its side: the spot of the beam may lie on what is behind, too.
 template <class Lanes>
-inline __attribute__((always_inline)) void add(LaneSums<Lanes>& side, const Lanes& here, const float* u, const float* link, float distance,
-                                               const Lanes& reach) {
-    Lanes there, linked;
+inline __attribute__((always_inline)) void add(LaneSums<Lanes>& side, const Lanes& here, const float* u, const float* link,
+                                               const float* nextLink, float distance, const Lanes& reach) {
+    Lanes there, linked, goesOn;
     load(there, u);
     load(linked, link);
+    load(goesOn, nextLink);
     side.alive = distance <= reach ? side.alive * linked : Lanes{};
-    const Lanes difference = side.alive * (there - here);
-    side.cells += side.alive;
+    const Lanes taken = distance > 1 ? side.alive * goesOn : side.alive;
+    const Lanes difference = taken * (there - here);
+    side.cells += taken;
     side.sum += difference;
     side.weighted += distance * difference;
 }
@@ -80,8 +83,8 @@ inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float*
         LaneSums<Lanes> before, after;
         std::ptrdiff_t there = at.step;
         for (float distance = 1; distance <= farthest; ++distance, there += at.step) {
-            add(before, here, at.u + j - there, at.links + j - there, distance, cells);
-            add(after, here, at.u + j + there, at.links + j + there - at.step, distance, cells);
+            add(before, here, at.u + j - there, at.links + j - there, at.links + j - there - at.step, distance, cells);
+            add(after, here, at.u + j + there, at.links + j + there - at.step, at.links + j + there, distance, cells);
         }
         put(left, j, before);
         put(right, j, after);

@@ -2,6 +2,7 @@
 #include "core/edges/depth_edges.h"
 
 #include "core/base/large_room.h"
+#include "core/edges/detour.h"
 #include "core/edges/interlace.h"
 #include "core/edges/marks.h"
 #include "core/edges/surface_lines.h"
@@ -18,8 +19,9 @@ constexpr double kNominalNoiseMm = 6.75; // sigma at 5 m of an LMS511
 constexpr double kOffsetShare = 0.815;   // of sigma at 5 m: its part at 0 m, and the growth per metre
 constexpr double kPerMetreShare = 0.037;
 constexpr double kJumpMm = 30.0;
-constexpr double kMisfitMm = 5.0;
-constexpr double kWindowMm = 60.0;
+constexpr double kMisfitMm = 6.0;
+constexpr double kReliefMm = 5.0;
+constexpr double kWindowMm = 50.0;
 constexpr double kNoisy = 1.5;             // x nominal
 constexpr double kLeastNoise = 0.2;        // x nominal
 constexpr double kRelief = 0.7;            // x nominal: relief and beam blur what an LMS511 sees as much, however good its ranges ...
@@ -41,6 +43,7 @@ DepthLimits limitsOf(const InverseRange& inverse, const AngularSteps& steps, con
     limits.growth = static_cast<float>(settings.jumpGrowth);
     limits.grazing = static_cast<float>(settings.grazing);
     limits.misfitMm = static_cast<float>(kMisfitMm * q);
+    limits.reliefMm = static_cast<float>(kReliefMm * q);
     limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;
@@ -155,18 +158,18 @@ DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& setting
     DepthResponses result;
     result.jump = Grid<float>(scan.lines(), scan.beams(), std::move(jumps));
     result.crease = Grid<float>(scan.lines(), scan.beams(), std::move(folds));
+    goRoundGaps(inverse, result.jump, result.crease);
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
     result.border = borderCells(inverse.support);
-    result.support = std::move(inverse.support);
     return result;
 }
 
 DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;
-    const Grid<std::uint8_t> none(lines, beams);
-    DepthEdges result{none, none, Grid<DepthEdge>(lines, beams, DepthEdge::None), Grid<float>(lines, beams), responses.noise};
+    DepthEdges result{Grid<std::uint8_t>(lines, beams), Grid<DepthEdge>(lines, beams, DepthEdge::None), Grid<float>(lines, beams),
+                      responses.noise};
     const float convex = settings.convex ? 1.0F : 0.0F;
     const float concave = settings.concave ? 1.0F : 0.0F;
     const float jumps = settings.jumps ? 1.0F : 0.0F;
@@ -179,10 +182,6 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
         linked(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
     for (std::size_t k = 0; k < kept.size(); ++k) {
         if (kept[k] == 0) continue;
-        if (responses.support[k] != Support::Measured) {
-            result.bridges[k] = 255;
-            continue;
-        }
         result.mask[k] = 255;
         const bool jump = settings.jumps && responses.jump[k] >= result.strength[k];
         result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;

@@ -9,7 +9,7 @@ namespace edgescan {
 struct DepthEdgeSettings {
     double jumpMm = -1.0;       ///< J0; below 0: 30 mm x noise / that of an LMS511
     double jumpGrowth = 0.01;   ///< p: share of the range
-    double creaseDeg = 36.0;    ///< C0: dihedral angle
+    double creaseDeg = 30.0;    ///< C0: dihedral angle
     double sensitivity = 1.0;   ///< high threshold of the hysteresis
     double hysteresisLow = 0.7; ///< share of the high one
     int minimumLength = 4;      ///< cells
@@ -26,22 +26,21 @@ enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 
 inline constexpr int kDepthEdges = 5; // None included
 
 /// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger or
-/// nothing is there. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders need only decide().
+/// nothing is there, or nothing was measured. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders
+/// need only decide().
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
     Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
-    Grid<Support> support;             ///< lines x beams; a filled cell has responses too, so that lines go on across it
     RangeNoise noise;                  ///< used
     double jumpMm = 0;                 ///< J0 used
     std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
 };
 
 struct DepthEdges {
-    Grid<std::uint8_t> mask;    ///< lines x beams, 255 = edge; never a cell without a measured range
-    Grid<std::uint8_t> bridges; ///< lines x beams, 255 = an edge runs on across this cell, but nothing was measured there
-    Grid<DepthEdge> kind;       ///< lines x beams
-    Grid<float> strength;       ///< suppressed response of the classes wanted, 1 = at the threshold
-    RangeNoise noise;           ///< used
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a measured range
+    Grid<DepthEdge> kind;    ///< lines x beams
+    Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
+    RangeNoise noise;        ///< used
 };
 
 [[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);

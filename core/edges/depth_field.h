@@ -30,7 +30,8 @@ struct DepthLimits {
     float grazing = 0.1F; ///< g, index steps
     float misfitMm = 5;
     float windowMm = 60;
-    float creaseDeg = 36; ///< C0
+    float creaseDeg = 30; ///< C0
+    float reliefMm = 5;   ///< of a surface, across it: along a slanted beam it is longer
     bool noisy = false;   ///< lines of three cells instead of two
     int passes = 1;       ///< of smoothing
     RangeNoise noise;

@@ -29,16 +29,22 @@ struct Extra {
     [[nodiscard]] float of(int beam) const { return even + static_cast<float>(beam & 1) * (odd - even); }
 };
 
-// From beam -1 to `beams`. `out` overlaps nothing.
-EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const DepthLimits& limits,
-                                  float* __restrict out) {
+// From beam -1 to `beams`, where there is never a jump. `out` overlaps nothing.
+EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const float* angle,
+                                  const DepthLimits& limits, float* __restrict out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
     const float least = limits.jumpMm;
     const float growth = limits.growth;
     const float grazing = limits.grazing;
-    for (int j = -1; j <= beams; ++j) {
-        const float away = solid[j - s] * (u[j] - u[j - s]);
-        const float on = solid[j + 2 * s] * (u[j + 2 * s] - u[j + s]);
+    const float relief = limits.reliefMm;
+    for (int j = 0; j < beams; ++j) {
+        // A side of one cell has the slope of the other side.
+        const float hasAway = solid[j - s];
+        const float hasOn = solid[j + 2 * s];
+        const float ownAway = hasAway * (u[j] - u[j - s]);
+        const float ownOn = hasOn * (u[j + 2 * s] - u[j + s]);
+        const float away = ownAway + (1.0F - hasAway) * ownOn;
+        const float on = ownOn + (1.0F - hasOn) * ownAway;
         const float slant = 0.25F * extra.of(j) * (away + on);
         const float a = std::max(u[j] + slant, 1e-6F);
         const float b = std::max(u[j + s] - slant, 1e-6F);
@@ -52,9 +58,11 @@ EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdi
         const float rangeB = 1000.0F / b;
         const float step = std::min(std::abs(rangeA - rangeB), std::abs(1000.0F / left - 1000.0F / right));
         const float slope = 0.5F * (std::abs(rangeA - 1000.0F / a1) + std::abs(1000.0F / b1 - rangeB));
-        const float allowed = least + growth * std::min(rangeA, rangeB) + grazing * slope;
+        const float near = std::min(rangeA, rangeB);
+        const float allowed = least + growth * near + grazing * slope + relief * slope / (near * angle[j]);
         out[j] = step / allowed * solid[j] * solid[j + s];
     }
+    out[-1] = out[beams] = 0;
 }
 
 EDGESCAN_VECTORS void linksOfLine(const float* jump, const float* solid, std::ptrdiff_t s, int beams, Extra extra, float* __restrict out) {
@@ -75,9 +83,10 @@ EDGESCAN_VECTORS void smoothLine(const float* u, const float* link, std::ptrdiff
 
 } // namespace
 
-void crackJumps(const DepthField& field, Along along, int line, const SweepSlips& slips, const DepthLimits& limits, Lines& jumps) {
+void crackJumps(const DepthField& field, Along along, int line, const float* angle, const SweepSlips& slips, const DepthLimits& limits,
+                Lines& jumps) {
     const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
-    jumpsOfLine(field.u.line(line), field.solid.line(line), field.step(along), field.u.beams, extra, limits, jumps.next());
+    jumpsOfLine(field.u.line(line), field.solid.line(line), field.step(along), field.u.beams, extra, angle, limits, jumps.next());
 }
 
 void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Lines& links) {

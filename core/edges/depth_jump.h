@@ -13,7 +13,8 @@ inline constexpr int kJumpLooksOn = 3;
 /// The next line of `jumps`: S_J of the crack between a cell and the next one, stored at the cell; over 1 is a break. 0 beside a void:
 /// where data end a rock may go on (OPERATOR.md S3). Beams from -1 to their count are written, and there are lines from -1 to their count.
 /// `slips`: steps of the stepper that a slope explains.
-void crackJumps(const DepthField& field, Along along, int line, const SweepSlips& slips, const DepthLimits& limits, Lines& jumps);
+void crackJumps(const DepthField& field, Along along, int line, const float* angle, const SweepSlips& slips, const DepthLimits& limits,
+                Lines& jumps);
 
 /// The next line of `links`, as far as that of the jumps: 1 where a cell and the next one belong to one surface, both solid and no break
 /// between them. Stored at the cell. Nor are lines linked where the stepper slipped between them: a plane is bent there.

@@ -43,10 +43,6 @@ ThresholdMap thresholdMapOf(const Frame& frame) {
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
     const DepthResponses responses = frame.responses ? *frame.responses : depthResponses(*frame.scan, depth);
     ThresholdMap map = linkedThresholdMap(decideDepthEdges(responses, depth).strength, depth.hysteresisLow, depth.minimumLength);
-    // Chains run on across cells without a range, but these are no edge cells.
-    for (std::size_t k = 0; k < map.highest.size(); ++k) {
-        if (responses.support[k] != Support::Measured) map.highest[k] = -1.0;
-    }
     if (depth.border) {
         for (const std::uint32_t k : responses.border) map.highest[k] = std::numeric_limits<double>::infinity();
     }

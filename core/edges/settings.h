@@ -54,7 +54,7 @@ struct Settings {
     double sensitivity = 1.0;        ///< high threshold of the hysteresis, x
     double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
     double growthPercent = 1.0;      ///< p: what is added to it, % of the range
-    double creaseDeg = 36.0;         ///< C0: smallest fold, degrees
+    double creaseDeg = 30.0;         ///< C0: smallest fold, degrees
     int minimumLength = 4;           ///< cells of the shortest chain
     int classes = kClassRock;        ///< EdgeClassBits
     double hysteresisPercent = 70.0; ///< low threshold, % of the high one

@@ -77,11 +77,11 @@ void SurfaceLines::snapAlongLines(int line) {
 // Cracks from the margin before the first line to the last one's.
 void SurfaceLines::findCracks(int line) {
     const DepthField field{snapped_, solid_};
-    if (line > lines_) {
+    if (!isInside(line)) {
         for (Lines* lines : {&crackBeams_, &crackLines_, &linkBeams_, &linkLines_}) lines->nextEmpty();
     } else {
-        crackJumps(field, Along::Beams, line, slips_, limits_, crackBeams_);
-        crackJumps(field, Along::Lines, line, slips_, limits_, crackLines_);
+        crackJumps(field, Along::Beams, line, anglesOf(steps_, Along::Beams, line, work_.angles), slips_, limits_, crackBeams_);
+        crackJumps(field, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), slips_, limits_, crackLines_);
         surfaceLinks(field, crackBeams_, Along::Beams, line, slips_, linkBeams_);
         surfaceLinks(field, crackLines_, Along::Lines, line, slips_, linkLines_);
     }

@@ -12,7 +12,7 @@
 namespace edgescan {
 namespace {
 
-constexpr int kLongestRun = 3;
+constexpr int kRun = 2; // cells
 constexpr float kSpotM = 0.013F;
 constexpr float kSpotRad = 0.0046F;
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
@@ -63,7 +63,7 @@ float slopeAway(const Place& at, int end, int sign) {
 
 // The continuations of both sides at the cells of a run.
 struct RunLines {
-    std::array<float, kLongestRun> before, after;
+    std::array<float, kRun> before, after;
 };
 
 // Two surfaces at a cell. What is asked of them is told without divisions: a distance in metres is the difference of two u over their
@@ -86,9 +86,9 @@ inline __attribute__((always_inline)) bool canBeOff(float u, const TwoSurfaces& 
     return (at.nearer - u + at.rounding >= least) & ((u - at.farther + at.rounding) * at.nearer >= least * at.farther);
 }
 
-bool canBeRun(const Place& at, int count, const RunLines& lines, const DepthLimits& limits) {
+bool canBeRun(const Place& at, const RunLines& lines, const DepthLimits& limits) {
     bool off = false;
-    for (int n = 0; n < count; ++n) {
+    for (int n = 0; n < kRun; ++n) {
         const float u = at.u[n * at.step];
         const TwoSurfaces surfaces =
             surfacesAt(lines.before[static_cast<std::size_t>(n)], lines.after[static_cast<std::size_t>(n)], limits);
@@ -98,21 +98,21 @@ bool canBeRun(const Place& at, int count, const RunLines& lines, const DepthLimi
     return off;
 }
 
-// `count` cells from here on.
-bool snapRun(const Place& at, int count, const DepthLimits& limits, std::array<float, kLongestRun>& result) {
-    if (!solidAll(at.solid, at.step, -2, count + 1)) return false;
+// This cell and the next.
+bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>& result) {
+    if (!solidAll(at.solid, at.step, -2, kRun + 1)) return false;
     const float first = at.u[-at.step];
-    const float last = at.u[count * at.step];
+    const float last = at.u[kRun * at.step];
     const float slopeBefore = slopeAway(at, -1, -1);
-    const float slopeAfter = slopeAway(at, count, 1);
+    const float slopeAfter = slopeAway(at, kRun, 1);
     RunLines lines{};
-    for (int n = 0; n < count; ++n) {
+    for (int n = 0; n < kRun; ++n) {
         lines.before[static_cast<std::size_t>(n)] = first - static_cast<float>(n + 1) * slopeBefore;
-        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(count - n) * slopeAfter;
+        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(kRun - n) * slopeAfter;
     }
-    if (!canBeRun(at, count, lines, limits)) return false;
+    if (!canBeRun(at, lines, limits)) return false;
     float farthest = 0;
-    for (int n = 0; n < count; ++n) {
+    for (int n = 0; n < kRun; ++n) {
         const float u = at.u[n * at.step];
         const float before = lines.before[static_cast<std::size_t>(n)];
         const float after = lines.after[static_cast<std::size_t>(n)];
@@ -134,9 +134,8 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
     const float after = 2 * u(1) - u(2);
     if (std::abs(before - after) > apart * before * after) return true;
     // The ends of a run must be apart, and its first cell off a line through them.
-    const bool two = std::abs(u(-1) - u(2)) > apart * u(-1) * u(2);
-    const bool three = std::abs(u(-1) - u(3)) > apart * u(-1) * u(3);
-    return (two || three) && std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
+    return std::abs(u(-1) - u(2)) > apart * u(-1) * u(2) &&
+           std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
 // A first look at a whole line, which lets all pass that the closer looks could snap; not 0 where one is worth it.
@@ -144,20 +143,17 @@ EDGESCAN_VECTORS void takeFirstLook(const float* u, const float* solid, const fl
                                     const DepthLimits& limits, float* __restrict worth) {
     for (int j = 0; j < beams; ++j) {
         const float b3 = u[j - 3 * s], b2 = u[j - 2 * s], b1 = u[j - s], here = u[j];
-        const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s], a5 = u[j + 5 * s];
+        const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s];
         const float spot = kWiderSpot * (kSpotM * here + kSpotRad);
         const float slopeBefore = solid[j - 3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
         const float slopeSecond = solid[j + 4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
-        const float slopeThird = solid[j + 5 * s] != 0 ? 0.5F * (a5 - a3) : a4 - a3;
         const TwoSurfaces alone = surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits);
         const TwoSurfaces first = surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits);
         const TwoSurfaces second = surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits);
-        const TwoSurfaces ofThree = surfacesAt(b1 - slopeBefore, a3 - 3 * slopeThird, limits);
         const bool one = canBeBetween(here, alone) & canBeOff(here, alone, 1);
         const bool two = canBeBetween(here, first) & canBeBetween(a1, second) &
                          (canBeOff(here, first, kOffSurface) | canBeOff(a1, second, kOffSurface)) & (2 * angle[j] <= spot);
-        const bool three = canBeBetween(here, ofThree) & (3 * angle[j] <= spot);
-        worth[j] = (one | two | three) & (solid[j] != 0) ? 1.0F : 0.0F;
+        worth[j] = (one | two) & (solid[j] != 0) ? 1.0F : 0.0F;
     }
 }
 
@@ -183,12 +179,9 @@ void snapVeils(const DepthField& field, Along along, int line, const float* angl
         const float rangeM = 1.0F / at.u[0];
         const float cell = rangeM * angle[j];
         const float spot = kSpotM + kSpotRad * rangeM;
-        std::array<float, kLongestRun> run{};
-        for (int count = 2; count <= kLongestRun && static_cast<float>(count) * cell <= spot; ++count) {
-            if (!snapRun(at, count, limits, run)) continue;
-            for (int n = 0; n < count; ++n) out[static_cast<std::ptrdiff_t>(j) + n * step] = run[static_cast<std::size_t>(n)];
-            break;
-        }
+        std::array<float, kRun> run{};
+        if (kRun * cell > spot || !snapRun(at, limits, run)) return;
+        for (int n = 0; n < kRun; ++n) out[static_cast<std::ptrdiff_t>(j) + n * step] = run[static_cast<std::size_t>(n)];
     });
 }
 

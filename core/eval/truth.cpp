@@ -164,7 +164,7 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     const Grid<std::uint8_t> spread = spreadFolds(truth, result.edgeClass);
     for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
     // An edge that is sure stays so beside one that is not.
-    dilate(marks.unsure, 1);
+    dilate(marks.unsure, kReach);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (result.edgeClass[k] == 0) result.ignore[k] |= marks.unsure[k];
     }

@@ -93,15 +93,21 @@ TEST(DepthEdges, AFlatWallWithHolesHasNone) {
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
-// Edge lines: where a range was measured, and where they run on across a cell that has none.
-Grid<std::uint8_t> edgeLines(const Scan& scan) {
-    DepthEdges edges = depthEdges(scan, {});
-    for (std::size_t k = 0; k < edges.mask.size(); ++k) {
-        EXPECT_TRUE(edges.mask[k] == 0 || scan.state[k] == CellState::Valid);
-        EXPECT_TRUE(edges.bridges[k] == 0 || scan.state[k] != CellState::Valid || edges.mask[k] == 0);
-        edges.mask[k] |= edges.bridges[k];
+TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {
+    // A plate before a wall; one range of its edge is lost.
+    Scan scan = test::makeScan(30, 40, [&](int, int j) { return j < 20 ? 3000.0 : 5000.0; });
+    EXPECT_EQ(depthEdges(scan, {}).mask.at(10, 19), 255);
+    scan.state.at(10, 19) = CellState::NoReturn;
+    scan.rangeMm.at(10, 19) = 0;
+    const DepthEdges edges = depthEdges(scan, {});
+    EXPECT_EQ(edges.mask.at(10, 19), 0);
+    EXPECT_EQ(edges.mask.at(10, 18), 255);
+    EXPECT_EQ(edges.kind.at(10, 18), DepthEdge::Jump);
+    for (int i = 2; i < 28; ++i) {
+        int cells = 0;
+        for (int j = 0; j < 40; ++j) cells += edges.mask.at(i, j) != 0 ? 1 : 0;
+        EXPECT_EQ(cells, 1) << i;
     }
-    return std::move(edges.mask);
 }
 
 TEST(DepthEdges, RandomDropOutsCostLittle) {
@@ -114,7 +120,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const Simulation bell = *simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = scoreEdges(edgeLines(bell.scan), edgeTruth(*bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = scoreEdges(depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);
