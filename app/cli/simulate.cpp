@@ -9,20 +9,24 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace edgescan::cli {
 namespace {
 
+constexpr const char* kFormats = ".json (raw grid), .mcap (recording), .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx or .obj";
+
 struct Simulate {
     std::string out, truth, surface;
-    std::string hole = "none";
-    double surfaceScale = 1.0;
+    std::string hole; ///< empty: none, or round where holes are asked for in another way
     std::string profile = "high";
     std::string axis = "sweep";
     bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
     bool progress = false;
+    bool holesTyped = false;
     SimulationSettings settings;
 };
 
@@ -32,6 +36,8 @@ SimulationSettings settingsOf(const Simulate& simulate) {
     settings.axis = simulate.axis == "spin" ? Axis::Spin : Axis::Sweep;
     settings.truth = !simulate.truth.empty();
     settings.hole = simulate.hole == "round" ? WallHole::Round : simulate.hole == "square" ? WallHole::Square : WallHole::None;
+    if (simulate.hole.empty() && simulate.holesTyped) settings.hole = WallHole::Round;
+    settings.surfaceFile = simulate.surface;
     settings.footprint = !simulate.noFootprint;
     settings.mixedPixels = !simulate.noMixedPixels;
     settings.echoLoss = !simulate.noEchoLoss;
@@ -53,8 +59,7 @@ Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
 
 int run(const Simulate& simulate) {
     if (!saveFormatOf(simulate.out)) {
-        complain(
-            {"the extension names no format that can be written", simulate.out, "use .json for a raw grid, or .pcd, .ply, .csv, .xyz"});
+        complain({"the extension names no format that can be written", simulate.out, std::string("use ") + kFormats});
         return kWrongUsage;
     }
     SimulationProgress progress;
@@ -72,7 +77,6 @@ int run(const Simulate& simulate) {
             return kRefused;
         }
         settings.surface = std::move(*surface);
-        for (Eigen::Vector3f& point : settings.surface) point *= static_cast<float>(simulate.surfaceScale);
     }
     const Result<Simulation> simulation = edgescan::simulate(settings, progress);
     if (!simulation) {
@@ -84,6 +88,35 @@ int run(const Simulate& simulate) {
     if (saved) return kDone;
     complain(saved.error());
     return kRefused;
+}
+
+/// A flag of the scene that was typed though it changes nothing in the scene chosen.
+std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate) {
+    struct Use {
+        const char* flag;
+        std::vector<std::string> scenes;
+    };
+    const std::vector<Use> uses{{"--rocks", {"hangup", "pile"}},
+                                {"--rock-roughness", {"hangup", "pile"}},
+                                {"--rock-rounding", {"hangup", "pile"}},
+                                {"--wall-roughness", {"hangup", "pile", "empty", "wall"}},
+                                {"--surface", {"rescan"}},
+                                {"--surface-scale", {"rescan"}},
+                                {"--distance", {"wall", "staircase", "rescan"}},
+                                {"--hole", {"wall"}},
+                                {"--holes", {"wall"}},
+                                {"--hole-size", {"wall"}}};
+    const std::string& chosen = simulate.settings.scene;
+    const bool known = std::ranges::any_of(simulationScenes(), [&](const SimulationScene& scene) { return scene.name == chosen; });
+    for (const Use& use : uses) {
+        if (!known || command.count(use.flag) == 0 || std::ranges::find(use.scenes, chosen) != use.scenes.end()) continue;
+        std::string names;
+        for (const std::string& name : use.scenes) names += (names.empty() ? "" : ", ") + name;
+        return Error{"the scene " + chosen + " takes no notice of this flag", use.flag, "leave it out, or choose --scene " + names};
+    }
+    if (simulate.hole == "none" && command.count("--holes") + command.count("--hole-size") > 0)
+        return Error{"a wall without holes has no number or size of them", "--hole none", "use round or square, or leave the others out"};
+    return std::nullopt;
 }
 
 std::string sceneHelp() {
@@ -98,7 +131,7 @@ void addSimulate(CLI::App& app, int& code) {
     auto simulate = std::make_shared<Simulate>();
     SimulationSettings& s = simulate->settings;
     CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
-    command.add_option("-o,--output", simulate->out, "New file: .json for a raw grid")->required();
+    command.add_option("-o,--output", simulate->out, std::string("New file: ") + kFormats)->required();
     command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
     command.add_option("--seed", s.seed, "Seed of everything random")->capture_default_str();
@@ -118,23 +151,23 @@ void addSimulate(CLI::App& app, int& code) {
                     "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)")
         ->capture_default_str()
         ->group(scene);
-    command.add_option("--wall-roughness", s.wallRoughnessMm, "Relief of the wall, standard deviation [mm]")
-        ->capture_default_str()
+    command
+        .add_option("--wall-roughness", s.wallRoughnessMm,
+                    "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given")
         ->group(scene);
     command.add_option("--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back")
         ->capture_default_str()
         ->group(scene);
     command.add_option("--surface", simulate->surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(scene);
-    command.add_option("--surface-scale", simulate->surfaceScale, "Times its size")
-        ->check(CLI::Range(0.001, 1000.0))
-        ->capture_default_str()
-        ->group(scene);
+    command.add_option("--surface-scale", s.surfaceScale, "Times its size")->capture_default_str()->group(scene);
     command.add_option("--distance", s.distanceM, "Distance of wall, staircase or rescan [m]")->capture_default_str()->group(scene);
-    command.add_option("--hole", simulate->hole, "An open hole in the wall")
+    command.add_option("--hole", simulate->hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
         ->check(CLI::IsMember({"none", "round", "square"}))
+        ->group(scene);
+    command.add_option("--holes", s.holes, "How many: one is in the middle, several are spread as the seed says")
         ->capture_default_str()
         ->group(scene);
-    command.add_option("--hole-size", s.holeM, "Its diameter or side [m]")->capture_default_str()->group(scene);
+    command.add_option("--hole-size", s.holeM, "Their diameter or side [m]")->capture_default_str()->group(scene);
     const char* measurement = "Measurement";
     command.add_option("--noise", s.noise, "Times the range noise of the device")->capture_default_str()->group(measurement);
     command.add_option("--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1")->capture_default_str()->group(measurement);
@@ -152,13 +185,22 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--status-codes", s.statusCodes, "Share of cells with a device status code instead of a range, 0 to 1")
         ->capture_default_str()
         ->group(measurement);
+    command.add_option("--range-step", s.rangeStepMm, "Ranges come in whole steps of this [mm]")->capture_default_str()->group(measurement);
     command.add_option("--max-range", s.maxRangeM, "Farthest range [m]")->capture_default_str()->group(measurement);
     command.add_flag("--no-footprint", simulate->noFootprint, "The beam is a line without width")->group(measurement);
     command.add_flag("--no-mixed-pixels", simulate->noMixedPixels, "Echoes of two surfaces never merge")->group(measurement);
     command.add_flag("--no-echo-loss", simulate->noEchoLoss, "Grazing and weak echoes are not lost")->group(measurement);
     command.add_option("--threads", s.threads, "0 = one per core; the result is the same")->capture_default_str();
     command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
-    command.callback([simulate, &code] { code = run(*simulate); });
+    command.callback([simulate, &command, &code] {
+        if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {
+            complain(*wrong);
+            code = kWrongUsage;
+            return;
+        }
+        simulate->holesTyped = command.count("--holes") + command.count("--hole-size") > 0;
+        code = run(*simulate);
+    });
 }
 
 } // namespace edgescan::cli

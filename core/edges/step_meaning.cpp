@@ -19,21 +19,29 @@ namespace {
 constexpr int kStep = 240; // levels; a multiple of 16, so that the 3 x 3 Gaussian rounds nothing
 constexpr int kDark = 8;
 
+// Response of every cell of a picture.
+Grid<float> responseOf(const Grid<std::uint8_t>& picture, const Settings& settings) {
+    if (settings.method != Method::Canny)
+        return detectorResponse(settings.method, smoothsItself(settings.method) ? picture : smooth(picture, settings), nullptr, settings);
+    const Gradient gradient = sobelGradient(smooth(picture, settings), nullptr, settings.aperture);
+    Grid<float> response(picture.lines, picture.beams);
+    for (std::size_t k = 0; k < response.size(); ++k) {
+        const std::int32_t magnitude = gradientMagnitude(gradient.alongBeams[k], gradient.alongLines[k], settings.norm);
+        const double size = settings.norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude;
+        response[k] = static_cast<float>(size / gradient.scale);
+    }
+    return response;
+}
+
+// How far from a cell its response is decided, at most.
+int reachOf(const Settings& settings) {
+    const double sigma = std::isnan(settings.sigma) ? kMarrHildrethSigma : settings.sigma;
+    return smoothsItself(settings.method) ? static_cast<int>(std::ceil(4 * sigma)) + 4 : settings.kernel + settings.aperture + 4;
+}
+
 // Strongest answer near the middle of a square picture of a step.
 double answer(const Grid<std::uint8_t>& picture, const Settings& settings) {
-    Grid<float> response;
-    if (settings.method == Method::Canny) {
-        const Gradient gradient = sobelGradient(smooth(picture, settings), nullptr, settings.aperture);
-        response = Grid<float>(picture.lines, picture.beams);
-        for (std::size_t k = 0; k < response.size(); ++k) {
-            const std::int32_t magnitude = gradientMagnitude(gradient.alongBeams[k], gradient.alongLines[k], settings.norm);
-            const double size = settings.norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude;
-            response[k] = static_cast<float>(size / gradient.scale);
-        }
-    } else {
-        response =
-            detectorResponse(settings.method, smoothsItself(settings.method) ? picture : smooth(picture, settings), nullptr, settings);
-    }
+    const Grid<float> response = responseOf(picture, settings);
     const int middle = picture.lines / 2;
     float strongest = 0;
     for (int i = middle - 2; i <= middle + 2; ++i) {
@@ -62,8 +70,7 @@ double percentOf(double levels, const GrayScale& scale) { return 100.0 * std::ex
 
 StepGain stepGain(const Settings& settings) {
     if (!hasGrayLevels(settings)) return {};
-    const double sigma = std::isnan(settings.sigma) ? kMarrHildrethSigma : settings.sigma;
-    const int reach = smoothsItself(settings.method) ? static_cast<int>(std::ceil(4 * sigma)) + 4 : settings.kernel + settings.aperture + 4;
+    const int reach = reachOf(settings);
     const int size = 2 * reach + 1;
     Grid<std::uint8_t> straight(size, size);
     Grid<std::uint8_t> diagonal(size, size);
@@ -154,14 +161,39 @@ Result<double> lowerOfStep(const TypedStep& step, const Settings& settings, cons
     return Error{"a step of this depth is beyond the largest threshold", "--lower", "give a smaller depth"};
 }
 
+double answerToRounding(const Settings& settings) {
+    if (!hasGrayLevels(settings)) return 0.0;
+    constexpr int kParts = 8; // of a level
+    const int reach = reachOf(settings);
+    const int size = 2 * (reach + kParts) + 1; // the pattern of the rounding repeats after so many cells
+    double strongest = 0;
+    for (int alongLines = 0; alongLines <= kParts / 4; ++alongLines) {
+        for (int alongBeams = 0; alongBeams <= kParts / 4; ++alongBeams) {
+            Grid<std::uint8_t> plane(size, size);
+            for (int i = 0; i < size; ++i) {
+                for (int j = 0; j < size; ++j)
+                    plane.at(i, j) = static_cast<std::uint8_t>(kDark + (alongLines * i + alongBeams * j) / kParts);
+            }
+            const Grid<float> response = responseOf(plane, settings);
+            for (int i = reach; i < size - reach; ++i) {
+                for (int j = reach; j < size - reach; ++j) strongest = std::max(strongest, static_cast<double>(response.at(i, j)));
+            }
+        }
+    }
+    return strongest;
+}
+
 double lowerWithSameStep(const Settings& before, const Settings& settings) {
     const double from = stepGain(before).straight;
     const double to = stepGain(settings).straight;
     if (from <= 0 || to <= 0) return settings.lower;
-    // Canny starts an edge at its upper threshold.
-    const auto starts = [](const Settings& s) { return s.method == Method::Canny ? s.ratio : 1.0; };
-    const double levels = before.lower * starts(before) / from;
-    return snapped(*findParameter("lower"), levels * to / starts(settings));
+    const bool bothTwo = before.method == Method::Canny && settings.method == Method::Canny;
+    // What the lower threshold is multiplied by to compare the two.
+    const auto compared = [&](const Settings& s) { return s.method != Method::Canny ? 1.0 : bothTwo ? s.ratio : 0.5 * (1.0 + s.ratio); };
+    const double lower = before.lower * compared(before) / from * to / compared(settings);
+    const bool changed = before.method != settings.method; // else the threshold was chosen for this very method
+    const double least = changed && settings.method != Method::Canny ? answerToRounding(settings) : 0.0;
+    return snapped(*findParameter("lower"), std::max(lower, least));
 }
 
 } // namespace edgescan

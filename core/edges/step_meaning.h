@@ -50,8 +50,13 @@ struct TypedStep {
 /// threshold beyond the limits of the table.
 [[nodiscard]] Result<double> lowerOfStep(const TypedStep& step, const Settings& settings, const GrayScale& scale);
 
-/// The lower threshold for `settings` that starts an edge at the same step as `before` did; settings.lower where one of them has no gray
-/// levels. For changing the method without changing what is seen.
+/// Strongest answer of the method to flat surfaces that slant by up to a quarter of a gray level per cell: nothing but the rounding to
+/// whole levels makes it, so no threshold below it tells an edge from none. 0 for methods without gray levels.
+[[nodiscard]] double answerToRounding(const Settings& settings);
+
+/// The lower threshold for `settings` that means the same step as those of `before`, for changing the method without changing what is seen;
+/// settings.lower where one of them has no gray levels. Canny starts an edge at its upper threshold and follows it down to the lower one: a
+/// method with one threshold gets the step in the middle between the two, and another method never one below answerToRounding().
 [[nodiscard]] double lowerWithSameStep(const Settings& before, const Settings& settings);
 
 } // namespace edgescan

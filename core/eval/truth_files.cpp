@@ -5,6 +5,7 @@
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
 #include "core/scan/cartesian.h"
+#include "core/sim/settings_json.h"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
@@ -70,39 +71,6 @@ Json rocksJson(const Simulation& simulation) {
     return rocks;
 }
 
-Json sceneJson(const SimulationSettings& s) {
-    return {{"scene", s.scene},
-            {"seed", s.seed},
-            {"lines", s.lines},
-            {"beams", s.beams},
-            {"axis", s.axis == Axis::Sweep ? "sweep" : "spin"},
-            {"profile", s.profile == DeviceProfile::HighResolution ? "high" : "standard"},
-            {"rocks", s.rocks},
-            {"rock_roughness_mm", s.rockRoughnessMm},
-            {"rock_rounding", s.rockRounding},
-            {"wall_roughness_mm", s.wallRoughnessMm},
-            {"absorbing_patches", s.absorbingPatches},
-            {"distance_m", s.distanceM},
-            {"hole", s.hole == WallHole::None    ? "none"
-                     : s.hole == WallHole::Round ? "round"
-                                                 : "square"},
-            {"hole_m", s.holeM},
-            {"noise", s.noise},
-            {"dropouts", s.dropouts},
-            {"dust", s.dust},
-            {"footprint", s.footprint},
-            {"mixed_pixels", s.mixedPixels},
-            {"echo_loss", s.echoLoss},
-            {"range_step_mm", s.rangeStepMm},
-            {"max_range_m", s.maxRangeM},
-            {"line_jitter_deg", s.lineJitterDeg},
-            {"interlace_deg", s.interlaceDeg},
-            {"motor_skew_deg", s.motorSkewDeg},
-            {"slips", s.slips},
-            {"status_codes", s.statusCodes},
-            {"surface_points", s.surface.size()}};
-}
-
 // Numbers of a 16-bit picture; empty when there is no such file.
 Result<Grid<std::uint16_t>> readNumbers(const fs::path& path) {
     std::error_code failed;
@@ -135,7 +103,7 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
     const EdgeTruth edges = edgeTruth(*simulation.truth);
     const auto texts = {std::pair{"rocks.json", rocksJson(simulation).dump(2) + "\n"},
-                        std::pair{"scene.json", sceneJson(settings).dump(2) + "\n"}};
+                        std::pair{"scene.json", settingsJson(settings).dump(2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
     }

@@ -28,7 +28,8 @@ enum class Purpose : std::uint64_t {
     Shapes,
     Rubble,
     Slips,
-    Status
+    Status,
+    Holes
 };
 
 constexpr std::uint64_t hashOf(std::uint64_t seed, Purpose purpose, std::uint64_t index) {

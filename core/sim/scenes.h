@@ -17,10 +17,27 @@ namespace edgescan::sim {
 /// The bell after the blast: walls, drift, muck, a raise at the top.
 [[nodiscard]] Scene emptyScene(std::uint64_t seed);
 
-/// A flat wall at right angles to the middle beam, three times as wide to each side as it is far, with or without an open hole.
-[[nodiscard]] Scene wallScene(double distanceM, WallHole hole, double holeM);
+/// A wall at right angles to the middle beam, three times as wide to each side as it is far, with open holes in it.
+struct WallShape {
+    double distanceM = 6.0;
+    WallHole hole = WallHole::None;
+    int holes = 1;      ///< one is in the middle, several are spread over the middle of the wall as the seed says
+    double holeM = 2.0; ///< diameter or side
+};
 
-/// Treads at right angles to the middle beam, the middle one nearest, kStaircaseMm falling away to both sides.
+/// Centres of the holes in the plane of the wall, metres. Error: there is no room for them.
+[[nodiscard]] Result<std::vector<Eigen::Vector2d>> wallHoles(const WallShape& wall, std::uint64_t seed);
+[[nodiscard]] Result<Scene> wallScene(const WallShape& wall, std::uint64_t seed);
+
+/// A flat piece at right angles to the middle beam.
+struct StaircaseTread {
+    double fromXM = 0, toXM = 0;
+    double frontM = 0; ///< distance from the scanner's plane
+    double stepMm = 0; ///< how far it lies behind the tread towards the middle
+};
+
+/// The middle one, nearest, then those towards +x, then those towards -x, kStaircaseMm falling away to both sides.
+[[nodiscard]] std::vector<StaircaseTread> staircaseTreads(double distanceM);
 [[nodiscard]] Scene staircaseScene(double distanceM);
 
 /// A measured surface, seen from the side of its greatest z: the points as a relief, its highest one at the distance.

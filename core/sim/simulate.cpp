@@ -49,10 +49,12 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                             {"rocks", 1.0 * s.rocks, 0, 3000},
                             {"rock roughness", s.rockRoughnessMm, 0, 200},
                             {"rock rounding", s.rockRounding, 0, 0.9},
-                            {"wall roughness", s.wallRoughnessMm, 0, 200},
+                            {"wall roughness", wallRoughnessMmOf(s), 0, 200},
                             {"absorbing patches", 1.0 * s.absorbingPatches, 0, 1000},
                             {"distance", s.distanceM, 0.1, 100},
-                            {"hole", s.holeM, 0, 100},
+                            {"hole size", s.holeM, 0, 100},
+                            {"holes", 1.0 * s.holes, 0, 400},
+                            {"surface scale", s.surfaceScale, 0.001, 1000},
                             {"noise", s.noise, 0, 100},
                             {"dropouts", s.dropouts, 0, 1},
                             {"dust", s.dust, 0, 1},
@@ -84,14 +86,16 @@ Result<Scene> sceneOf(const SimulationSettings& settings) {
     if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks, settings.rockRounding);
     if (settings.scene == "pile") return pileScene(settings.seed, settings.rocks, settings.rockRounding);
     if (settings.scene == "empty") return emptyScene(settings.seed);
-    if (settings.scene == "wall") return wallScene(settings.distanceM, settings.hole, settings.holeM);
+    if (settings.scene == "wall") return wallScene({settings.distanceM, settings.hole, settings.holes, settings.holeM}, settings.seed);
     if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
     if (settings.scene == "rescan") {
         Eigen::AlignedBox3f box;
         for (const Eigen::Vector3f& p : settings.surface) box.extend(p);
         if (settings.surface.size() < 3 || !(box.sizes().head<2>().minCoeff() > 0))
             return Error{"the scene \"rescan\" has no surface to scan", "simulate", "give a cloud of points with --surface"};
-        return rescanScene(settings.surface, settings.distanceM);
+        std::vector<Eigen::Vector3f> points = settings.surface;
+        for (Eigen::Vector3f& p : points) p *= static_cast<float>(settings.surfaceScale);
+        return rescanScene(points, settings.distanceM);
     }
     std::string names;
     for (const SimulationScene& scene : simulationScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
@@ -144,7 +148,7 @@ bool inPatch(const std::vector<Patch>& patches, const Eigen::Vector3d& direction
 double reliefM(const Sweep& sweep, const Surface& surface, double cosine, const Eigen::Vector3d& place) {
     if (surface.texture == Texture::Smooth) return 0.0;
     const bool wall = surface.texture == Texture::Wall;
-    const double height = 0.001 * (wall ? sweep.settings.wallRoughnessMm : sweep.settings.rockRoughnessMm);
+    const double height = 0.001 * (wall ? wallRoughnessMmOf(sweep.settings) : sweep.settings.rockRoughnessMm);
     if (height <= 0.0) return 0.0;
     const double along = std::max(cosine, 0.35);
     const std::uint64_t seed = hashOf(sweep.settings.seed, Purpose::Shapes, (1ULL << 40U) + surface.object);
@@ -261,11 +265,16 @@ const std::vector<SimulationScene>& simulationScenes() {
         {"hangup", "rocks jammed across the bell, seen from below, with a chimney and the drift"},
         {"pile", "a slope of rocks against one wall, the bell open above"},
         {"empty", "the bell without rocks"},
-        {"wall", "a flat wall, with a round or square hole on demand"},
-        {"staircase", "treads that fall away to both sides by known steps"},
+        {"wall", "a wall, flat and whole unless asked otherwise"},
+        {"staircase", "treads that fall away to both sides by 20, 50, 120, 300 and by 30, 80, 200, 500 mm"},
         {"rescan", "a measured surface, given with --surface, over the scanner"},
     };
     return scenes;
+}
+
+double wallRoughnessMmOf(const SimulationSettings& settings) {
+    constexpr double kBellMm = 30.0;
+    return settings.wallRoughnessMm.value_or(settings.scene == "wall" ? 0.0 : kBellMm);
 }
 
 Result<Simulation> simulate(const SimulationSettings& settings, const SimulationProgress& progress) {

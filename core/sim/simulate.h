@@ -38,12 +38,15 @@ struct SimulationSettings {
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
     double rockRounding = 0.0;    ///< radius of corners and ridges, as a share of the largest ball round a rock's middle that fits in it
-    double wallRoughnessMm = 30.0;
-    int absorbingPatches = 6;             ///< round spots that send nothing back
-    double distanceM = 6.0;               ///< of the wall or of the staircase's middle tread
-    WallHole hole = WallHole::None;       ///< an open void in the middle of the wall
-    double holeM = 2.0;                   ///< its diameter or side
-    std::vector<Eigen::Vector3f> surface; ///< points of the scene "rescan", metres, z towards the surveyor
+    std::optional<double> wallRoughnessMm; ///< likewise of the walls; unless given, 30 for those of the bell and 0 for the scene "wall"
+    int absorbingPatches = 6;              ///< round spots that send nothing back
+    double distanceM = 6.0;                ///< of the wall or of the staircase's middle tread
+    WallHole hole = WallHole::None;        ///< open voids in the wall
+    int holes = 1;                         ///< one is in the middle, several are spread as the seed says
+    double holeM = 2.0;                    ///< their diameter or side
+    std::vector<Eigen::Vector3f> surface;  ///< points of the scene "rescan", metres, z towards the surveyor
+    double surfaceScale = 1.0;             ///< times the size of the surface
+    std::string surfaceFile;               ///< where its points came from, for who reads the settings
 
     // The measurement; each ingredient can be switched off.
     double noise = 1.0;         ///< times (5.5 + 0.25 r[m]) mm x (1 + 0.35 (1/cos - 1))
@@ -88,6 +91,9 @@ struct Simulation {
     Scan scan; ///< name "<scene>-seed<seed>", format "simulated", whole range steps; cells are Valid, NoReturn (range 0) or DeviceStatus
     std::optional<SimulationTruth> truth;
 };
+
+/// wallRoughnessMm, or what the scene has where it is not given.
+[[nodiscard]] double wallRoughnessMmOf(const SimulationSettings& settings);
 
 /// Called on the calling thread with the finished share, 0..1, never falling; false cancels.
 using SimulationProgress = std::function<bool(double fraction)>;

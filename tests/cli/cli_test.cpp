@@ -158,6 +158,38 @@ TEST_F(Cli, ConvertKeepsTheGridInEveryFormat) {
     }
 }
 
+TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
+    const std::string out = (folder / "x.json").string();
+    const std::string simulate = "simulate -o " + out + " --lines 20 --beams 30 ";
+    const auto refused = runCli(simulate + "--scene pile --hole round");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.err, "edgescan-cli: --hole: the scene pile takes no notice of this flag; leave it out, or choose --scene wall.\n");
+    for (const char* flags : {"--surface a.ply", "--scene wall --surface-scale 2", "--scene hangup --distance 3",
+                              "--scene staircase --hole-size 1", "--scene empty --rocks 5", "--scene staircase --wall-roughness 5",
+                              "--scene rescan --holes 2", "--scene wall --hole none --holes 2", "--scene wall --rock-rounding 0.1"}) {
+        const auto run = runCli(simulate + flags);
+        EXPECT_EQ(run.code, 2) << flags;
+        EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+        EXPECT_FALSE(std::filesystem::exists(out));
+    }
+    for (const char* flags : {"--rocks 5", "--scene wall --holes 3", "--scene wall --hole square --hole-size 1 --wall-roughness 10",
+                              "--scene staircase --distance 2 --range-step 2"})
+        EXPECT_EQ(runCli(simulate + flags).code, 0) << flags;
+}
+
+TEST_F(Cli, SimulateNamesEveryFormatThatItWrites) {
+    const auto help = runCli("simulate --help");
+    const auto refused = runCli("simulate --lines 20 --beams 30 -o " + (folder / "x.doc").string());
+    EXPECT_EQ(refused.code, 2);
+    for (const char* extension : {".json", ".mcap", ".pcd", ".ply", ".csv", ".xyz", ".las", ".dxf", ".ptx", ".obj"}) {
+        EXPECT_NE(help.out.find(extension), std::string::npos) << extension;
+        EXPECT_NE(refused.err.find(extension), std::string::npos) << extension;
+        const std::string out = (folder / ("x" + std::string(extension))).string();
+        EXPECT_EQ(runCli("simulate --lines 20 --beams 30 -o " + out).code, 0) << extension;
+        EXPECT_TRUE(std::filesystem::exists(out));
+    }
+}
+
 TEST_F(Cli, SimulateGivesTheSameBytesForTheSameSeed) {
     const std::string flags = " --lines 60 --beams 80 --seed 9";
     ASSERT_EQ(runCli("simulate -o " + (folder / "one.json").string() + flags + " --threads 1").code, 0);

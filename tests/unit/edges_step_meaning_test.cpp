@@ -2,11 +2,13 @@
 #include "core/edges/detectors/detector.h"
 #include "core/edges/pipeline.h"
 #include "core/edges/presets.h"
+#include "core/edges/smooth.h"
 #include "core/edges/step_meaning.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgescan {
@@ -116,16 +118,53 @@ TEST(StepMeaning, LogarithmicStepsAreSharesOfTheRange) {
     EXPECT_NE(depthStepText(*step).find("% of range"), std::string::npos);
 }
 
-TEST(StepMeaning, AnotherMethodKeepsTheStepAtWhichAnEdgeStarts) {
-    const Settings canny = cannySettings(); // starts edges at 6 levels
+TEST(StepMeaning, AnotherMethodKeepsTheStepInTheMiddleOfCannysTwo) {
+    const Settings canny = cannySettings(); // follows edges from 2 levels on, starts them at 6
     for (const Method method : kGrayMethods) {
         Settings s = canny;
         s.method = method;
         s.lower = lowerWithSameStep(canny, s);
-        EXPECT_NEAR(s.lower * (method == Method::Canny ? s.ratio : 1) / stepGain(s).straight, 6.0, 0.15) << static_cast<int>(method);
+        const double levels = s.lower / stepGain(s).straight;
+        if (method == Method::Log)
+            EXPECT_EQ(s.lower, answerToRounding(s)); // it answers to rounding more than to a step of 4 levels
+        else
+            EXPECT_NEAR(levels, method == Method::Canny ? 2.0 : 4.0, 0.1) << static_cast<int>(method);
+        // And back again.
+        if (method != Method::Log) EXPECT_NEAR(lowerWithSameStep(s, canny), canny.lower, 0.15) << static_cast<int>(method);
     }
     Settings depth;
     EXPECT_EQ(lowerWithSameStep(canny, depth), depth.lower);
+    Settings typed; // below rounding, but somebody chose it
+    typed.method = Method::Log;
+    typed.lower = 2.0;
+    EXPECT_EQ(lowerWithSameStep(typed, typed), 2.0);
+    Settings steeper = canny;
+    steeper.ratio = 2.0;
+    EXPECT_EQ(lowerWithSameStep(canny, steeper), 9.0); // both start at 18
+}
+
+TEST(StepMeaning, NoUsualThresholdFindsEdgesOnRoundedPlanes) {
+    // Slants that answerToRounding() does not try itself.
+    for (const Method method : kGrayMethods) {
+        for (const LogMask mask : {LogMask::FourNeighbours, LogMask::EightNeighbours, LogMask::FiveByFive}) {
+            if (method == Method::Canny || (method != Method::Log && mask != LogMask::FourNeighbours)) continue;
+            Settings s;
+            s.method = method;
+            s.logMask = mask;
+            s.lower = lowerWithSameStep(cannySettings(), s);
+            EXPECT_GE(s.lower, answerToRounding(s)) << static_cast<int>(method);
+            for (const auto& [alongLines, alongBeams] : {std::pair{0.11, 0.037}, {0.2, 0.13}, {0.0, 0.07}, {0.017, 0.23}}) {
+                Grid<std::uint8_t> plane(90, 90);
+                for (int i = 0; i < 90; ++i) {
+                    for (int j = 0; j < 90; ++j)
+                        plane.at(i, j) = static_cast<std::uint8_t>(std::lround(40 + alongLines * i + alongBeams * j));
+                }
+                const Grid<std::uint8_t> edges = detectorMask(method, smoothsItself(method) ? plane : smooth(plane, s), nullptr, s);
+                EXPECT_EQ(std::ranges::count(edges.cells, 0), 90 * 90)
+                    << static_cast<int>(method) << ' ' << alongLines << ' ' << alongBeams;
+            }
+        }
+    }
 }
 
 } // namespace

@@ -1,17 +1,26 @@
 // The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts that METHOD.md states.
+#include "core/eval/truth.h"
 #include "core/scan/cartesian.h"
 #include "core/sim/beam.h"
+#include "core/sim/scenes.h"
+#include "core/sim/settings_json.h"
 #include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace edgescan {
 namespace {
+
+using namespace sim;
 
 SimulationSettings small(const char* scene) {
     SimulationSettings settings;
@@ -247,6 +256,152 @@ TEST(SimSweep, StaircaseStepsAreRecovered) {
         EXPECT_NEAR(mean(3 + i) - mean(i == 0 ? 2 : 2 + i), kStaircaseMm[place], 6.0);
         EXPECT_NEAR(mean(7 + i) - mean(i == 0 ? 2 : 6 + i), kStaircaseMm[place + 1], 6.0);
     }
+}
+
+TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
+    for (const double distanceM : {2.0, 6.0, 15.0}) {
+        SimulationSettings settings = perfect("staircase");
+        settings.lines = 20;
+        settings.beams = 1141;
+        settings.distanceM = distanceM;
+        settings.rangeStepMm = 0.5;
+        const Simulation result = swept(settings);
+        const CartesianTables tables(result.scan);
+        const std::vector<StaircaseTread> treads = staircaseTreads(distanceM);
+        ASSERT_EQ(treads.size(), kStaircaseMm.size() + 1);
+        std::set<int> seen;
+        for (int j = 0; j < 1141; ++j) {
+            const int object = result.truth->object.at(10, j);
+            if (object == 0) continue;
+            const StaircaseTread& tread = treads[static_cast<std::size_t>(object - kFirstRock)];
+            const Eigen::Vector3d p = tables.point(10, j);
+            if (result.truth->face.at(10, j) == result.truth->face.at(10, 570)) EXPECT_NEAR(p.z(), tread.frontM, 0.002);
+            seen.insert(object);
+        }
+        EXPECT_EQ(seen.size(), treads.size()) << distanceM;
+        for (const double step : {50.0, 80.0, 120.0, 200.0, 300.0, 500.0})
+            EXPECT_EQ(std::ranges::count(treads, step, &StaircaseTread::stepMm), 1) << step;
+        const EdgeTruth truth = edgeTruth(*result.truth);
+        for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the cells beside it
+            const int a = result.truth->object.at(10, j);
+            const int b = result.truth->object.at(10, j + 1);
+            if (a == b || a == 0 || b == 0) continue;
+            const double step = treads[static_cast<std::size_t>(std::max(a, b) - kFirstRock)].stepMm;
+            const bool occluding = truth.edgeClass.at(10, j) == 1 || truth.edgeClass.at(10, j + 1) == 1;
+            EXPECT_EQ(occluding, step >= 50.0) << distanceM << ' ' << step;
+        }
+    }
+}
+
+TEST(SimSweep, WallIsFlatUnlessItsRoughnessIsGiven) {
+    SimulationSettings settings = perfect("wall");
+    const auto spread = [&](std::optional<double> roughness) {
+        settings.wallRoughnessMm = roughness;
+        const Simulation result = swept(settings);
+        const CartesianTables tables(result.scan);
+        double squares = 0;
+        int count = 0;
+        for (int i = 20; i < 40; ++i) {
+            for (int j = 30; j < 50; ++j, ++count) squares += std::pow(1000.0 * tables.point(i, j).z() - 6000.0, 2);
+        }
+        return std::sqrt(squares / count);
+    };
+    EXPECT_LT(spread({}), 1.0);
+    EXPECT_LT(spread(0.0), 1.0);
+    const double rough = spread(20.0);
+    EXPECT_GT(rough, 5.0);
+    EXPECT_NEAR(spread(40.0) / rough, 2.0, 0.1);
+}
+
+// Groups of cells without a return that hang together.
+int voidsOf(const Scan& scan) {
+    Grid<std::uint8_t> left(scan.lines(), scan.beams());
+    for (std::size_t k = 0; k < left.size(); ++k) left[k] = scan.state[k] != CellState::Valid;
+    int voids = 0;
+    for (int i = 0; i < left.lines; ++i) {
+        for (int j = 0; j < left.beams; ++j) {
+            if (left.at(i, j) == 0) continue;
+            ++voids;
+            std::vector<std::pair<int, int>> open{{i, j}};
+            while (!open.empty()) {
+                const auto [a, b] = open.back();
+                open.pop_back();
+                if (!left.contains(a, b) || left.at(a, b) == 0) continue;
+                left.at(a, b) = 0;
+                for (const auto& [da, db] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) open.emplace_back(a + da, b + db);
+            }
+        }
+    }
+    return voids;
+}
+
+TEST(SimSweep, AWallHasAsManyHolesAsAskedForWhereTheSeedSays) {
+    for (const int holes : {2, 5, 9}) {
+        for (const WallHole hole : {WallHole::Round, WallHole::Square}) {
+            SimulationSettings settings = perfect("wall");
+            settings.lines = 300;
+            settings.beams = 320;
+            settings.hole = hole;
+            settings.holes = holes;
+            settings.holeM = 1.4;
+            const WallShape shape{6.0, hole, holes, 1.4};
+            const auto centres = wallHoles(shape, settings.seed);
+            ASSERT_TRUE(centres);
+            const Simulation result = swept(settings);
+            const CartesianTables tables(result.scan);
+            Scan middle = result.scan;
+            for (int i = 0; i < 300; ++i) {
+                for (int j = 0; j < 320; ++j) {
+                    const Eigen::Vector3d d = tables.direction(i, j);
+                    const Eigen::Vector2d p = d.head<2>() * (6.0 / d.z());
+                    if (d.z() < 0.1 || p.cwiseAbs().maxCoeff() > 17.0) { // past the wall
+                        middle.state.at(i, j) = CellState::Valid;
+                        continue;
+                    }
+                    bool inside = false;
+                    bool rim = false;
+                    for (const Eigen::Vector2d& centre : *centres) {
+                        const Eigen::Vector2d q = p - centre;
+                        const double reach = hole == WallHole::Round ? q.norm() : q.cwiseAbs().maxCoeff();
+                        inside = inside || reach < 0.7;
+                        rim = rim || std::abs(reach - 0.7) < 0.01;
+                    }
+                    if (!rim) EXPECT_EQ(result.scan.state.at(i, j) == CellState::Valid, !inside) << p.transpose();
+                }
+            }
+            EXPECT_EQ(voidsOf(middle), holes);
+            EXPECT_EQ(*wallHoles(shape, settings.seed), *centres);
+            EXPECT_NE(*wallHoles(shape, settings.seed + 1), *centres);
+        }
+    }
+    SimulationSettings full = small("wall");
+    full.hole = WallHole::Round;
+    full.holes = 100;
+    const auto refused = simulate(full);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("no room for so many holes"), std::string::npos);
+}
+
+TEST(SimSweep, SettingsAreWrittenWithTheMeasuresOfTheScene) {
+    SimulationSettings settings = small("wall");
+    settings.hole = WallHole::Square;
+    settings.holes = 3;
+    const nlohmann::json wall = settingsJson(settings);
+    EXPECT_EQ(wall["hole_centres_m"].size(), 3U);
+    EXPECT_EQ(wall["holes"], 3);
+    EXPECT_EQ(wall["wall_roughness_mm"], 0.0);
+    settings.scene = "staircase";
+    settings.distanceM = 3.0;
+    const nlohmann::json stairs = settingsJson(settings);
+    ASSERT_EQ(stairs["treads"].size(), 9U);
+    EXPECT_EQ(stairs["treads"][0]["front_m"], 3.0);
+    EXPECT_EQ(stairs["treads"][1]["step_mm"], 20.0);
+    EXPECT_NEAR(stairs["treads"][2]["front_m"].get<double>(), 3.07, 1e-9);
+    EXPECT_EQ(stairs["wall_roughness_mm"], 30.0);
+    settings.surfaceFile = "rocks.ply";
+    settings.surfaceScale = 4.0;
+    EXPECT_EQ(settingsJson(settings)["surface"], "rocks.ply");
+    EXPECT_EQ(settingsJson(settings)["surface_scale"], 4.0);
 }
 
 TEST(SimSweep, WallHoleIsAVoidOfItsSize) {

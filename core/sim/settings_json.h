@@ -1,0 +1,14 @@
+// The settings of a simulation as JSON: scene.json of the ground truth.
+#pragma once
+
+#include "core/sim/simulate.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace edgescan {
+
+/// Every setting, seed included, and what follows from them where a scene has known measures: centres of the holes of a wall, treads of a
+/// staircase, number of points of a surface.
+[[nodiscard]] nlohmann::ordered_json settingsJson(const SimulationSettings& settings);
+
+} // namespace edgescan
