@@ -2,7 +2,7 @@
 // slipped (METHOD.md, "Known weak spots").
 #pragma once
 
-#include "core/edges/inverse_range.h"
+#include "core/edges/line_slips.h"
 
 #include <array>
 #include <vector>
@@ -13,10 +13,10 @@ namespace edgescan {
 /// neighbours, over the slope of the surface across the lines, is one number for the whole line.
 struct SweepSlips {
     std::vector<float> parity; ///< lines values: how far odd beams were measured ahead of even ones
-    /// By how much the step to the next line was longer than its neighbours: lines values for even beams, and for odd ones.
-    std::array<std::vector<float>, 2> extra;
-    bool interlaced = false; ///< parity says so on most lines; else parity is all 0
-    int slips = 0;           ///< values of `extra` that are not 0
+    LineSteps extra;           ///< slips that are left after the cells were brought to their lines
+    LineSteps measured;        ///< all slips
+    bool interlaced = false;   ///< parity says so on most lines; else parity is all 0
+    int slips = 0;             ///< values of `measured` that are not 0
 };
 
 /// Every line and beam where its angle says.

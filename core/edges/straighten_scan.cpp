@@ -33,8 +33,8 @@ Moved moveLines(PolarGeometry& polar, const SweepSlips& slips, double stepDeg) {
     Moved moved;
     double shiftDeg = 0;
     for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
-        const double even = static_cast<double>(slips.extra[0][i]);
-        const double odd = static_cast<double>(slips.extra[1][i]);
+        const double even = static_cast<double>(slips.measured[0][i]);
+        const double odd = static_cast<double>(slips.measured[1][i]);
         if (even != 0 && odd != 0) {
             shiftDeg += 0.5 * (even + odd) * stepDeg;
             ++moved.slips;

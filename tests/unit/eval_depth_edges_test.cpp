@@ -181,6 +181,31 @@ TEST(Interlace, ASlipOfTheStepperIsNoEdge) {
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
+TEST(Interlace, AStallAndTheLeapAfterItAreNoEdges) {
+    // Three lines at one angle; then the stepper makes up for it, or for more than it.
+    const Scan floor = slopedFloor(0.0, -1);
+    for (const int made : {3, 6}) {
+        Scan stalled = floor;
+        for (int i = 31; i + 3 < floor.lines(); ++i) {
+            const int from = i < 34 ? 30 : i + made - 3;
+            for (int j = 0; j < floor.beams(); ++j) stalled.rangeMm.at(i, j) = floor.rangeMm.at(std::min(from, floor.lines() - 1), j);
+        }
+        InverseRange inverse = inverseRange(stalled);
+        const SweepSlips slips = straighten(inverse);
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            for (std::size_t i = 30; i < 33; ++i) EXPECT_NEAR(slips.measured[parity][i], -1.0, 0.15) << i;
+            EXPECT_NEAR(slips.measured[parity][33], made, 0.25 * made);
+            const float left = *std::max_element(slips.extra[parity].begin() + 25, slips.extra[parity].begin() + 45);
+            EXPECT_NEAR(left, made - 3, 0.35 * made);
+        }
+        const DepthEdges edges = depthEdges(stalled, {});
+        int cells = 0;
+        for (int i = 20; i < 50; ++i)
+            for (int j = 0; j < floor.beams(); ++j) cells += edges.mask.at(i, j) != 0 ? 1 : 0;
+        EXPECT_EQ(cells, 0) << made;
+    }
+}
+
 TEST(DepthEdges, NoiseIsFoundFromTheScanItself) {
     for (const double sigma : {4.0, 12.0}) {
         const PolarGeometry polar = test::regularAngles(150, 200);
