@@ -13,8 +13,9 @@ namespace {
 
 constexpr int kFarthest = 8; // lines to each side that tell the slope
 constexpr int kNearest = 3;
-constexpr float kAlike = 0.4F; // of the steeper slope
-constexpr float kLeastExtra = 0.5F;
+constexpr float kAlike = 0.4F;      // of the steeper slope
+constexpr float kLeastExtra = 0.5F; // at the first look
+constexpr float kSureExtra = 0.7F;
 constexpr float kMostExtra = 20;   // index steps; what jumps farther is an edge
 constexpr float kAgree = 0.35F;    // spread of the values of a line, index steps or share of the slip
 constexpr float kExplained = 0.5F; // of the deviations on a line
@@ -91,9 +92,9 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
 }
 
 // The slip that the beams of one parity tell of; 0 when there is none that explains what is seen.
-float extraStep(const std::vector<Slip>& slips, int beams) {
+float extraStep(const std::vector<Slip>& slips, int beams, float least) {
     if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
-    if (isMiddleWithin(kLeastExtra, slips)) return 0;
+    if (isMiddleWithin(least, slips)) return 0;
     const float steps = weightedMiddle(slips);
     if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
     return explained(slips, steps) < kExplained ? 0 : steps;
@@ -150,6 +151,22 @@ LineSteps straightenStalls(LineSteps& extra) {
     return ahead;
 }
 
+// What is left of a slip, by the slopes right beside it, which are what it will be weighed against.
+float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
+    std::vector<Slip> slips;
+    for (int j = parity; j < inverse.u.beams; j += 2) {
+        bool solid = true;
+        for (int i = line - 1; i <= line + 2; ++i) solid = solid && isMeasured(inverse, i, j);
+        if (!solid) continue;
+        const float u = inverse.u.at(line, j);
+        const float next = inverse.u.at(line + 1, j);
+        const float slant = 0.5F * (u - inverse.u.at(line - 1, j) + inverse.u.at(line + 2, j) - next);
+        const float share = std::abs(slant) / u;
+        if (share >= kLeastSlant && share <= kMostSlant) slips.push_back({(next - u) / slant - 1, share, slant});
+    }
+    return slips.size() < kFewestCells ? otherwise : weightedMiddle(slips);
+}
+
 } // namespace
 
 LineSteps lineSlips(const InverseRange& inverse) {
@@ -160,10 +177,10 @@ LineSteps lineSlips(const InverseRange& inverse) {
     StepSlips slips;
     for (int i = kNearest; i + 1 + kNearest < lines; ++i) {
         addSteps(inverse, i, slants, slips);
-        if (extraStep(slips[0], inverse.u.beams) != 0 || extraStep(slips[1], inverse.u.beams) != 0) {
+        if (extraStep(slips[0], inverse.u.beams, kLeastExtra) != 0 || extraStep(slips[1], inverse.u.beams, kLeastExtra) != 0) {
             addStepsAgain(inverse, i, slants, slips);
             for (std::size_t parity = 0; parity < 2; ++parity) {
-                const float extra = extraStep(slips[parity], inverse.u.beams);
+                const float extra = extraStep(slips[parity], inverse.u.beams, kSureExtra);
                 steps[parity][static_cast<std::size_t>(i)] = std::abs(extra) <= kMostExtra ? extra : 0;
             }
         }
@@ -175,10 +192,10 @@ LineSteps lineSlips(const InverseRange& inverse) {
 LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
     LineSteps left = slips;
     const LineSteps ahead = straightenStalls(left);
-    const auto moved = [](const std::vector<float>& lines) {
-        return std::any_of(lines.begin(), lines.end(), [](float s) { return s != 0; });
-    };
-    if (!moved(ahead[0]) && !moved(ahead[1])) return left;
+    const bool anything = std::any_of(slips.begin(), slips.end(), [](const std::vector<float>& steps) {
+        return std::any_of(steps.begin(), steps.end(), [](float extra) { return extra != 0; });
+    });
+    if (!anything) return left;
     const InverseRange from = inverse;
     for (int i = 0; i < inverse.u.lines; ++i) {
         for (int parity = 0; parity < 2; ++parity) {
@@ -187,6 +204,12 @@ LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
             const int reach = std::min({kFarthest, i, inverse.u.lines - 1 - i});
             for (int j = parity; j < inverse.u.beams; j += 2)
                 inverse.u.at(i, j) = std::max(from.u.at(i, j) - steps * middleSlant(from, i - reach, i + reach, j), 1e-4F);
+        }
+    }
+    for (int i = 1; i + 2 < inverse.u.lines; ++i) {
+        for (int parity = 0; parity < 2; ++parity) {
+            float& extra = left[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)];
+            if (extra != 0) extra = leftOver(inverse, i, parity, extra);
         }
     }
     return left;

@@ -79,8 +79,7 @@ struct PlainVeil {
         const auto areApart = [&](float a, float b) { return std::abs(a - b) > apart * a * b; };
         const float bend = std::abs(value(-2) - 2 * value(-1) + value(0)) + std::abs(value(1) - 2 * value(0) + value(-1));
         const bool bent = bend > 0.25F * apart * value(0) * value(0);
-        return areApart(2 * value(-1) - value(-2), 2 * value(1) - value(2)) ||
-               (bent && (areApart(value(-1), value(2)) || areApart(value(-1), value(3))));
+        return areApart(2 * value(-1) - value(-2), 2 * value(1) - value(2)) || (bent && areApart(value(-1), value(2)));
     }
     [[nodiscard]] bool one(float& result) const {
         const float before = 2 * value(-1) - value(-2);
@@ -124,12 +123,9 @@ struct PlainVeil {
             }
             std::vector<float> values;
             const float rangeM = 1.0F / value(0);
-            for (int cells = 2; cells <= 3; ++cells) {
-                if (static_cast<float>(cells) * (rangeM * angle[j]) > 0.013F + 0.0046F * rangeM || !run(cells, values)) continue;
-                for (int n = 0; n < cells; ++n) out[n * step] = values[static_cast<std::size_t>(n)];
-                count += cells;
-                break;
-            }
+            if (2 * (rangeM * angle[j]) > 0.013F + 0.0046F * rangeM || !run(2, values)) continue;
+            for (int n = 0; n < 2; ++n) out[n * step] = values[static_cast<std::size_t>(n)];
+            count += 2;
         }
         return count;
     }
@@ -191,7 +187,9 @@ struct WholeSweep {
             Lines cracks = wholeSweep(inverse.u, 0.0F, -1);
             Lines cells = wholeSweep(inverse.u, 0.0F);
             Lines& link = links[static_cast<std::size_t>(along)];
-            for (int i = -1; i <= lines; ++i) crackJumps({u, solid}, along, i, slips, limits, cracks);
+            cracks.nextEmpty();
+            for (int i = 0; i < lines; ++i) crackJumps({u, solid}, along, i, anglesOf(steps, along, i, room), slips, limits, cracks);
+            cracks.nextEmpty();
             for (int i = -1; i <= lines; ++i) surfaceLinks({u, solid}, cracks, along, i, slips, link);
             for (int i = 0; i < lines; ++i) onNearerCells({u, solid}, cracks, along, i, cells);
             addMargin(link);
