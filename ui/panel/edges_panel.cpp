@@ -212,7 +212,7 @@ ParameterRow* EdgesPanel::row(const char* key) const {
 void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
     Settings settings = shown_;
     parameter.set(settings, value);
-    // Another method starts its edges at the same step in depth: its own levels mean something else.
+    // Another method keeps the step in depth: its own levels mean something else.
     if (std::strcmp(parameter.key, "method") == 0) settings.lower = lowerWithSameStep(lastGray_, settings);
     // A near that reaches far pushes it on, and the other way round: no invalid pair can be set.
     if (!checkSettings(settings)) {
