@@ -26,12 +26,13 @@ Scan randomScan(std::mt19937& random) {
     const double dropouts = std::array<double, 4>{0.0, 0.02, 0.2, 0.7}[random() % 4];
     const Scan boxes = test::boxesScan(lines, beams, random(), dropouts);
     const double slant = static_cast<double>(random() % 400) * 0.01;
-    Scan scan = test::makeScan(lines, beams, [&](int i, int j) {
+    // The spot of the beam covers three cells where they are near.
+    const double scale = std::array<double, 3>{1.0, 0.3, 0.1}[random() % 3];
+    return test::makeScan(lines, beams, [&](int i, int j) {
         const float range = boxes.rangeMm.at(i, j);
         const bool mixed = range > 0 && random() % 40 == 0;
-        return range > 0 ? range * (mixed ? 0.8 : 1.0) + slant * (30 * i + 20 * j) : 0.0;
+        return range > 0 ? scale * (range * (mixed ? 0.8 : 1.0) + slant * (30 * i + 20 * j)) : 0.0;
     });
-    return scan;
 }
 
 bool sameBits(const float* a, const float* b, int count) { return std::memcmp(a, b, static_cast<std::size_t>(count) * sizeof(float)) == 0; }
