@@ -34,11 +34,11 @@ double noiseShare(const RangeNoise& noise, double spacingMm) {
     return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
 }
 
-DepthLimits limitsOf(const InverseRange& inverse, const AngularSteps& steps, const DepthEdgeSettings& settings) {
+DepthLimits limitsOf(const DepthSurface& surface, const DepthEdgeSettings& settings) {
     DepthLimits limits;
     const double typed = settings.noiseAt5mMm;
-    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : rangeNoise(inverse);
-    const double q = noiseShare(limits.noise, pointSpacingMm(inverse, steps));
+    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
+    const double q = noiseShare(limits.noise, surface.spacingMm);
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
     limits.growth = static_cast<float>(settings.jumpGrowth);
     limits.grazing = static_cast<float>(settings.grazing);
@@ -48,6 +48,7 @@ DepthLimits limitsOf(const InverseRange& inverse, const AngularSteps& steps, con
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;
     limits.passes = limits.noisy ? 2 : 1;
+    if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     return limits;
 }
 
@@ -140,29 +141,38 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 } // namespace
 
-DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
-    InverseRange inverse = inverseRange(scan);
-    const SweepSlips slips = settings.straighten ? straighten(inverse) : noSlips(inverse.u.lines);
-    const AngularSteps steps = angularSteps(scan);
-    DepthLimits limits = limitsOf(inverse, steps, settings);
-    if (slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
-    auto jumps = roomFor<float>(scan.cells());
-    auto folds = roomFor<float>(scan.cells());
-    SurfaceLines surface(inverse, steps, slips, limits);
-    while (folds.size() < scan.cells()) {
-        surface.advance();
+DepthSurface depthSurface(const Scan& scan, bool straightened) {
+    DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0};
+    surface.slips = straightened ? straighten(surface.inverse) : noSlips(scan.lines());
+    surface.noise = rangeNoise(surface.inverse);
+    surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
+    return surface;
+}
+
+DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings) {
+    const DepthLimits limits = limitsOf(surface, settings);
+    const Grid<Support>& support = surface.inverse.support;
+    auto jumps = roomFor<float>(support.size());
+    auto folds = roomFor<float>(support.size());
+    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits);
+    while (folds.size() < support.size()) {
+        lines.advance();
         // A line behind: the lines on both sides are looked at.
-        suppress(surface.jumps(Along::Beams), surface.jumps(Along::Lines), surface.jumpLine() - 1, inverse.support, false, jumps);
-        suppress(surface.folds(Along::Beams), surface.folds(Along::Lines), surface.foldLine() - 1, inverse.support, true, folds);
+        suppress(lines.jumps(Along::Beams), lines.jumps(Along::Lines), lines.jumpLine() - 1, support, false, jumps);
+        suppress(lines.folds(Along::Beams), lines.folds(Along::Lines), lines.foldLine() - 1, support, true, folds);
     }
     DepthResponses result;
-    result.jump = Grid<float>(scan.lines(), scan.beams(), std::move(jumps));
-    result.crease = Grid<float>(scan.lines(), scan.beams(), std::move(folds));
-    goRoundGaps(inverse, result.jump, result.crease);
+    result.jump = Grid<float>(support.lines, support.beams, std::move(jumps));
+    result.crease = Grid<float>(support.lines, support.beams, std::move(folds));
+    goRoundGaps(surface.inverse, result.jump, result.crease);
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
-    result.border = borderCells(inverse.support);
+    result.border = borderCells(support);
     return result;
+}
+
+DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
+    return depthResponses(depthSurface(scan, settings.straighten), settings);
 }
 
 DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {

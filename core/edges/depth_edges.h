@@ -1,6 +1,7 @@
 // EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (METHOD.md, "EdgeScan+").
 #pragma once
 
+#include "core/edges/interlace.h"
 #include "core/edges/inverse_range.h"
 
 namespace edgescan {
@@ -43,6 +44,20 @@ struct DepthEdges {
     RangeNoise noise;        ///< used
 };
 
+/// The sweep itself, cleaned and measured: steps 1 and 6. Holds whatever the sliders say, but for `straighten`.
+struct DepthSurface {
+    InverseRange inverse;
+    SweepSlips slips;
+    AngularSteps steps;
+    RangeNoise noise;
+    double spacingMm = 0;
+};
+[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten);
+
+/// Steps 2 to 5.
+[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);
+
+/// From the scan on.
 [[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);
 
 /// Step 7: classes, hysteresis and minimum length.

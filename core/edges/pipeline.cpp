@@ -88,8 +88,10 @@ void Pipeline::runLogRange(Frame& frame) {
 // What was measured holds while only the decision is turned.
 void Pipeline::runDepth(Frame& frame) {
     const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
+    if (!surface_ || measuredWith_.straighten != frame.settings.straighten)
+        redo(frame, "surface", surface_, [&] { return depthSurface(*frame.scan, settings.straighten); });
     if (!responses_ || !sameResponses(measuredWith_, frame.settings))
-        redo(frame, "jumps and creases", responses_, [&] { return depthResponses(*frame.scan, settings); });
+        redo(frame, "jumps and creases", responses_, [&] { return depthResponses(*surface_, settings); });
     measuredWith_ = frame.settings;
     const auto start = Clock::now();
     DepthEdges found = decideDepthEdges(*responses_, settings);
@@ -120,6 +122,7 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
     if (!sameScan) {
         missing_.reset();
         isolated_.reset();
+        surface_.reset();
         responses_.reset();
     }
     // The gray image is what the edges are seen on, whatever the method.

@@ -25,9 +25,10 @@ private:
     std::shared_ptr<const Frame> last_;
     std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
     std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
-    std::shared_ptr<const DepthResponses> responses_;    // of the scan of last_, null until wanted
-    Settings measuredWith_;
-    std::shared_ptr<const ThresholdMap> thresholds_; // of last_, while nothing but its threshold is turned; else null
+    std::shared_ptr<const DepthSurface> surface_;        // of the scan of last_, null until wanted
+    std::shared_ptr<const DepthResponses> responses_;    // the same
+    Settings measuredWith_;                              // both
+    std::shared_ptr<const ThresholdMap> thresholds_;     // of last_, while nothing but its threshold is turned; else null
 };
 
 /// One run from nothing.

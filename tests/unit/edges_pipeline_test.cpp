@@ -108,7 +108,13 @@ TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
     EXPECT_EQ(second->responses, first->responses);
     EXPECT_NE(second->edges->size(), first->edges->size());
     settings.creaseDeg = 60;
-    EXPECT_NE(pipeline.run(scan, settings)->responses, first->responses);
+    const auto third = pipeline.run(scan, settings);
+    EXPECT_NE(third->responses, first->responses);
+    // The sweep is cleaned and its noise measured once.
+    EXPECT_EQ(std::ranges::count(first->timings, "surface", &StageTime::stage), 1);
+    EXPECT_EQ(std::ranges::count(third->timings, "surface", &StageTime::stage), 0);
+    settings.straighten = !settings.straighten;
+    EXPECT_EQ(std::ranges::count(pipeline.run(scan, settings)->timings, "surface", &StageTime::stage), 1);
 }
 
 TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
