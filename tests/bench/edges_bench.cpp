@@ -1,0 +1,88 @@
+// What EdgeScan+ costs beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
+// build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
+#include "core/edges/canny.h"
+#include "core/edges/depth_edges.h"
+#include "core/edges/gray.h"
+#include "core/edges/presets.h"
+#include "core/edges/smooth.h"
+#include "core/files/open_scan.h"
+#include "core/sim/simulate.h"
+
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace edgescan;
+
+namespace {
+
+double threadMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+struct Stage {
+    std::string name;
+    std::function<void()> run;
+    std::vector<double> ms{};
+
+    [[nodiscard]] double median() const {
+        std::vector<double> sorted = ms;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[sorted.size() / 2];
+    }
+};
+
+Scan scanOf(int argc, char** argv) {
+    auto scan = argc > 1 ? openScan(argv[1]) : Result<Scan>(Scan{});
+    if (argc <= 1) {
+        auto simulated = simulate(SimulationSettings{});
+        if (simulated)
+            scan = std::move(simulated->scan);
+        else
+            scan = simulated.error();
+    }
+    if (scan) return *std::move(scan);
+    std::fprintf(stderr, "edgescan_edges_bench: %s\n", scan.error().sentence().c_str());
+    std::exit(1);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    cv::setNumThreads(0);
+    const Scan scan = scanOf(argc, argv);
+    const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 15;
+    const Settings thesis = findPreset("thesis")->settings;
+    const DepthEdgeSettings depth;
+    InverseRange inverse = inverseRange(scan);
+    const DepthSurface surface = depthSurface(scan, true);
+    const DepthResponses responses = depthResponses(surface, depth);
+    std::vector<Stage> stages{
+        {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
+        {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(scan, depth); }},
+        {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
+        {"  slips of beams and lines", [&] { (void)straighten(inverse); }},
+        {"  noise", [&] { (void)rangeNoise(surface.inverse); }},
+        {"  mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth); }},
+        {"EdgeScan+ decision", [&] { (void)decideDepthEdges(responses, depth); }},
+    };
+    for (int round = 0; round < rounds; ++round) {
+        for (Stage& stage : stages) {
+            const double start = threadMs();
+            stage.run();
+            stage.ms.push_back(threadMs() - start);
+        }
+    }
+    std::printf("%d lines x %d beams, medians of %d rounds\n", scan.lines(), scan.beams(), rounds);
+    for (const Stage& stage : stages)
+        std::printf("%-42s %8.2f ms %7.2f x thesis\n", stage.name.c_str(), stage.median(), stage.median() / stages.front().median());
+    return 0;
+}
