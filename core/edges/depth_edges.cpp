@@ -34,24 +34,6 @@ double noiseShare(const RangeNoise& noise, double spacingMm) {
     return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
 }
 
-DepthLimits limitsOf(const DepthSurface& surface, const DepthEdgeSettings& settings) {
-    DepthLimits limits;
-    const double typed = settings.noiseAt5mMm;
-    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
-    const double q = noiseShare(limits.noise, surface.spacingMm);
-    limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
-    limits.growth = static_cast<float>(settings.jumpGrowth);
-    limits.grazing = static_cast<float>(settings.grazing);
-    limits.misfitMm = static_cast<float>(kMisfitMm * q);
-    limits.reliefMm = static_cast<float>(kReliefMm * q);
-    limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
-    limits.creaseDeg = static_cast<float>(settings.creaseDeg);
-    limits.noisy = q > kNoisy;
-    limits.passes = limits.noisy ? 2 : 1;
-    if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
-    return limits;
-}
-
 // Two responses at a cell as one: the stronger alone, or both together where they fold alike; a fold that runs askew shows only part of
 // itself in each way.
 float together(float stronger, float weaker, bool both) {
@@ -149,8 +131,26 @@ DepthSurface depthSurface(const Scan& scan, bool straightened) {
     return surface;
 }
 
+DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings) {
+    DepthLimits limits;
+    const double typed = settings.noiseAt5mMm;
+    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
+    const double q = noiseShare(limits.noise, surface.spacingMm);
+    limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
+    limits.growth = static_cast<float>(settings.jumpGrowth);
+    limits.grazing = static_cast<float>(settings.grazing);
+    limits.misfitMm = static_cast<float>(kMisfitMm * q);
+    limits.reliefMm = static_cast<float>(kReliefMm * q);
+    limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
+    limits.creaseDeg = static_cast<float>(settings.creaseDeg);
+    limits.noisy = q > kNoisy;
+    limits.passes = limits.noisy ? 2 : 1;
+    if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
+    return limits;
+}
+
 DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings) {
-    const DepthLimits limits = limitsOf(surface, settings);
+    const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
     auto jumps = roomFor<float>(support.size());
     auto folds = roomFor<float>(support.size());

@@ -1,6 +1,7 @@
 // EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (METHOD.md, "EdgeScan+").
 #pragma once
 
+#include "core/edges/depth_field.h"
 #include "core/edges/interlace.h"
 #include "core/edges/inverse_range.h"
 
@@ -53,6 +54,9 @@ struct DepthSurface {
     double spacingMm = 0;
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten);
+
+/// Thresholds of the stages under these settings.
+[[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
 
 /// Steps 2 to 5.
 [[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);

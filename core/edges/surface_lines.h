@@ -24,6 +24,12 @@ public:
     /// ... and S_C. Both have lines of 0 after the last one of the sweep.
     [[nodiscard]] const Lines& folds(Along along) const { return along == Along::Beams ? folds_.alongBeams : folds_.alongLines; }
 
+    /// u of the newest lines of jumps, mixed pixels snapped, and where it is solid.
+    [[nodiscard]] DepthField surface() const { return {snapped_, solid_}; }
+    /// u of the newest line of folds and those around it, smoothed, and where neighbours are linked.
+    [[nodiscard]] const Lines& smoothed() const { return passes_.back().lines; }
+    [[nodiscard]] const Lines& links(Along along) const { return along == Along::Beams ? linkBeams_ : linkLines_; }
+
     /// The newest line there is; negative before the first.
     [[nodiscard]] int jumpLine() const { return crackLine_; }
     [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldLooks; }

@@ -151,10 +151,9 @@ ThresholdMap cannyThresholdMap(const Gradient& gradient, const Settings& setting
 }
 
 ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
-    const double perEFold = logRangeGradientOfStep(100.0 * (std::exp(1.0) - 1.0), settings);
     ThresholdMap map = mapOf(logRangeGradient(scan, settings), settings,
                              {[&](double percent) { return logRangeGradientOfStep(percent, settings); },
-                              [&](double gradient) { return 100.0 * std::expm1(gradient / perEFold); }});
+                              [&](double gradient) { return logRangeStepOfGradient(gradient, settings); }});
     const Grid<std::uint8_t> without = withoutOwnRange(scan);
     for (std::size_t k = 0; k < without.size(); ++k) {
         if (without[k] != 0) map.highest[k] = kNever;

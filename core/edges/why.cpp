@@ -4,15 +4,14 @@
 #include "core/edges/canny.h"
 #include "core/edges/depth_settings.h"
 #include "core/edges/detectors/detector.h"
+#include "core/edges/detectors/gradient_masks.h"
 #include "core/edges/detectors/log_range.h"
 #include "core/edges/frame_thresholds.h"
 #include "core/edges/holes.h"
 #include "core/edges/parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -20,14 +19,6 @@ namespace edgescan {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), std::abs(value) < 10 ? "%.2f" : "%.1f", value);
-    return text.data();
-}
-
-std::string cellName(const CellStrength& cell) { return "line " + std::to_string(cell.line) + ", beam " + std::to_string(cell.beam); }
 
 // A value of the table's precision at which the cell still is an edge: rounded down.
 double roundedDown(double value, const Parameter& parameter) {
@@ -61,6 +52,10 @@ void followChain(Why& why, const Grid<float>& strength) {
         }
     }
     why.chainCells = waiting.size();
+    const auto weaker = [&](std::uint32_t a, std::uint32_t b) { return strength[a] != strength[b] ? strength[a] < strength[b] : a > b; };
+    why.chainTop = described(*std::ranges::max_element(waiting, weaker));
+    why.chainMembers = waiting;
+    std::ranges::sort(why.chainMembers);
     if (strong == kNone) return;
     for (std::uint32_t k = strong;; k = from[k]) {
         why.chain.push_back(described(k));
@@ -112,7 +107,12 @@ void judgeResponse(Why& why, const Frame& frame) {
     const Settings& settings = frame.settings;
     const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
     const Grid<std::uint8_t>& levels = frame.smoothed ? *frame.smoothed : frame.gray->levels;
-    why.strength = detectorResponse(settings.method, levels, masked.size() > 0 ? &masked : nullptr, settings)[why.probe.cell];
+    const Grid<std::uint8_t>* missing = masked.size() > 0 ? &masked : nullptr;
+    why.strength = detectorResponse(settings.method, levels, missing, settings)[why.probe.cell];
+    const MaskDirection direction = maskDirection(settings.method, levels, missing, why.probe.line, why.probe.beam);
+    why.alongBeams = direction.alongBeams;
+    why.alongLines = direction.alongLines;
+    why.directionDeg = direction.deg;
     why.lower = why.upper = settings.lower;
     why.standing = standingOf(why.strength, why);
 }
@@ -120,54 +120,44 @@ void judgeResponse(Why& why, const Frame& frame) {
 // EdgeScan+ and its parts. Returns the suppressed strengths.
 Grid<float> judgeDepth(Why& why, const Frame& frame) {
     const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
-    DepthEdges found = frame.responses ? decideDepthEdges(*frame.responses, settings) : depthEdges(*frame.scan, settings);
+    const DepthResponses own = frame.responses ? DepthResponses{} : depthResponses(*frame.scan, settings);
+    const DepthResponses& responses = frame.responses ? *frame.responses : own;
+    DepthEdges found = decideDepthEdges(responses, settings);
+    const std::size_t k = why.probe.cell;
     why.upper = settings.sensitivity;
     why.lower = settings.sensitivity * settings.hysteresisLow;
-    why.strength = found.strength[why.probe.cell];
-    if (why.strength > 0) return std::move(found.strength);
-    // Nothing of its own: the strongest neighbour may have taken the edge.
-    for (int i = why.probe.line - 1; i <= why.probe.line + 1; ++i) {
-        for (int j = why.probe.beam - 1; j <= why.probe.beam + 1; ++j) {
-            if (!found.strength.contains(i, j) || found.strength.at(i, j) <= why.lower) continue;
-            if (!why.suppressedBy || found.strength.at(i, j) > why.suppressedBy->strength)
-                why.suppressedBy = CellStrength{i, j, found.strength.at(i, j)};
-        }
-    }
+    why.depth = probeDepth(*frame.scan, settings, why.probe.line, why.probe.beam);
+    const ThinnedStrength& jump = why.depth->jump;
+    const ThinnedStrength& crease = why.depth->crease;
+    // What is left of either decides; else what was there before a neighbour took it.
+    const float kept = found.strength[k];
+    const float fold = kept > 0 ? responses.crease[k] : crease.before;
+    const bool foldCounts = fold > 0 ? settings.convex : settings.concave;
+    const float jumpNow = kept > 0 ? responses.jump[k] : jump.before;
+    const float jumpSize = settings.jumps ? jumpNow : 0.0F;
+    const float foldSize = foldCounts ? std::abs(fold) : 0.0F;
+    const bool isJump = jumpSize >= foldSize;
+    const float size = std::max(jumpSize, foldSize);
+    why.strength = static_cast<double>(size);
+    if (size > 0) why.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
+    if (kept > 0)
+        why.roundGap = isJump ? jump.kept != responses.jump[k] : crease.kept != responses.crease[k];
+    else if (size > 0)
+        why.suppressedBy = isJump ? jump.stronger : crease.stronger;
     return std::move(found.strength);
 }
 
-std::string reason(const Why& why, const Settings& settings) {
-    const std::string strength = "its strength " + number(why.strength);
-    if (!why.takesPart) return why.probe.state == CellState::Valid ? "it stands alone and takes no part" : "it has no range";
-    const bool oneThreshold = hasOneThreshold(settings.method);
-    if (why.probe.edge && oneThreshold) return strength + " is above the threshold " + number(why.upper);
-    if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
-    if (why.probe.edge && why.standing == Standing::Above) return strength + " is above the upper threshold " + number(why.upper);
-    if (why.probe.edge && why.chain.size() > 1)
-        return strength + " is above the lower threshold, and " + std::to_string(why.chain.size() - 1) + " cells on, at " +
-               cellName(why.chain.back()) + ", its chain reaches " + number(why.chain.back().strength);
-    if (why.probe.edge) return strength + " is enough where it continues its chain";
-    const bool lost = why.suppressedBy && (why.strength > why.lower || why.strength == 0);
-    if (lost)
-        return cellName(*why.suppressedBy) + " beside it is " + (why.suppressedBy->strength > why.strength ? "stronger (" : "as strong (") +
-               number(why.suppressedBy->strength) + "), and an edge is one cell wide";
-    if (why.standing == Standing::Below) {
-        const std::string text = strength + (why.strength < why.lower ? " is below the " : " is no more than the ") +
-                                 (oneThreshold ? "" : "lower ") + "threshold " + number(why.lower);
-        return why.suppressedBy ? text + ", and " + cellName(*why.suppressedBy) + " beside it is stronger" : text;
+// From gradients of the logarithm to steps in percent of the range, which is what the threshold is in.
+void tellInPercent(Why& why, const Settings& settings) {
+    const auto percent = [&](double gradient) { return std::copysign(logRangeStepOfGradient(std::abs(gradient), settings), gradient); };
+    for (double* value : {&why.strength, &why.lower, &why.upper}) *value = percent(*value);
+    for (std::optional<double>* value : {&why.alongBeams, &why.alongLines}) {
+        if (*value) *value = percent(**value);
     }
-    if (why.chain.empty())
-        return strength + " is between the thresholds, and no chain of such cells leads to one above " + number(why.upper);
-    return "its chain has " + std::to_string(why.chainCells) + (why.chainCells == 1 ? " cell" : " cells") +
-           ", fewer than the minimum length " + std::to_string(settings.minimumLength);
-}
-
-std::string verdictOf(const Why& why, const Settings& settings) {
-    const Parameter& parameter = *findParameter(why.parameter);
-    std::string text = (why.probe.edge ? "Edge: " : "No edge: ") + reason(why, settings) + "; ";
-    if (!why.appearsAt) return text + "no value of " + parameter.key + " makes it one.";
-    const std::string limit = std::string(parameter.key) + " <= " + formatValue(parameter, *why.appearsAt);
-    return text + (why.probe.edge ? "stays one at " : "would appear at ") + limit + ".";
+    for (std::optional<CellStrength>* cell : {&why.suppressedBy, &why.chainTop}) {
+        if (*cell) (*cell)->strength = percent((*cell)->strength);
+    }
+    for (CellStrength& cell : why.chain) cell.strength = percent(cell.strength);
 }
 
 } // namespace
@@ -177,6 +167,7 @@ Why whyCell(const Frame& frame, std::size_t k) {
     Why why;
     why.probe = probeCell(frame, k);
     why.parameter = sweptParameter(settings.method);
+    why.unit = findParameter(why.parameter)->unit;
     const bool gray = settings.method == Method::Canny || hasOneThreshold(settings.method);
     if (gray) {
         const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
@@ -192,6 +183,7 @@ Why whyCell(const Frame& frame, std::size_t k) {
         const Grid<float> strength = gradient ? judgeGradient(why, frame) : judgeDepth(why, frame);
         why.standing = standingOf(strength[k], why);
         followChain(why, strength);
+        if (settings.method == Method::LogRange) tellInPercent(why, settings);
     }
     const double highest = thresholdMapOf(frame).highest[k];
     const Parameter& parameter = *findParameter(why.parameter);
@@ -199,23 +191,8 @@ Why whyCell(const Frame& frame, std::size_t k) {
         const double limited = std::min(roundedDown(highest, parameter), parameter.maximum);
         if (limited >= parameter.minimum) why.appearsAt = limited;
     }
-    why.verdict = verdictOf(why, settings);
+    why.verdict = whyVerdict(why, settings, Naming::Keys);
     return why;
-}
-
-std::string whyText(const Why& why, const Settings& settings) {
-    std::string text = "line " + std::to_string(why.probe.line) + ", beam " + std::to_string(why.probe.beam) + ": ";
-    text += why.probe.state == CellState::Valid ? "range " + number(why.probe.rangeMm / 1000) + " m"
-                                                : std::string(cellStateName(why.probe.state));
-    text += ", gray " + std::to_string(why.probe.gray);
-    if (why.smoothed) text += ", smoothed " + std::to_string(static_cast<int>(*why.smoothed));
-    text += "\n" + choiceLabel(*findParameter("method"), settings) + ": strength " + number(why.strength);
-    if (why.directionDeg) {
-        text += " (along beams " + number(*why.alongBeams) + ", along lines " + number(*why.alongLines) + ", direction " +
-                number(*why.directionDeg) + " degrees)";
-    }
-    text += why.lower == why.upper ? ", threshold " + number(why.upper) : ", thresholds " + number(why.lower) + " and " + number(why.upper);
-    return text + "\n" + why.verdict;
 }
 
 } // namespace edgescan

@@ -5,6 +5,10 @@
 #include "core/edges/parameters.h"
 #include "core/edges/step_meaning.h"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace edgescan {
 namespace {
 
@@ -15,6 +19,64 @@ json cellReport(const CellStrength& cell) { return {{"line", cell.line}, {"beam"
 const char* standingName(Standing standing) {
     static constexpr const char* kNames[]{"below", "between", "above"};
     return kNames[static_cast<std::size_t>(standing)];
+}
+
+const char* alongName(Along along) { return along == Along::Beams ? "beams" : "lines"; }
+
+json stepReport(const DepthStepAtCell& step) {
+    return {
+        {"along", alongName(step.along)},
+        {"line", step.line},
+        {"beam", step.beam},
+        {"this_cell_is_nearer", step.cellIsNearer},
+        {"step_mm", step.stepMm},
+        {"limit_mm", step.limitMm()},
+        {"limit_parts_mm", {{"jump", step.smallestMm}, {"growth", step.growthMm}, {"grazing", step.grazingMm}, {"relief", step.reliefMm}}},
+        {"strength", step.strength}};
+}
+
+json foldReport(const FoldAtCell& fold, double creaseDeg) {
+    return {{"along", alongName(fold.along)},
+            {"dihedral_deg", fold.dihedralDeg},
+            {"class", fold.convex ? "convex" : "concave"},
+            {"limit_deg", std::max(fold.noiseDeg, creaseDeg)},
+            {"limit_parts_deg", {{"crease", creaseDeg}, {"noise", fold.noiseDeg}}},
+            {"counts", fold.meets},
+            {"strength", fold.strength}};
+}
+
+json thinnedReport(const ThinnedStrength& thinned) {
+    return {{"strength", std::abs(thinned.before)},
+            {"kept", thinned.kept != 0},
+            {"suppressed_by", thinned.stronger ? cellReport(*thinned.stronger) : json(nullptr)}};
+}
+
+const char* supportName(Support support) {
+    static constexpr const char* kNames[]{"void", "measured", "filled"};
+    return kNames[static_cast<std::size_t>(support)];
+}
+
+json depthReport(const DepthProbe& depth) {
+    json report{{"support", supportName(depth.support)},
+                {"mixed_pixel_taken_at_mm", depth.snappedMm ? json(*depth.snappedMm) : json(nullptr)},
+                {"noise_mm", depth.noiseMm},
+                {"noise_mm_at_5_m", depth.noiseAt5mMm},
+                {"interlaced", depth.interlaced}};
+    report["steps"] = json::array();
+    for (const DepthStepAtCell& step : depth.steps) report["steps"].push_back(stepReport(step));
+    report["folds"] = json::array();
+    for (const FoldAtCell& fold : depth.folds) report["folds"].push_back(foldReport(fold, depth.creaseDeg));
+    report["jump"] = thinnedReport(depth.jump);
+    report["crease"] = thinnedReport(depth.crease);
+    return report;
+}
+
+// The text for a person, one sentence or two per line.
+json linesOf(const std::string& text) {
+    json lines = json::array();
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
 }
 
 } // namespace
@@ -39,6 +101,11 @@ nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
                               {"along_lines", *why.alongLines},
                               {"direction_deg", why.directionDeg ? json(*why.directionDeg) : json(nullptr)}};
     }
+    if (!why.alongBeams && why.directionDeg) report["gradient"] = {{"direction_deg", *why.directionDeg}};
+    report["measured"] = why.depth ? depthReport(*why.depth) : json(nullptr);
+    report["response_class"] = why.kind != DepthEdge::None ? json(edgeClassName(why.kind)) : json(nullptr);
+    report["round_gap"] = why.roundGap;
+    report["unit"] = why.unit;
     report["strength"] = why.strength;
     report["thresholds"] = {{"lower", why.lower}, {"upper", why.upper}};
     const std::string meaning = thresholdText(frame.settings, frame.gray->scale);
@@ -48,8 +115,10 @@ nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
     report["chain"] = json::array();
     for (const CellStrength& cell : why.chain) report["chain"].push_back(cellReport(cell));
     report["chain_cells"] = why.chainCells;
+    report["chain_strongest"] = why.chainTop ? cellReport(*why.chainTop) : json(nullptr);
     report["appears_at"] = why.appearsAt ? json{{why.parameter, *why.appearsAt}} : json(nullptr);
     report["verdict"] = why.verdict;
+    report["text"] = linesOf(whyText(why, frame.settings));
     return report;
 }
 

@@ -5,6 +5,7 @@
 #include "core/edges/settings.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace edgescan {
 
@@ -25,5 +26,16 @@ namespace edgescan {
 
 /// Robinson (1977): the strongest of eight masks, -1 0 1 / -2 0 2 / -1 0 1 turned by 45 degrees each.
 [[nodiscard]] Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing);
+
+/// Which way the levels rise at a cell.
+struct MaskDirection {
+    std::optional<double> alongBeams; ///< components where the detector has them, in the units of the response; both, or none
+    std::optional<double> alongLines;
+    std::optional<double> deg; ///< 0 along increasing beams, 90 along increasing lines; empty where the levels are even
+};
+/// For the strongest mask of Kirsch and Robinson a multiple of 45 degrees; nothing for Marr-Hildreth and Log, whose zero crossings have no
+/// direction, nor where the cell is missing.
+[[nodiscard]] MaskDirection maskDirection(Method method, const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, int line,
+                                          int beam);
 
 } // namespace edgescan

@@ -138,6 +138,11 @@ double logRangeGradientOfStep(double percent, const Settings& settings) {
     return 4.0 * kGradientPerEFold * largest / positive * std::log1p(percent / 100.0);
 }
 
+double logRangeStepOfGradient(double gradient, const Settings& settings) {
+    const double perEFold = logRangeGradientOfStep(100.0 * std::expm1(1.0), settings);
+    return 100.0 * std::expm1(gradient / perEFold);
+}
+
 Grid<std::uint8_t> logRangeEdges(const Scan& scan, const Settings& settings) {
     const double lower = logRangeGradientOfStep(settings.stepPercent, settings);
     Grid<std::uint8_t> mask = cannyOfGradient(logRangeGradient(scan, settings), lower, settings.ratio * lower, settings.norm);

@@ -15,6 +15,9 @@ namespace edgescan {
 /// Gradient in these numbers of a straight step (parallel to lines or beams) of `percent` of the nearer range.
 [[nodiscard]] double logRangeGradientOfStep(double percent, const Settings& settings);
 
+/// And back: the straight step, in percent of the nearer range, that has this gradient.
+[[nodiscard]] double logRangeStepOfGradient(double gradient, const Settings& settings);
+
 /// 255 = edge, lines x beams; a straight step of settings.stepPercent is a weak edge, of `ratio` times its gradient a strong one. Filled
 /// cells are no edges.
 [[nodiscard]] Grid<std::uint8_t> logRangeEdges(const Scan& scan, const Settings& settings);
