@@ -116,7 +116,10 @@ Result<Scan> readWhole(const Source& source) {
     auto scan = readByContent(source);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
-    if (source.options->straighten) *scan = straightened(std::move(*scan));
+    if (source.options->straighten)
+        *scan = straightened(std::move(*scan));
+    else if (auto warning = displacementWarning(*scan))
+        scan->warnings.push_back(std::move(*warning));
     if (!source.text().starts_with(kMcapMagic)) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }

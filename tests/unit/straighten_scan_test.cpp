@@ -38,6 +38,44 @@ TEST(Straighten, InterlacedBeamsGetTheirSkew) {
     }
 }
 
+TEST(Straighten, WhatIsDisplacedIsToldAndTellsNoMoreOnceItIsStraight) {
+    SimulationSettings settings = smallBell();
+    settings.interlaceDeg = -0.36;
+    const Scan nominal = simulate(settings)->scan;
+    const std::optional<std::string> told = displacementWarning(nominal);
+    ASSERT_TRUE(told);
+    EXPECT_TRUE(tellsOfDisplacement(*told));
+    EXPECT_NE(told->find(" degrees behind even ones"), std::string::npos) << *told;
+    EXPECT_NE(told->find("--straighten"), std::string::npos) << *told;
+    const double degrees = std::stod(told->substr(told->find("odd beams lie ") + 14));
+    EXPECT_NEAR(degrees, 0.36, 0.08) << *told;
+    const Scan straight = straightened(nominal);
+    EXPECT_FALSE(displacementWarning(straight));
+    EXPECT_EQ(anglesOf(straightened(straight)), anglesOf(straight)); // not moved twice
+}
+
+TEST(Straighten, SlipsAreToldWithoutBeamsThatLieNowhereElse) {
+    Scan scan = test::makeScan(
+        250, 286, [](int i, int) { return std::round(2000.0 / std::cos((25 + 0.25 * (i < 180 ? i : i + 2)) * std::numbers::pi / 180)); });
+    const std::optional<std::string> told = displacementWarning(scan);
+    ASSERT_TRUE(told);
+    EXPECT_NE(told->find("the stepper slipped at 1 line (first at line 180, by up to 0.50 degrees)"), std::string::npos) << *told;
+    EXPECT_EQ(told->find("odd beams"), std::string::npos) << *told;
+    const Scan straight = straightened(scan);
+    EXPECT_EQ(straight.warnings.back(), "Straightened: the stepper slipped at 1 line (first at line 180, by up to 0.50 degrees).");
+    EXPECT_FALSE(displacementWarning(straight));
+}
+
+TEST(Straighten, StraightScenesAreToldNothing) {
+    for (const char* scene : {"hangup", "pile", "empty", "wall", "staircase"}) {
+        SimulationSettings settings = smallBell();
+        settings.scene = scene;
+        settings.dropouts = 0.1;
+        settings.lineJitterDeg = 0.03;
+        EXPECT_EQ(displacementWarning(simulate(settings)->scan).value_or(""), "") << scene;
+    }
+}
+
 TEST(Straighten, AStraightSweepStaysAsItIs) {
     const Scan nominal = simulate(smallBell())->scan;
     const Scan same = straightened(nominal);
@@ -60,7 +98,7 @@ TEST(Straighten, LinesBehindASlipAreMovedOn) {
             slipped.state.at(i, j) = scan.state.at(i + lost, j);
         }
     }
-    const PolarGeometry& after = anglesOf(straightened(slipped));
+    const PolarGeometry after = anglesOf(straightened(slipped));
     const double stepDeg = before.lineDeg[1] - before.lineDeg[0];
     EXPECT_EQ(after.lineDeg[static_cast<std::size_t>(cut) - 1], before.lineDeg[static_cast<std::size_t>(cut) - 1]);
     EXPECT_NEAR(after.lineDeg[static_cast<std::size_t>(cut)] - before.lineDeg[static_cast<std::size_t>(cut)], lost * stepDeg,
