@@ -1,6 +1,7 @@
 // edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/eval/truth_fit.h"
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
 #include "core/report/comparison_pictures.h"
@@ -91,6 +92,7 @@ Result<Done> compare(const CompareFlags& flags) {
         if (!read) return read.error();
         if (read->edges.edgeClass.lines != scan->lines() || read->edges.edgeClass.beams != scan->beams())
             return Error{"the truth is not of this scan's shape", flags.truth, "give the folder that was written with the scan"};
+        if (auto fits = checkTruthFits(*scan, *read, flags.truth); !fits) return fits.error();
         truth = std::move(*read);
     }
     ComparisonSettings settings = flags.settings;

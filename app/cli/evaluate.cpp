@@ -5,6 +5,7 @@
 #include "core/edges/parameters.h"
 #include "core/edges/pipeline.h"
 #include "core/eval/evaluation.h"
+#include "core/eval/truth_fit.h"
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Evaluate {
-    std::vector<std::string> files, truths;
+    std::vector<std::string> files, truths, ranges;
     std::string json;
     double tolerance = 2.0;
     bool sweep = false;
@@ -58,38 +59,39 @@ std::vector<double> usualThresholds(const Parameter& parameter, double own) {
 
 /// A scan or a mask, and its truth.
 struct Case {
-    std::shared_ptr<const Scan> scan; ///< null for a mask
-    Grid<std::uint8_t> mask;
+    std::shared_ptr<const Scan> scan; ///< null for a mask without ranges
+    Grid<std::uint8_t> mask;          ///< empty for a scan
     TruthSet truth;
 };
 
 bool isMask(const std::string& file) { return fs::path(file).extension() == ".png"; }
+
+Result<Done> checkShape(const std::string& file, int lines, int beams, const Grid<std::uint8_t>& wanted) {
+    if (lines == wanted.lines && beams == wanted.beams) return Done{};
+    return Error{"it has " + std::to_string(lines) + " x " + std::to_string(beams) + " cells and its truth " +
+                     std::to_string(wanted.lines) + " x " + std::to_string(wanted.beams),
+                 file, "give each file the truth that was written with it"};
+}
 
 Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     Case one;
     Result<TruthSet> truth = readTruth(evaluate.truths[n]);
     if (!truth) return truth.error();
     one.truth = std::move(*truth);
-    int lines = 0;
-    int beams = 0;
+    const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
     if (isMask(evaluate.files[n])) {
         auto mask = readPng8(evaluate.files[n]);
         if (!mask) return mask.error();
+        if (auto fits = checkShape(evaluate.files[n], mask->lines, mask->beams, wanted); !fits) return fits.error();
         one.mask = std::move(*mask);
-        lines = one.mask.lines;
-        beams = one.mask.beams;
-    } else {
-        Result<Scan> scan = openScan(evaluate.files[n], openOptions(evaluate.read));
-        if (!scan) return scan.error();
-        lines = scan->lines();
-        beams = scan->beams();
-        one.scan = std::make_shared<const Scan>(std::move(*scan));
+        if (evaluate.ranges.empty()) return one;
     }
-    const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
-    if (lines != wanted.lines || beams != wanted.beams)
-        return Error{"it has " + std::to_string(lines) + " x " + std::to_string(beams) + " cells and its truth " +
-                         std::to_string(wanted.lines) + " x " + std::to_string(wanted.beams),
-                     evaluate.files[n], "give each file the truth that was written with it"};
+    const std::string& file = evaluate.ranges.empty() ? evaluate.files[n] : evaluate.ranges[n];
+    Result<Scan> scan = openScan(file, openOptions(evaluate.read));
+    if (!scan) return scan.error();
+    if (auto fits = checkShape(file, scan->lines(), scan->beams(), wanted); !fits) return fits.error();
+    if (auto fits = checkTruthFits(*scan, one.truth, evaluate.truths[n]); !fits) return fits.error();
+    one.scan = std::make_shared<const Scan>(std::move(*scan));
     return one;
 }
 
@@ -140,8 +142,8 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
         Result<Case> one = openCase(evaluate, n);
         if (!one) return one.error();
-        if (one->scan == nullptr) {
-            fixed += evaluateMask(one->mask, one->truth, nullptr, evaluate.tolerance);
+        if (one->mask.size() > 0) {
+            fixed += evaluateMask(one->mask, one->truth, one->scan.get(), evaluate.tolerance);
             continue;
         }
         MaskMaker maker(one->scan, settings);
@@ -158,6 +160,7 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     json["tolerance"] = evaluate.tolerance;
     if (!isMask(evaluate.files.front())) json["settings"] = settingsToJson(settings);
     json["fixed"] = evaluationJson(fixed);
+    json["rocks"] = rocksJson(fixed);
     if (sweep.thresholds.empty()) return json;
     json["swept"] = swept->key;
     json["sweep"] = sweepJson(sweep);
@@ -198,6 +201,11 @@ int run(const Evaluate& evaluate) {
                   "evaluate", "give --truth once per file, in the same order"});
         return kWrongUsage;
     }
+    const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
+    if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size())) {
+        complain({"ranges belong to masks, one scan each", "--ranges", "give --ranges once per mask, in the same order, or leave it out"});
+        return kWrongUsage;
+    }
     if (evaluate.sweep && masks) {
         complain({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
         return kWrongUsage;
@@ -235,6 +243,8 @@ void addEvaluate(CLI::App& app, int& code) {
     command.add_option("FILE", evaluate->files, "Edge masks (.png, 255 = edge), or scans to run the method on; figures of all together")
         ->required();
     command.add_option("--truth", evaluate->truths, "Folder with the truth of each file, in the same order")->required();
+    command.add_option("--ranges", evaluate->ranges,
+                       "Scan that each mask was made from, in the same order: also the 3D error of its edges");
     command.add_option("--tolerance", evaluate->tolerance, "How far a detection may lie from a true edge [cells]")
         ->check(CLI::Range(0.0, 20.0))
         ->capture_default_str();

@@ -29,7 +29,7 @@ constexpr std::array<Group, 5> kGroups{{{"occluding", &EdgeScore::occluding},
                                         {"all", &EdgeScore::all},
                                         {"strict_outline", &EdgeScore::strictOutline}}};
 
-std::vector<double> shares(const EdgeMatches& matches, const TruthSet& truth) {
+std::vector<RockOutline> rockOutlines(const EdgeMatches& matches, const TruthSet& truth) {
     if (truth.object.size() == 0) return {};
     std::vector<std::size_t> cells(65536);
     std::vector<std::size_t> found(65536);
@@ -43,9 +43,9 @@ std::vector<double> shares(const EdgeMatches& matches, const TruthSet& truth) {
     for (const MatchedPair& pair : matches.outline) {
         if (counts(pair.truth)) ++found[truth.object[pair.truth]];
     }
-    std::vector<double> result;
+    std::vector<RockOutline> result;
     for (std::size_t rock = kFirstRock; rock < cells.size(); ++rock) {
-        if (cells[rock] >= kFewestOutlineCells) result.push_back(static_cast<double>(found[rock]) / static_cast<double>(cells[rock]));
+        if (cells[rock] >= kFewestOutlineCells) result.push_back({0, static_cast<int>(rock), cells[rock], found[rock]});
     }
     return result;
 }
@@ -78,10 +78,10 @@ Json countsJson(const EdgeCounts& counts) {
             {"truth", counts.truth},           {"found", counts.found},     {"false", counts.false_}};
 }
 
-double shareAbove(const std::vector<double>& values, double least) {
-    if (values.empty()) return 0.0;
-    const auto count = std::count_if(values.begin(), values.end(), [&](double v) { return v >= least; });
-    return static_cast<double>(count) / static_cast<double>(values.size());
+double shareOfRocks(const std::vector<RockOutline>& rocks, double least) {
+    if (rocks.empty()) return 0.0;
+    const auto count = std::count_if(rocks.begin(), rocks.end(), [&](const RockOutline& rock) { return rock.share() >= least; });
+    return static_cast<double>(count) / static_cast<double>(rocks.size());
 }
 
 // Area under the upper envelope of precision over recall, from the lowest recall that is reached down to 0 at that precision.
@@ -103,7 +103,10 @@ double averagePrecision(std::vector<std::pair<double, double>> recallPrecision) 
 
 Evaluation& Evaluation::operator+=(const Evaluation& other) {
     score += other.score;
-    rockShares.insert(rockShares.end(), other.rockShares.begin(), other.rockShares.end());
+    for (RockOutline rock : other.rocks) {
+        rock.scan += scans;
+        rocks.push_back(rock);
+    }
     errorsMm.insert(errorsMm.end(), other.errorsMm.begin(), other.errorsMm.end());
     pratt += other.pratt;
     scans += other.scans;
@@ -136,20 +139,28 @@ double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth) {
 
 Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const TruthSet& truth, const Scan* scan, double tolerance) {
     const EdgeMatches matches = matchWithTruth(mask, truth.edges, tolerance);
-    return {scoreMatches(matches, truth.edges), shares(matches, truth),
+    return {scoreMatches(matches, truth.edges), rockOutlines(matches, truth),
             scan != nullptr ? errorsMm(matches, truth, *scan) : std::vector<double>(), prattMerit(matches.thin, truth.edges), 1};
 }
 
 Json evaluationJson(const Evaluation& evaluation) {
     Json json;
     for (const Group& group : kGroups) json[group.name] = countsJson(evaluation.score.*group.counts);
-    json["rocks"] = {{"count", evaluation.rockShares.size()},
-                     {"at_least_80_percent", shareAbove(evaluation.rockShares, 0.8)},
-                     {"at_least_90_percent", shareAbove(evaluation.rockShares, 0.9)}};
+    json["rocks"] = {{"count", evaluation.rocks.size()},
+                     {"at_least_80_percent", shareOfRocks(evaluation.rocks, 0.8)},
+                     {"at_least_90_percent", shareOfRocks(evaluation.rocks, 0.9)}};
     if (!evaluation.errorsMm.empty())
         json["error_mm"] = {{"p50", quantile(evaluation.errorsMm, 0.50)}, {"p95", quantile(evaluation.errorsMm, 0.95)}};
     json["pratt"] = evaluation.scans == 0 ? 0.0 : evaluation.pratt / evaluation.scans;
     return json;
+}
+
+Json rocksJson(const Evaluation& evaluation) {
+    Json rocks = Json::array();
+    for (const RockOutline& rock : evaluation.rocks)
+        rocks.push_back(
+            {{"file", rock.scan}, {"object", rock.object}, {"outline_cells", rock.cells}, {"found", rock.found}, {"share", rock.share()}});
+    return rocks;
 }
 
 Json sweepJson(const ThresholdSweep& sweep) {

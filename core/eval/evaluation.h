@@ -11,10 +11,19 @@
 
 namespace edgescan {
 
+/// The outline of one rock.
+struct RockOutline {
+    int scan = 0;          ///< place of its scan among those that were added up
+    int object = 0;        ///< its number in object.png and rocks.json
+    std::size_t cells = 0; ///< scored outline cells, 10 at least
+    std::size_t found = 0; ///< of them
+    [[nodiscard]] double share() const { return static_cast<double>(found) / static_cast<double>(cells); }
+};
+
 /// What can be added over scans.
 struct Evaluation {
     EdgeScore score;
-    std::vector<double> rockShares; ///< per rock with at least 10 scored outline cells: share of them that was found
+    std::vector<RockOutline> rocks; ///< with at least 10 scored outline cells
     std::vector<double> errorsMm;   ///< per match: distance of the detection's measured 3D point to the true one; empty without a scan
     double pratt = 0.0;             ///< sum over scans of Pratt's figure of merit, each 0..1
     int scans = 0;
@@ -37,6 +46,9 @@ struct ThresholdSweep {
 
 /// "precision", "recall", "f" per group, rocks, 3D error, Pratt.
 [[nodiscard]] nlohmann::ordered_json evaluationJson(const Evaluation& evaluation);
+
+/// One entry per rock: place of its file, object number, outline cells, found ones and their share.
+[[nodiscard]] nlohmann::ordered_json rocksJson(const Evaluation& evaluation);
 
 /// Per group of classes: ODS (best F of one threshold for all scans), OIS (every scan at its own best threshold), AP (area under
 /// precision over recall, counts summed over the scans); and the whole evaluation at the ODS threshold of all edges.

@@ -84,6 +84,68 @@ TEST_F(CliEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
         EXPECT_GE(report["sweep"][group]["ods"].get<double>(), report["fixed"][group]["f"].get<double>()) << group;
 }
 
+TEST_F(CliEvaluate, TheTruthOfAnotherSceneIsRefused) {
+    const std::string other = (folder / "other.json").string();
+    const auto make = [&](const std::string& flags) {
+        const auto run = runCli("simulate -o " + other + " --lines 100 --beams 120 " + flags);
+        ASSERT_EQ(run.code, 0) << run.err;
+    };
+    for (const char* flags :
+         {"--seed 6", "--scene pile --seed 5", "--scene empty --seed 5", "--seed 5 --rocks 200", "--scene wall --distance 4"}) {
+        make(flags);
+        for (const char* command : {"evaluate ", "compare --no-peers "}) {
+            const auto run = runCli(command + other + " --truth " + truth);
+            EXPECT_EQ(run.code, 1) << flags;
+            EXPECT_NE(run.err.find("the truth is of another scene: "), std::string::npos) << flags << run.err;
+        }
+    }
+    // Whatever else was simulated of the same scene belongs to it.
+    for (const char* flags :
+         {"--noise 10", "--noise 0", "--dropouts 0.4", "--dust 0.2", "--slips 0.2", "--interlace 0.9", "--line-jitter 0.3",
+          "--profile standard --noise 3", "--status-codes 0.3", "--motor-skew 1", "--no-footprint --no-echo-loss"}) {
+        const std::string own = (folder / "own").string();
+        make(std::string("--seed 5 ") + flags + " --truth " + own);
+        const auto run = runCli("evaluate " + other + " --truth " + own);
+        EXPECT_EQ(run.code, 0) << flags << run.err;
+    }
+}
+
+TEST_F(CliEvaluate, RocksAreListedOneByOne) {
+    const json report = evaluated(scan);
+    const json& rocks = report["rocks"];
+    ASSERT_EQ(rocks.size(), report["fixed"]["rocks"]["count"]);
+    ASSERT_GT(rocks.size(), 3U);
+    std::size_t good = 0;
+    for (const json& rock : rocks) {
+        EXPECT_EQ(rock["file"], 0);
+        EXPECT_GE(rock["object"], 2);
+        EXPECT_GE(rock["outline_cells"], 10);
+        EXPECT_DOUBLE_EQ(rock["share"].get<double>(), rock["found"].get<double>() / rock["outline_cells"].get<double>());
+        good += rock["share"].get<double>() >= 0.8 ? 1 : 0;
+    }
+    EXPECT_DOUBLE_EQ(report["fixed"]["rocks"]["at_least_80_percent"].get<double>(),
+                     static_cast<double>(good) / static_cast<double>(rocks.size()));
+    // Two files: the second one's rocks say so.
+    const auto twice = runCli("evaluate " + scan + " " + scan + " --truth " + truth + " --truth " + truth + " --json -");
+    ASSERT_EQ(twice.code, 0) << twice.err;
+    const json both = json::parse(twice.out)["rocks"];
+    ASSERT_EQ(both.size(), 2 * rocks.size());
+    EXPECT_EQ(both.back()["file"], 1);
+    EXPECT_EQ(both.back()["object"], rocks.back()["object"]);
+}
+
+TEST_F(CliEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
+    const std::string mask = (folder / "edges.png").string();
+    ASSERT_EQ(runCli("detect " + scan + " --mask " + mask).code, 0);
+    EXPECT_FALSE(evaluated(mask)["fixed"].contains("error_mm"));
+    const json with = evaluated(mask, "--ranges " + scan)["fixed"];
+    const json direct = evaluated(scan)["fixed"];
+    EXPECT_EQ(with["error_mm"], direct["error_mm"]);
+    EXPECT_EQ(with["all"], direct["all"]);
+    EXPECT_EQ(runCli("evaluate " + scan + " --truth " + truth + " --ranges " + scan).code, 2);
+    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --ranges " + scan + " --ranges " + scan).code, 2);
+}
+
 TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {
     const auto twice = runCli("evaluate " + scan + " --truth " + truth + " --truth " + truth);
     EXPECT_EQ(twice.code, 2);
