@@ -83,8 +83,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::optional<Set
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::MainWindow window(memory);
     if (settings) {
-        if (const auto preset = cli::presetOf(wanted.method)) window.usePreset(*preset);
-        window.useSettings(*settings);
+        if (const auto preset = cli::presetOf(wanted.method)) window.startWith(*preset, *settings);
     }
     window.show();
     if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines);

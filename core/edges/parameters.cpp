@@ -144,6 +144,12 @@ std::string choiceNames(const Parameter& parameter) {
 std::string flag(const Parameter& parameter) { return std::string("--") + parameter.key; }
 
 Result<double> withinLimits(const Parameter& parameter, double value) {
+    // What counts cells holds no fractions.
+    Settings held;
+    parameter.set(held, value);
+    if (std::abs(value) < 1e9 && parameter.get(held) != value)
+        return Error{shortest(value) + " is not a whole number", flag(parameter),
+                     "give a whole number such as " + shortest(std::ceil(value))};
     if (value >= parameter.minimum && value <= parameter.maximum) return value;
     const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
     return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit,

@@ -15,14 +15,17 @@
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/parameter_row.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QMimeData>
+#include <QProcess>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
+#include <QToolButton>
 #include <QUndoStack>
 #include <QtTest>
 
@@ -209,6 +212,7 @@ private slots:
         // A click sticks, Esc takes it away.
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixel);
         QCOMPARE(*window.edgeView().crosshair(), marked);
+        window.notice().hide(); // Esc would close it first: the beams of the real scan are interlaced, and it says so
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!window.edgeView().crosshair().has_value());
     }
@@ -287,6 +291,89 @@ private slots:
         QCOMPARE(after.recentFiles(), QStringList(QFileInfo(QString::fromStdString(real_)).absoluteFilePath()));
         delete window;
         delete memory;
+    }
+
+    void whatTheCommandLineAskedForIsNotRemembered() {
+        const QString ini = QString::fromStdString((folder_ / "asked.ini").string());
+        Settings own;
+        own.creaseDeg = 50;
+        {
+            Memory memory(ini);
+            MainWindow window(memory);
+            window.useSettings(own);
+            memory.write();
+        }
+        const Preset thesis = *findPreset("thesis");
+        {
+            Memory memory(ini);
+            MainWindow window(memory);
+            QVERIFY(window.session().settings() == own);
+            Settings asked = thesis.settings;
+            asked.lower = 33;
+            window.startWith(thesis, asked);
+            QVERIFY(window.session().settings() == asked);
+            QCOMPARE(QString::fromStdString(window.panel().preset().name), QString("thesis"));
+            window.close();
+        }
+        {
+            Memory memory(ini);
+            MainWindow window(memory);
+            QVERIFY(window.session().settings() == own);
+            QVERIFY(window.panel().preset().name != "thesis");
+        }
+        // From the program itself, too.
+        const QString config = QString::fromStdString((folder_ / "config").string());
+        QProcess viewer;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_CONFIG_HOME", config);
+        viewer.setProcessEnvironment(environment);
+        viewer.start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan",
+                     {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
+        QVERIFY(viewer.waitForFinished(30000));
+        QCOMPARE(viewer.exitCode(), 0);
+        QVERIFY(Memory(config + "/edgescan/viewer.ini").settings(own) == own);
+    }
+
+    void beamsThatLieElsewhereAreToldAndStraightened() {
+        SimulationSettings settings;
+        settings.lines = 250;
+        settings.beams = 286;
+        settings.seed = 3;
+        settings.interlaceDeg = 0.36;
+        const std::string path = (folder_ / "interlaced.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, path)));
+        Memory memory{QString()};
+        MainWindow window(memory);
+        window.resize(1300, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.openFile(QString::fromStdString(path));
+        QVERIFY(waitForPicture(window));
+        QVERIFY2(window.notice().text().contains("degrees ahead of even ones"), qPrintable(window.notice().text()));
+        auto* straighten = window.findChild<QAction*>("straighten-beams");
+        QVERIFY(straighten != nullptr && !straighten->isChecked());
+        const auto skew = [&] { return std::get<PolarGeometry>(window.session().picture()->frame->scan->geometry).lineSkewDeg; };
+        const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
+        QVERIFY(!tilted());
+        // The button in the note does it ...
+        auto* offered = window.notice().findChild<QToolButton*>("notice-action");
+        QVERIFY(offered != nullptr && offered->isVisible());
+        QTest::mouseClick(offered, Qt::LeftButton);
+        QVERIFY(waitForPicture(window));
+        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(straighten->isChecked());
+        QVERIFY2(window.notice().text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.notice().text()));
+        // ... and the menu takes it back.
+        straighten->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
+        QVERIFY(waitForPicture(window));
+        QVERIFY(!straighten->isChecked());
+        straighten->trigger();
+        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        // Another file starts as it was recorded.
+        window.openFile(QString::fromStdString(real_));
+        QVERIFY(waitForPicture(window));
+        QVERIFY(!straighten->isChecked());
     }
 
     void exportsEqualThoseOfTheCommandLine() {

@@ -3,17 +3,20 @@
 #include "core/edges/presets.h"
 #include "core/edges/step_meaning.h"
 #include "core/files/save_scan.h"
+#include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
 #include "ui/main/main_window.h"
+#include "ui/main/notice_bar.h"
 #include "ui/main/why_card.h"
 #include "ui/panel/count_curve.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/parameter_row.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -91,6 +94,61 @@ private slots:
         QCOMPARE(window_->session().settings().lower, 22.0);
     }
 
+    void whatCannotBeReadIsToldAndTheValueStays() {
+        use(findPreset("window")->settings);
+        struct Typed {
+            const char* key;
+            const char* text;
+            const char* told;
+        };
+        const auto type = [&](const Typed& typed) {
+            QDoubleSpinBox* box = window_->panel().row(typed.key)->number();
+            const double before = box->value();
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, typed.text);
+            QTest::keyClick(box, Qt::Key_Return);
+            QVERIFY2(QTest::qWaitFor([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.told); }, 3000),
+                     qPrintable(QString(typed.text) + ": " + window_->notice().text()));
+            QCOMPARE(box->value(), before);
+            window_->notice().hide();
+        };
+        type({"lower", "abc", "Lower threshold: \"abc\" is not a number"});
+        type({"lower", "2000 m", "Lower threshold: "});
+        type({"lower", "30000", "30000 is outside 0 to 20000"});
+        type({"far", "x", "Far: \"x\" is not a number and not auto"});
+        use(Settings{});
+        type({"min-length", "2.5", "2.5 is not a whole number"});
+        type({"crease", "400", "Crease angle: 400 is outside 15 to 90 degrees"});
+        QDoubleSpinBox* box = window_->panel().row("crease")->number();
+        box->selectAll();
+        QTest::keyClicks(box, "44 degrees");
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window_->session().settings().creaseDeg, 44.0);
+        QVERIFY(!window_->notice().isVisible());
+    }
+
+    void anAutomaticValueIsShownAsItIs() {
+        SimulationSettings loud;
+        loud.lines = 150;
+        loud.beams = 200;
+        loud.noise = 12;
+        const std::string path = (folder_ / "loud.json").string();
+        QVERIFY(bool(saveScan(simulate(loud)->scan, path)));
+        use(Settings{});
+        window_->openFile(QString::fromStdString(path));
+        QVERIFY(waitForPicture());
+        QDoubleSpinBox* box = window_->panel().row("noise")->number();
+        const double measured = window_->session().picture()->frame->responses->noise.at(5.0);
+        QVERIFY(measured > 35); // beyond what can be typed
+        QVERIFY(std::abs(box->value() - measured) < 0.006);
+        QVERIFY(std::isnan(window_->session().settings().noiseMm));
+        auto* automatic = window_->panel().findChild<QCheckBox*>("auto-noise");
+        automatic->setChecked(false); // what can be typed ends at 30
+        QCOMPARE(window_->session().settings().noiseMm, 30.0);
+        QCOMPARE(box->value(), 30.0);
+    }
+
     void anotherMethodKeepsTheMeaningOfTheThreshold() {
         use(cannySettings());
         QComboBox* method = window_->panel().row("method")->choice();
@@ -141,7 +199,7 @@ private slots:
         share.method = Method::LogRange;
         share.stepPercent = 4.0;
         use(share);
-        QCOMPARE(window_->panel().findChild<QLabel*>("upper")->text(), QString("Strong from  12.0 % of range"));
+        QCOMPARE(window_->panel().findChild<QLabel*>("upper")->text(), QString("Strong from  12.5 % of range"));
     }
 
     void whyAnswersForTheCellClicked() {
@@ -157,6 +215,44 @@ private slots:
         const QString text = window_->whyCard()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
+    }
+
+    void theCardTellsWhatWasMeasuredAndFramesTheChain() {
+        use(Settings{});
+        const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
+        ImageView& view = window_->edgeView();
+        const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        QTest::keyClick(window_.get(), Qt::Key_W);
+        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+        const QString text = window_->whyCard()->text();
+        for (const char* words :
+             {"class jump", "Step in depth: ", " mm to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})
+            QVERIFY2(text.contains(words), qPrintable(text));
+        QVERIFY2(!text.contains("ensitivity"), qPrintable(text));
+        for (ImageView* each : {&window_->grayView(), &window_->edgeView()}) {
+            const EdgeTrail& trail = each->trail();
+            QVERIFY(trail.cells.size() >= 4);
+            QVERIFY(std::ranges::count(trail.cells, QPoint(static_cast<int>(cell % 160), static_cast<int>(cell / 160))) == 1);
+            QVERIFY(trail.strongest.has_value());
+            // Frames are drawn where the cells are.
+            const QImage drawn = each->grab().toImage();
+            int sky = 0;
+            for (int y = 0; y < drawn.height(); ++y) {
+                for (int x = 0; x < drawn.width(); ++x) {
+                    const QColor c = drawn.pixelColor(x, y);
+                    sky += std::abs(c.red() - 86) < 30 && std::abs(c.green() - 180) < 30 && std::abs(c.blue() - 233) < 30 ? 1 : 0;
+                }
+            }
+            QVERIFY2(sky > 40, qPrintable(QString::number(sky)));
+        }
+        if (qEnvironmentVariableIsSet("EDGESCAN_KEEP_PICTURES")) window_->grab().save("why_chain.png");
+        Settings other;
+        other.creaseDeg = 60; // another picture
+        use(other);
+        QVERIFY(window_->edgeView().trail().cells.empty());
     }
 };
 

@@ -16,6 +16,7 @@ namespace {
 constexpr double kRing = 7.0; // radius, px
 const QColor kLine(255, 255, 255, 190);
 const QColor kOutline(0, 0, 0, 170);
+const QColor kTrail(86, 180, 233); // told from edges by its frames as well
 
 // Every mark is drawn dark and wide, then light and thin: seen on black and on white.
 template <class Draw>
@@ -94,6 +95,12 @@ void ImageView::setCrosshair(std::optional<QPoint> cell) {
 void ImageView::setBox(std::optional<QRect> cells) {
     if (cells == box_) return;
     box_ = cells;
+    update();
+}
+
+void ImageView::setTrail(EdgeTrail trail) {
+    if (trail.cells.empty() && trail_.cells.empty()) return;
+    trail_ = std::move(trail);
     update();
 }
 
@@ -179,8 +186,30 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     painter.restore();
 }
 
+void ImageView::drawTrail(QPainter& painter) const {
+    const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
+    QVector<QRect> frames;
+    for (const QPoint& cell : trail_.cells) {
+        const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
+        if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false); // chains have thousands of cells
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kOutline, 3.0));
+    painter.drawRects(frames);
+    painter.setPen(QPen(kTrail, 1.0));
+    painter.drawRects(frames);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPolygonF way;
+    for (const QPoint& cell : trail_.way) way << viewPort_->toPixel(QPointF(cell) + QPointF(0.5, 0.5), size());
+    strokeTwice(painter, 1.0, Qt::SolidLine, [&] { painter.drawPolyline(way); });
+    if (trail_.strongest) drawRing(painter, viewPort_->toPixel(QPointF(*trail_.strongest) + QPointF(0.5, 0.5), size()));
+}
+
 void ImageView::drawMarks(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    if (!trail_.cells.empty()) drawTrail(painter);
     painter.setBrush(Qt::NoBrush);
     if (crosshair_) {
         const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());

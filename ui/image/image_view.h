@@ -12,10 +12,18 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QPinchGesture;
 
 namespace edgescan::ui {
+
+/// An edge chain that is pointed out. Cells as QPoint: x = beam, y = line.
+struct EdgeTrail {
+    std::vector<QPoint> cells;       ///< framed
+    std::vector<QPoint> way;         ///< from the cell asked about to the strong one that keeps it: a line
+    std::optional<QPoint> strongest; ///< ringed
+};
 
 /// GUI thread only. Cells as QPoint: x = beam, y = line.
 class ImageView : public QWidget {
@@ -40,6 +48,9 @@ public:
     void setCrosshair(std::optional<QPoint> cell);
     /// Box of cells that stays drawn (a selection); a finished Shift+drag sets it.
     void setBox(std::optional<QRect> cells);
+    /// Stays until another one, or an empty one, is set.
+    void setTrail(EdgeTrail trail);
+    [[nodiscard]] const EdgeTrail& trail() const { return trail_; }
     [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
@@ -89,6 +100,7 @@ private:
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
     void drawMarks(QPainter& painter) const;
+    void drawTrail(QPainter& painter) const;
     void drawTexts(QPainter& painter) const;
     void hover(QPointF pixel);
     void leaveHover();
@@ -102,6 +114,7 @@ private:
     double overlayOpacity_ = 1.0;
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
+    EdgeTrail trail_;
     QString title_, note_, veil_;
     QColor background_{48, 48, 48};
 

@@ -104,6 +104,7 @@ void MainWindow::buildPanel() {
     addDockWidget(Qt::RightDockWidgetArea, dock_);
     connect(panel_, &EdgesPanel::edited, this, &MainWindow::changeSettings);
     connect(panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
+    connect(panel_, &EdgesPanel::refused, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
     connect(panel_, &EdgesPanel::presetChosen, this, &MainWindow::usePreset);
     connect(panel_, &EdgesPanel::openPresetWanted, this, &MainWindow::askOpenPreset);
     connect(panel_, &EdgesPanel::savePresetWanted, this, &MainWindow::askSavePreset);
@@ -140,7 +141,7 @@ void MainWindow::connectSession() {
         sinceChange_.start();
         panel_->show(session_.settings());
         panel_->setBehind(session_.behind());
-        memory_.keepSettings(session_.settings());
+        if (!starting_) memory_.keepSettings(session_.settings());
         rememberTimer_.start();
     });
     connect(&session_, &Session::pictureReady, this, &MainWindow::showPicture);
@@ -191,6 +192,13 @@ void MainWindow::useSettings(const Settings& settings) {
     panel_->show(session_.settings());
 }
 
+void MainWindow::startWith(const Preset& preset, const Settings& settings) {
+    starting_ = true;
+    panel_->setPreset(preset);
+    useSettings(settings);
+    starting_ = false;
+}
+
 void MainWindow::openFile(const QString& path, const OpenOptions& options) { openSeries({path}, options); }
 
 void MainWindow::openSeries(const QStringList& paths, const OpenOptions& options) {
@@ -198,11 +206,26 @@ void MainWindow::openSeries(const QStringList& paths, const OpenOptions& options
     series_ = paths;
     seriesPlace_ = 0;
     openOptions_ = options;
+    straighten_->setChecked(options.straighten);
     session_.open(paths.front(), options);
+}
+
+void MainWindow::straightenBeams(bool wanted) {
+    if (openedPath_.isEmpty()) {
+        straighten_->setChecked(false);
+        notice_->showNotice(NoticeBar::Kind::Warning,
+                            tr("There is no file on the screen whose beams could be straightened: open one first."));
+        return;
+    }
+    openOptions_.straighten = wanted;
+    straighten_->setChecked(wanted);
+    session_.open(openedPath_, openOptions_);
 }
 
 void MainWindow::openDemo() {
     series_.clear();
+    openOptions_ = {};
+    straighten_->setChecked(false);
     session_.openDemo();
 }
 
@@ -304,8 +327,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         notice_->hide();
     else if (maximised_ != nullptr)
         maximise(maximised_);
-    else
+    else {
         stick(std::nullopt);
+        forgetTrail();
+    }
 }
 
 } // namespace edgescan::ui

@@ -12,9 +12,14 @@
 
 #include <optional>
 
+class QAction;
 class QMenu;
 class QSplitter;
 class QUndoStack;
+
+namespace edgescan {
+struct Why;
+}
 
 namespace edgescan::ui {
 
@@ -49,6 +54,10 @@ public:
     void setRecordingFolder(const QString& folder);
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
+    /// As the command line wants it: this start only, nothing of it is remembered until somebody changes a setting.
+    void startWith(const Preset& preset, const Settings& settings);
+    /// Opens the file on the screen again, with the angles of interlaced beams and slipped lines corrected, or as they were recorded.
+    void straightenBeams(bool wanted);
 
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] ImageView& grayView() { return *gray_; }
@@ -127,6 +136,8 @@ private:
     void connectThresholds();
     void explain(std::size_t cell);
     void explainMarked();
+    void showTrail(const Picture& picture, const Why& why);
+    void forgetTrail();
 
     // main_window_live.cpp
     void buildLive(QLayout& column);
@@ -173,6 +184,8 @@ private:
     EdgeCounts* counts_ = nullptr;
     WhyCard* why_ = nullptr;
     BackgroundJob* explaining_ = nullptr; // child
+    QAction* straighten_ = nullptr;
+    bool starting_ = false;
 
     std::shared_ptr<const Picture> shown_;
     std::optional<std::size_t> hovered_;

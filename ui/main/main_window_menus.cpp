@@ -191,6 +191,12 @@ void MainWindow::buildScanMenu() {
     addCommand(scan, tr("&Next File of Series"), {QKeySequence(Qt::Key_PageDown)}, [this] { stepInSeries(1); });
     addCommand(scan, tr("Pre&vious File of Series"), {QKeySequence(Qt::Key_PageUp)}, [this] { stepInSeries(-1); });
     addTimelineCommands(scan);
+    straighten_ = scan.addAction(tr("&Straighten Beams"));
+    straighten_->setObjectName("straighten-beams");
+    straighten_->setCheckable(true);
+    straighten_->setToolTip(
+        tr("Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped"));
+    connect(straighten_, &QAction::triggered, this, &MainWindow::straightenBeams);
     addCommand(scan, tr("&Properties…"), {}, [this] { showScanProperties(); });
 }
 

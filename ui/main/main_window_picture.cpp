@@ -1,6 +1,7 @@
 // What the window shows of a picture: images, cloud, the cell under the cursor, display levels.
 #include "ui/main/main_window.h"
 
+#include "core/edges/straighten_scan.h"
 #include "core/frames/placed_points.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
@@ -32,6 +33,7 @@ double pointSizeFor(const CloudView& view, const CloudGeometry& cloud) {
 void MainWindow::showPicture() {
     const std::shared_ptr<const Picture> last = shown_;
     shown_ = session_.picture();
+    if (shown_ != last) forgetTrail();
     const Frame& frame = *shown_->frame;
     const bool newStream = !last || last->source.stream != shown_->source.stream;
     const bool newScan = newStream || last->frame->scan != frame.scan;
@@ -90,7 +92,10 @@ void MainWindow::showNewScan() {
     for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
     for (const std::string& warning : placeWarnings(*frame.scan)) warnings << QString::fromStdString(warning);
     // Of a live scan the health strip tells.
-    if (!warnings.isEmpty() && !shown_->source.growth.growing) notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+    if (warnings.isEmpty() || shown_->source.growth.growing) return;
+    notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+    const bool crooked = std::ranges::any_of(frame.scan->warnings, tellsOfDisplacement);
+    if (crooked && !openedPath_.isEmpty()) notice_->offer(tr("Straighten beams"), [this] { straightenBeams(true); });
 }
 
 /// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.

@@ -9,6 +9,8 @@
 
 #include <QMenu>
 
+#include <memory>
+
 namespace edgescan::ui {
 
 void MainWindow::connectThresholds() {
@@ -34,10 +36,17 @@ void MainWindow::explain(std::size_t cell) {
     if (!picture || explaining_ != nullptr) return; // the answer to the last question comes first
     explaining_ = new BackgroundJob(
         [this, picture, cell](const BackgroundJob::Progress&) -> std::function<void()> {
-            const std::string text = whyText(whyCell(*picture->frame, cell), picture->frame->settings);
-            return [this, text] {
-                if (why_ == nullptr) why_ = new WhyCard(this);
-                why_->tell(QString::fromStdString(text));
+            const auto why = std::make_shared<const Why>(whyCell(*picture->frame, cell));
+            return [this, picture, why] {
+                if (why_ == nullptr) {
+                    why_ = new WhyCard(this);
+                    connect(why_, &QDialog::finished, this, &MainWindow::forgetTrail);
+                }
+                QString text = QString::fromStdString(whyText(*why, picture->frame->settings));
+                if (picture == shown_ && !why->chainMembers.empty())
+                    text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+                why_->tell(text);
+                showTrail(*picture, *why);
             };
         },
         this);
@@ -45,6 +54,21 @@ void MainWindow::explain(std::size_t cell) {
         explaining_->deleteLater();
         explaining_ = nullptr;
     });
+}
+
+// The chain of the cell that was asked about, for as long as the picture and the answer are there.
+void MainWindow::showTrail(const Picture& picture, const Why& why) {
+    EdgeTrail trail;
+    if (&picture == shown_.get()) {
+        for (const std::uint32_t k : why.chainMembers) trail.cells.push_back(*asPoint(k));
+        for (const CellStrength& cell : why.chain) trail.way.emplace_back(cell.beam, cell.line);
+        if (why.chainTop) trail.strongest = QPoint(why.chainTop->beam, why.chainTop->line);
+    }
+    for (ImageView* view : {gray_, edges_}) view->setTrail(trail);
+}
+
+void MainWindow::forgetTrail() {
+    for (ImageView* view : {gray_, edges_}) view->setTrail({});
 }
 
 void MainWindow::explainMarked() {

@@ -11,6 +11,7 @@ namespace edgescan::ui {
 
 NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_(new QLabel), action_(new QToolButton) {
     setObjectName("notice-bar");
+    action_->setObjectName("notice-action");
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(10, 4, 6, 4);
     QFont bold = sign_->font();

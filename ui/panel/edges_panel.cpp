@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace edgescan::ui {
@@ -126,6 +127,7 @@ void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
     rows_.push_back(row);
     connect(row, &ParameterRow::changed, this, [this, row](double value, bool dragging) { edit(row->parameter(), value, dragging); });
     connect(row, &ParameterRow::dragEnded, this, &EdgesPanel::editEnded);
+    connect(row, &ParameterRow::refused, this, &EdgesPanel::refused);
     connect(row, &ParameterRow::resetWanted, this, [this, row] {
         edit(row->parameter(), row->parameter().get(preset_.settings), false);
         emit editEnded();
@@ -147,14 +149,12 @@ void EdgesPanel::addMeaning(QGridLayout& grid) {
            "runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; "
            "with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range."));
     grid.addWidget(meaning_, grid.rowCount(), 0, 1, 4);
-    row("lower")->readAlso([this](const QString& text) { return lowerOfDepth(text); });
+    row("lower")->read([this](const QString& text) { return lowerOfDepth(text); });
 }
 
-std::optional<double> EdgesPanel::lowerOfDepth(const QString& text) const {
+Result<double> EdgesPanel::lowerOfDepth(const QString& text) const {
     const auto step = typedStep(text.toStdString());
-    if (!step) return std::nullopt;
-    const Result<double> lower = lowerOfStep(*step, shown_, scale_);
-    return lower ? std::optional<double>(*lower) : std::nullopt;
+    return step ? lowerOfStep(*step, shown_, scale_) : parseValue(*findParameter("lower"), text.toStdString());
 }
 
 CountCurve* EdgesPanel::curve(const char* key) const {
@@ -289,8 +289,9 @@ void EdgesPanel::showUpper() {
     upper_->setVisible(used);
     lock_->setVisible(used);
     const bool share = shown_.method == Method::LogRange; // of the range: it has no levels
-    QString text = share ? tr("Strong from  %1 % of range").arg(shown_.ratio * shown_.stepPercent, 0, 'f', 1)
-                         : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
+    QString text =
+        share ? tr("Strong from  %1 % of range").arg(100 * std::expm1(shown_.ratio * std::log1p(shown_.stepPercent / 100)), 0, 'f', 1)
+              : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
     if (!share && shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
     upper_->setText(text);
 }

@@ -58,6 +58,8 @@ public slots:
 signals:
     void edited(const edgescan::Settings& settings, bool dragging);
     void editEnded();
+    /// What was typed stands for no value: a sentence that says why.
+    void refused(const QString& sentence);
     void presetChosen(const edgescan::Preset& preset);
     void savePresetWanted();
     void openPresetWanted();
@@ -68,7 +70,7 @@ private:
     void addRow(const Parameter& parameter, QGridLayout& grid);
     void addCurve(const Parameter& parameter, QGridLayout& grid);
     void addMeaning(QGridLayout& grid);
-    [[nodiscard]] std::optional<double> lowerOfDepth(const QString& text) const;
+    [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
     void addUpper(QGridLayout& grid);
     void edit(const Parameter& parameter, double value, bool dragging);
     void showPresetName();

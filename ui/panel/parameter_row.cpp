@@ -55,20 +55,25 @@ protected:
     }
 };
 
-// A number box into which also other texts may be typed.
+// A number box into which any text may be typed; one that stands for no value is told of when it is done, not swallowed letter by letter.
 class ReadingBox : public CalmBox<QDoubleSpinBox> {
 public:
-    using CalmBox::CalmBox;
-    void readAlso(ParameterRow::Reading reading) { reading_ = std::move(reading); }
+    using Refusal = std::function<void(const Error& why)>;
 
-    QValidator::State validate(QString& text, int& position) const override {
-        const QValidator::State state = QDoubleSpinBox::validate(text, position);
-        if (!reading_ || state == QValidator::Acceptable) return state;
+    explicit ReadingBox(QWidget* parent) : CalmBox(parent) {}
+    void read(ParameterRow::Reading reading) { reading_ = std::move(reading); }
+    void onRefusal(Refusal refusal) { refusal_ = std::move(refusal); }
+
+    QValidator::State validate(QString& text, int& /*position*/) const override {
         return reading_(withoutSuffix(text)) ? QValidator::Acceptable : QValidator::Intermediate;
     }
     double valueFromText(const QString& text) const override {
-        const auto value = reading_ ? reading_(withoutSuffix(text)) : std::nullopt;
-        return value ? *value : QDoubleSpinBox::valueFromText(text);
+        const Result<double> read = reading_(withoutSuffix(text));
+        return read ? *read : value();
+    }
+    void fixup(QString& text) const override {
+        const Result<double> read = reading_(withoutSuffix(text));
+        if (!read) refusal_(read.error());
     }
 
 private:
@@ -78,6 +83,7 @@ private:
     }
 
     ParameterRow::Reading reading_;
+    Refusal refusal_;
 };
 
 QString limitsText(const Parameter& p) {
@@ -134,7 +140,23 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     slider_ = new CalmSlider(Qt::Horizontal, parent);
     slider_->setRange(0, kSliderSteps);
     slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
-    number_ = new ReadingBox(parent);
+    auto* box = new ReadingBox(parent);
+    number_ = box;
+    // Automatic values are shown as they are, also beyond the limits of what can be typed.
+    box->read([this, box](const QString& text) -> Result<double> {
+        const Result<double> value = parseValue(parameter_, text.toStdString());
+        if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
+        if (!value && text == box->textFromValue(box->value())) return box->value();
+        return value;
+    });
+    box->onRefusal([this](const Error& why) {
+        const QString sentence =
+            tr("%1: %2; %3. The value stays as it was.")
+                .arg(QString::fromUtf8(parameter_.label), QString::fromStdString(why.what), QString::fromStdString(why.todo));
+        // The box is still at it.
+        QMetaObject::invokeMethod(
+            this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);
+    });
     number_->setObjectName(QString("number-") + p.key);
     number_->setLocale(QLocale::c());
     number_->setDecimals(p.decimals);
@@ -206,7 +228,10 @@ void ParameterRow::show(double value, double inUse) {
     const bool automatic = std::isnan(value);
     const double shown = automatic ? inUse : value;
     if (automatic_ != nullptr) automatic_->setChecked(automatic);
-    if (number_ != nullptr && !std::isnan(shown)) number_->setValue(shown);
+    if (number_ != nullptr && !std::isnan(shown)) {
+        number_->setRange(std::min(parameter_.minimum, shown), std::max(parameter_.maximum, shown));
+        number_->setValue(shown);
+    }
     for (std::size_t n = 0; n < switches_.size(); ++n)
         switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
     if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
@@ -228,8 +253,8 @@ void ParameterRow::setEnabled(bool enabled) {
     for (QWidget* widget : widgets()) widget->setEnabled(enabled);
 }
 
-void ParameterRow::readAlso(Reading reading) {
-    if (number_ != nullptr) static_cast<ReadingBox*>(number_)->readAlso(std::move(reading));
+void ParameterRow::read(Reading reading) {
+    if (number_ != nullptr) static_cast<ReadingBox*>(number_)->read(std::move(reading));
 }
 
 void ParameterRow::setVisible(bool visible) {

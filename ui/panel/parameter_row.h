@@ -6,7 +6,6 @@
 #include <QObject>
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 class QAbstractButton;
@@ -38,9 +37,9 @@ public:
     void show(double value, double inUse);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
-    /// Other texts that may be typed into the number, such as "0.5 m": their value, or null for a text that is none.
-    using Reading = std::function<std::optional<double>(const QString&)>;
-    void readAlso(Reading reading);
+    /// What a text typed into the number stands for, such as "0.5 m", or why it stands for nothing; else as the table reads it.
+    using Reading = std::function<Result<double>(const QString&)>;
+    void read(Reading reading);
     /// Behind the switch of one of several choices: its colour, and what it stands for in numbers.
     void mark(std::size_t choice, const QColor& colour, const QString& remark);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }
@@ -54,6 +53,8 @@ signals:
     /// The user turned it. `dragging`: more will follow before dragEnded().
     void changed(double value, bool dragging);
     void dragEnded();
+    /// What was typed stands for no value, and the old one is back: a sentence that says why.
+    void refused(const QString& sentence);
     /// A double-click: back to the value of the preset.
     void resetWanted();
 
