@@ -129,13 +129,16 @@ Grid<float> judgeDepth(Why& why, const Frame& frame) {
     why.depth = probeDepth(*frame.scan, settings, why.probe.line, why.probe.beam);
     const ThinnedStrength& jump = why.depth->jump;
     const ThinnedStrength& crease = why.depth->crease;
-    // What is left of either decides; else what was there before a neighbour took it.
-    const float kept = found.strength[k];
+    // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.
+    const auto jumpCounts = [&](float response) { return settings.jumps ? response : 0.0F; };
+    const auto foldCounts = [&](float response) { return (response > 0 ? settings.convex : settings.concave) ? std::abs(response) : 0.0F; };
+    const float strength = found.strength[k];
+    const float kept = static_cast<double>(strength) > why.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before))
+                           ? strength
+                           : 0.0F;
     const float fold = kept > 0 ? responses.crease[k] : crease.before;
-    const bool foldCounts = fold > 0 ? settings.convex : settings.concave;
-    const float jumpNow = kept > 0 ? responses.jump[k] : jump.before;
-    const float jumpSize = settings.jumps ? jumpNow : 0.0F;
-    const float foldSize = foldCounts ? std::abs(fold) : 0.0F;
+    const float jumpSize = jumpCounts(kept > 0 ? responses.jump[k] : jump.before);
+    const float foldSize = foldCounts(fold);
     const bool isJump = jumpSize >= foldSize;
     const float size = std::max(jumpSize, foldSize);
     why.strength = static_cast<double>(size);

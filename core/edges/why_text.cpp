@@ -100,8 +100,8 @@ std::string stepText(const Why& why, const DepthStepAtCell& step) {
                        (step.cellIsNearer ? "; this cell is the nearer one)" : "; that cell is the nearer one)");
     text += ", limit " + whole(step.limitMm()) + " mm = " + findParameter("jump")->label + " " + whole(step.smallestMm) + " + " +
             findParameter("growth")->label + " " + whole(step.growthMm) + " + " + findParameter("grazing")->label + " " +
-            whole(step.grazingMm) + " + relief " + whole(step.reliefMm);
-    if (why.depth->grazingRaised) text += " (raised: beams are interlaced)";
+            whole(step.grazingMm) + (why.depth->grazingRaised ? " (raised: beams are interlaced)" : "") + " + relief " +
+            whole(step.reliefMm);
     return text + ": strength " + number(step.strength) + ".";
 }
 

@@ -144,6 +144,9 @@ TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
         const Why why = whyCell(*frame, scan->rangeMm.index(line, beam));
         if (!why.suppressedBy || why.strength <= why.lower || !why.takesPart) continue;
         ++told;
+        const ThinnedStrength& channel = why.kind == DepthEdge::Jump ? why.depth->jump : why.depth->crease;
+        EXPECT_EQ(static_cast<double>(std::abs(channel.before)), why.strength);
+        EXPECT_EQ(channel.kept, 0.0F);
         EXPECT_EQ(std::abs(why.suppressedBy->line - line) + std::abs(why.suppressedBy->beam - beam), 1); // never a diagonal one
         EXPECT_GE(why.suppressedBy->strength * 1.42, why.strength);
         EXPECT_NE(why.verdict.find("an edge is one cell wide"), std::string::npos) << why.verdict;
