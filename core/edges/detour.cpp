@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace edgescan {
 namespace {
@@ -40,8 +41,11 @@ void move(const InverseRange& inverse, std::size_t k, Grid<float>& response, Cos
 } // namespace
 
 void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
+    const Support* support = inverse.support.cells.data();
     for (std::size_t k = 0; k < inverse.support.size(); ++k) {
-        if (inverse.support[k] != Support::Filled) continue;
+        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few are
+        if (next == nullptr) return;
+        k = static_cast<std::size_t>(static_cast<const Support*>(next) - support);
         move(inverse, k, jump, [](float u) { return -u; });
         move(inverse, k, crease, [own = inverse.u[k]](float u) { return std::abs(u - own); });
     }
