@@ -14,8 +14,8 @@ namespace edgescan {
 [[nodiscard]] inline float nthSmallest(std::span<const float> values, std::size_t n) {
     // Bits of numbers from 0 up are in the order of the numbers: the upper ones tell the neighbourhood, a few per cent of the values.
     constexpr unsigned kLower = 17;
-    const auto neighbourhood = [](float value) { return std::bit_cast<std::uint32_t>(value) >> kLower; };
-    std::vector<std::uint32_t> counts(std::size_t{1} << (31 - kLower)); // no sign;
+    const auto neighbourhood = [](float value) { return (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFU) >> kLower; };
+    std::vector<std::uint32_t> counts(std::size_t{1} << (31 - kLower)); // no sign
     for (const float value : values) ++counts[neighbourhood(value)];
     std::uint32_t wanted = 0;
     while (n >= counts[wanted]) n -= counts[wanted++];

@@ -39,8 +39,8 @@ struct FoldWork {
     LineFits beamwise, linewise;
 };
 
-/// The next line of `strengths`. Least-squares lines in u through the cell and up to k = clamp(round(window / (r a)), 3, 16) cells on each
-/// side, ending at a break; two cells at least on both. S_C: the dihedral angle of the two planes over the greater of C0 and five times its
+/// The next line of `strengths`. Least-squares lines in u through the cell and up to k = clamp(round(window / (r a)), 3, 15) cells on each
+/// side, ending at a break; two cells at least on both. S_C: the dihedral angle of the two planes over the greater of C0 and 4.5 times its
 /// noise, less where the lines do not meet at the cell. The slope across tilts the planes: a fold seen at a grazing angle is not as sharp
 /// as it looks within one scan plane.
 void foldStrengths(const Lines& u, const Lines& linksAlongBeams, const Lines& linksAlongLines, const AngularSteps& steps, int line,

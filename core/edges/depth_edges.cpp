@@ -5,6 +5,7 @@
 #include "core/edges/detour.h"
 #include "core/edges/interlace.h"
 #include "core/edges/marks.h"
+#include "core/edges/spikes.h"
 #include "core/edges/surface_lines.h"
 #include "core/edges/vectors.h"
 
@@ -127,6 +128,7 @@ DepthSurface depthSurface(const Scan& scan, bool straightened) {
     DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0};
     surface.slips = straightened ? straighten(surface.inverse) : noSlips(scan.lines());
     surface.noise = rangeNoise(surface.inverse);
+    flattenSpikes(surface.inverse, surface.noise);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
     return surface;
 }

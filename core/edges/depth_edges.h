@@ -14,7 +14,7 @@ struct DepthEdgeSettings {
     double creaseDeg = 30.0;    ///< C0: dihedral angle
     double sensitivity = 1.0;   ///< high threshold of the hysteresis
     double hysteresisLow = 0.7; ///< share of the high one
-    int minimumLength = 4;      ///< cells
+    int minimumLength = 5;      ///< cells
     double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
     double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
     bool straighten = true;     ///< interlaced beams and slipped lines are measured and taken into account
@@ -28,8 +28,8 @@ enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 
 inline constexpr int kDepthEdges = 5; // None included
 
 /// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger or
-/// nothing is there, or nothing was measured. Depends on jumpMm, jumpGrowth, creaseDeg, grazing and noiseAt5mMm alone: the other sliders
-/// need only decide().
+/// nothing is there, or nothing was measured. Depends on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten alone: the
+/// other sliders need only decideDepthEdges().
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
     Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave

@@ -16,8 +16,9 @@ constexpr std::array<std::array<int, 2>, 4> kCorners{{{-1, -1}, {-1, 1}, {1, -1}
 template <class Cost>
 std::ptrdiff_t cheapest(const InverseRange& inverse, const Grid<float>& response, std::size_t k,
                         const std::array<std::array<int, 2>, 4>& around, Cost cost) {
-    const int line = static_cast<int>(k) / inverse.u.beams;
-    const int beam = static_cast<int>(k) % inverse.u.beams;
+    const auto beams = static_cast<std::size_t>(inverse.u.beams);
+    const int line = static_cast<int>(k / beams);
+    const int beam = static_cast<int>(k % beams);
     std::ptrdiff_t best = -1;
     for (const auto& [di, dj] : around) {
         if (!inverse.u.contains(line + di, beam + dj)) continue;

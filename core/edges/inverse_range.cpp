@@ -17,6 +17,7 @@ namespace edgescan {
 namespace {
 
 constexpr float kVoidU = 1.0F / 60.0F;
+constexpr float kLeastRangeMm = 0.001F; // nearer there is nothing to measure, and 1 / r stays a number
 constexpr int kLongestGap = 4;
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kQuantile = 0.40;
@@ -31,7 +32,7 @@ constexpr std::size_t kCellsForSpacing = 50000;
 EDGESCAN_VECTORS void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
                                    float* __restrict u, std::uint8_t* __restrict measured, Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
-        const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] > 0);
+        const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] >= kLeastRangeMm);
         measured[j] = valid ? 1 : 0;
         support[j] = valid ? Support::Measured : Support::Void;
         u[j] = valid ? 1000.0F / rangeMm[j] : kVoidU;
@@ -165,7 +166,7 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForNoise));
     std::vector<float> rangeM(static_cast<std::size_t>(inverse.u.beams));
     std::vector<float> off(rangeM.size());
-    for (int i = every / 2; i < inverse.u.lines; i += every) {
+    for (int i = std::min(every, inverse.u.lines) / 2; i < inverse.u.lines; i += every) {
         offStraight(inverse.u.line(i), inverse.u.beams, rangeM.data(), off.data());
         const Support* support = inverse.support.line(i);
         for (int j = 1; j + 1 < inverse.u.beams; ++j) {
@@ -198,7 +199,7 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
 double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {
     std::vector<float> areas; // m2
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForSpacing));
-    for (int i = every / 2; i < inverse.u.lines; i += every) {
+    for (int i = std::min(every, inverse.u.lines) / 2; i < inverse.u.lines; i += every) {
         const float* u = inverse.u.line(i);
         const Support* support = inverse.support.line(i);
         for (int j = 0; j < inverse.u.beams; ++j) {

@@ -149,7 +149,7 @@ Result<double> withinLimits(const Parameter& parameter, double value) {
     parameter.set(held, value);
     if (std::abs(value) < 1e9 && parameter.get(held) != value)
         return Error{shortest(value) + " is not a whole number", flag(parameter),
-                     "give a whole number such as " + shortest(std::ceil(value))};
+                     "give a whole number such as " + shortest(std::clamp(std::ceil(value), parameter.minimum, parameter.maximum))};
     if (value >= parameter.minimum && value <= parameter.maximum) return value;
     const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
     return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit,

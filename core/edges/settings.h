@@ -55,7 +55,7 @@ struct Settings {
     double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
     double growthPercent = 1.0;      ///< p: what is added to it, % of the range
     double creaseDeg = 30.0;         ///< C0: smallest fold, degrees
-    int minimumLength = 4;           ///< cells of the shortest chain
+    int minimumLength = 5;           ///< cells of the shortest chain
     int classes = kClassRock;        ///< EdgeClassBits
     double hysteresisPercent = 70.0; ///< low threshold, % of the high one
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place

@@ -138,7 +138,9 @@ Scan straightened(Scan scan) {
     else if (found.left == 0)
         scan.warnings.emplace_back("Straightened: no interlaced beams and no slips were found; the angles stay.");
     if (found.left > 0)
-        scan.warnings.push_back(std::to_string(found.left) + " slips were seen in every second beam only, and are left as they are.");
+        scan.warnings.push_back(std::to_string(found.left) +
+                                (found.left == 1 ? " slip was seen in every second beam only, and is left as it is."
+                                                 : " slips were seen in every second beam only, and are left as they are."));
     return scan;
 }
 

@@ -90,8 +90,9 @@ std::string reason(const Why& why, const Settings& settings, Naming naming) {
     if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
     if (why.standing == Standing::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
-        return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) + " cells on, at " +
-               place(why.chain.back()) + ", its chain reaches " + inUnit(why, why.chain.back().strength);
+        return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
+               (why.chain.size() == 2 ? " cell on, at " : " cells on, at ") + place(why.chain.back()) + ", its chain reaches " +
+               inUnit(why, why.chain.back().strength);
     return strength + " is enough where it continues its chain";
 }
 

@@ -3,11 +3,13 @@
 
 #include "core/edges/inverse_range.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgescan {
 namespace {
 
+constexpr double kLongestTold = 65535.0; // mm; range_clean.png has 16 bits
 constexpr double kSigmas = 5.0;
 constexpr double kShareOfRange = 0.01; // beams have a width, and the surfaces in them a slant
 constexpr double kOffsetMm = 20.0;
@@ -30,7 +32,8 @@ double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
         const double cleanMm = truth.cleanMm[k];
         const double allowed =
             kOffsetMm + (known ? kShareOfRange * cleanMm + kSigmas * noise.at(0.001 * cleanMm) : kUnknownShare * cleanMm);
-        fitting += std::abs(static_cast<double>(scan.rangeMm[k]) - cleanMm) <= allowed ? 1 : 0;
+        const double rangeMm = std::min(static_cast<double>(scan.rangeMm[k]), kLongestTold);
+        fitting += std::abs(rangeMm - cleanMm) <= allowed ? 1 : 0;
     }
     return measured == 0 ? 1.0 : static_cast<double>(fitting) / static_cast<double>(measured);
 }

@@ -43,7 +43,11 @@ int squaresPerSide(int holes) {
 Result<std::vector<Eigen::Vector2d>> wallHoles(const WallShape& wall, std::uint64_t seed) {
     std::vector<Eigen::Vector2d> centres;
     if (wall.hole == WallHole::None || wall.holes == 0) return centres;
-    if (wall.holes == 1) return std::vector<Eigen::Vector2d>{Eigen::Vector2d::Zero()};
+    if (wall.holes == 1) {
+        if (wall.holeM >= 2.0 * kReach * wall.distanceM)
+            return Error{"the wall is smaller than its hole", "simulate", "use a smaller hole, or a wall farther away"};
+        return std::vector<Eigen::Vector2d>{Eigen::Vector2d::Zero()};
+    }
     const int side = squaresPerSide(wall.holes);
     const double square = 2.0 * kHoleField * wall.distanceM / side;
     if (kHoleSpace * wall.holeM > square)

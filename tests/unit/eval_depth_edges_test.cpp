@@ -141,6 +141,28 @@ TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
     EXPECT_EQ(std::count(whole.kind.cells.begin(), whole.kind.cells.end(), DepthEdge::Convex), 0);
 }
 
+TEST(DepthEdges, DustCloseToAWallIsNone) {
+    // Single echoes up to 150 mm before a wall or behind it; and a post two cells wide, which stays.
+    const PolarGeometry polar = test::regularAngles(200, 320);
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0.0, 5.0);
+    for (const bool post : {false, true}) {
+        const Scan wall = test::makeScan(200, 320, [&](int i, int j) {
+            const double dust = random() % 400 == 0 ? 50.0 + random() % 100 : 0.0;
+            const bool atPost = post && (j == 160 || j == 161);
+            return test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random)) + (i % 2 == 0 ? dust : -dust) -
+                   (atPost ? 300.0 : 0.0);
+        });
+        const DepthEdges edges = depthEdges(wall, {});
+        int beside = 0;
+        int elsewhere = 0;
+        for (int i = 0; i < wall.lines(); ++i)
+            for (int j = 0; j < wall.beams(); ++j) (std::abs(j - 160) < 6 ? beside : elsewhere) += edges.mask.at(i, j) != 0 ? 1 : 0;
+        EXPECT_EQ(elsewhere, 0);
+        EXPECT_EQ(beside > 150, post) << beside;
+    }
+}
+
 // A floor seen at a grazing angle, measured with odd beams half a line ahead, and with one step of the stepper three times as long.
 Scan slopedFloor(double parityDeg, int longStepAfter) {
     constexpr int kLines = 80;

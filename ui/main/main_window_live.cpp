@@ -107,6 +107,8 @@ void MainWindow::connectScanner(const QString& host, int port, const SweepSettin
     timeline_->clear();
     series_.clear();
     openedPath_.clear();
+    openOptions_ = {};
+    straighten_->setChecked(false);
     notice_->hide();
     SessionSettings scanner;
     scanner.host = host.toStdString();
