@@ -17,12 +17,10 @@ constexpr float kAgree = 0.35F;       // spread of the values of a line, index s
 constexpr int kFewestLines = 10;
 constexpr int kSampledLines = 64;
 
-bool measured(const InverseRange& inverse, int line, int beam) { return inverse.support.at(line, beam) == Support::Measured; }
-
 bool measuredAround(const InverseRange& inverse, int line, int beam) {
     for (int i = line - 1; i <= line + 1; ++i) {
         for (int j = beam - 1; j <= beam + 1; ++j) {
-            if (!measured(inverse, i, j)) return false;
+            if (!inverse.isMeasured(i, j)) return false;
         }
     }
     return true;
@@ -54,11 +52,9 @@ void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::v
 // The smaller one where the slants on both sides agree in sign; 0 at an edge.
 float slantAt(const InverseRange& inverse, int line, int beam) {
     const Grid<float>& u = inverse.u;
-    const bool hasBefore = line > 0 && measured(inverse, line - 1, beam);
-    const bool hasAfter = line + 1 < u.lines && measured(inverse, line + 1, beam);
-    const float before = hasBefore ? u.at(line, beam) - u.at(line - 1, beam) : 0;
-    const float after = hasAfter ? u.at(line + 1, beam) - u.at(line, beam) : 0;
-    if (!hasBefore || !hasAfter) return 0;
+    if (line == 0 || line + 1 == u.lines || !inverse.isMeasured(line - 1, beam) || !inverse.isMeasured(line + 1, beam)) return 0;
+    const float before = u.at(line, beam) - u.at(line - 1, beam);
+    const float after = u.at(line + 1, beam) - u.at(line, beam);
     if (before * after <= 0) return 0;
     // Much unlike: one of them crosses a jump.
     const float smaller = std::abs(before) < std::abs(after) ? before : after;
@@ -94,7 +90,7 @@ void moveBeams(InverseRange& inverse, const std::vector<float>& parity) {
         const float half = 0.5F * parity[static_cast<std::size_t>(i)];
         if (half == 0) continue;
         for (int j = 0; j < straight.beams; ++j) {
-            if (!measured(inverse, i, j)) continue;
+            if (!inverse.isMeasured(i, j)) continue;
             const float ahead = j % 2 == 1 ? half : -half;
             straight.at(i, j) = std::max(inverse.u.at(i, j) - ahead * slantAt(inverse, i, j), 1e-4F);
         }

@@ -18,6 +18,8 @@ enum class Support : std::uint8_t {
 struct InverseRange {
     Grid<float> u;         ///< lines x beams, 1/m
     Grid<Support> support; ///< lines x beams
+
+    [[nodiscard]] bool isMeasured(int line, int beam) const { return support.at(line, beam) == Support::Measured; }
 };
 
 /// Angular size of one index step, radians.

@@ -43,8 +43,6 @@ EDGESCAN_VECTORS void slantsRoundStep(const float* u, std::ptrdiff_t stride, int
     }
 }
 
-bool isMeasured(const InverseRange& inverse, int line, int beam) { return inverse.support.at(line, beam) == Support::Measured; }
-
 using StepSlips = std::array<std::vector<Slip>, 2>;
 
 void addStep(const InverseRange& inverse, int line, int beam, float slant, StepSlips& slips) {
@@ -58,7 +56,7 @@ void addSteps(const InverseRange& inverse, int line, LineSlants& slants, StepSli
     slantsRoundStep(inverse.u.line(line), inverse.u.beams, reach, inverse.u.beams, slants.slant.data(), slants.slanted.data());
     slants.forEach([&](int j, float slant) {
         for (const int i : {line - reach, line, line + 1, line + 1 + reach}) {
-            if (!isMeasured(inverse, i, j)) return;
+            if (!inverse.isMeasured(i, j)) return;
         }
         addStep(inverse, line, j, slant, slips);
     });
@@ -69,7 +67,7 @@ void addSteps(const InverseRange& inverse, int line, LineSlants& slants, StepSli
 float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     std::array<float, 2 * kFarthest + 1> changes{};
     for (int i = first; i <= last; ++i) {
-        if (!isMeasured(inverse, i, beam)) return 0;
+        if (!inverse.isMeasured(i, beam)) return 0;
         if (i > first) changes[static_cast<std::size_t>(i - first - 1)] = inverse.u.at(i, beam) - inverse.u.at(i - 1, beam);
     }
     const int count = last - first;
@@ -156,7 +154,7 @@ float leftOver(const InverseRange& inverse, int line, int parity, float otherwis
     std::vector<Slip> slips;
     for (int j = parity; j < inverse.u.beams; j += 2) {
         bool solid = true;
-        for (int i = line - 1; i <= line + 2; ++i) solid = solid && isMeasured(inverse, i, j);
+        for (int i = line - 1; i <= line + 2; ++i) solid = solid && inverse.isMeasured(i, j);
         if (!solid) continue;
         const float u = inverse.u.at(line, j);
         const float next = inverse.u.at(line + 1, j);
@@ -190,12 +188,12 @@ LineSteps lineSlips(const InverseRange& inverse) {
 }
 
 LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
-    LineSteps left = slips;
-    const LineSteps ahead = straightenStalls(left);
     const bool anything = std::any_of(slips.begin(), slips.end(), [](const std::vector<float>& steps) {
         return std::any_of(steps.begin(), steps.end(), [](float extra) { return extra != 0; });
     });
-    if (!anything) return left;
+    if (!anything) return slips;
+    LineSteps left = slips;
+    const LineSteps ahead = straightenStalls(left);
     const InverseRange from = inverse;
     for (int i = 0; i < inverse.u.lines; ++i) {
         for (int parity = 0; parity < 2; ++parity) {

@@ -8,7 +8,6 @@
 
 namespace edgescan {
 
-// How much smaller the deviations from straight get when the slip is taken out, 0..1: noise does not shrink.
 float explained(const std::vector<Slip>& slips, float steps) {
     double with = 0;
     double without = 0;
@@ -19,7 +18,6 @@ float explained(const std::vector<Slip>& slips, float steps) {
     return without > 0 ? static_cast<float>(1 - with / without) : 0.0F;
 }
 
-// Whether the weighted median lies between -limit and limit, as it does on most lines.
 bool isMiddleWithin(float limit, const std::vector<Slip>& slips) {
     double total = 0;
     double below = 0;
@@ -33,8 +31,7 @@ bool isMiddleWithin(float limit, const std::vector<Slip>& slips) {
     return 2 * below < total && 2 * upTo >= total;
 }
 
-// The weighted median: the least value up to which half of the weight lies. Sums of so few bits are exact in double, so that the order in
-// which they are added does not matter.
+// Sums of so few bits are exact in double, so that the order in which they are added does not matter.
 float weightedMiddle(std::vector<Slip> slips) {
     const auto add = [](double sum, const Slip& slip) { return sum + static_cast<double>(slip.weight); };
     const double total = std::accumulate(slips.begin(), slips.end(), 0.0, add);
@@ -58,7 +55,6 @@ float weightedMiddle(std::vector<Slip> slips) {
     return 0;
 }
 
-// Weighted median distance from `value`.
 float spreadAround(float value, std::vector<Slip> slips) {
     for (Slip& slip : slips) slip.steps = std::abs(slip.steps - value);
     return weightedMiddle(std::move(slips));

@@ -33,7 +33,7 @@ EDGESCAN_VECTORS void takeFirstLook(const float* u, std::ptrdiff_t stride, int b
 
 bool isSpike(const InverseRange& inverse, int line, int beam, const Height& height) {
     const float u = inverse.u.at(line, beam);
-    if (inverse.support.at(line, beam) != Support::Measured) return false;
+    if (!inverse.isMeasured(line, beam)) return false;
     float nearest = 0;
     float farthest = 1e9F;
     for (int i = line - 1; i <= line + 1; ++i) {

@@ -3,6 +3,7 @@
 
 #include "core/edges/opencv_view.h"
 #include "core/scan/cartesian.h"
+#include "core/sim/scene.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
@@ -17,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kFewestOutlineCells = 10;
-constexpr int kFirstRock = 2;
 
 struct Group {
     const char* name;
@@ -44,7 +44,7 @@ std::vector<RockOutline> rockOutlines(const EdgeMatches& matches, const TruthSet
         if (counts(pair.truth)) ++found[truth.object[pair.truth]];
     }
     std::vector<RockOutline> result;
-    for (std::size_t rock = kFirstRock; rock < cells.size(); ++rock) {
+    for (std::size_t rock = sim::kFirstRock; rock < cells.size(); ++rock) {
         if (cells[rock] >= kFewestOutlineCells) result.push_back({0, static_cast<int>(rock), cells[rock], found[rock]});
     }
     return result;

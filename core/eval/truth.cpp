@@ -2,6 +2,7 @@
 #include "core/eval/truth.h"
 
 #include "core/eval/thin.h"
+#include "core/sim/scene.h"
 #include "core/sim/seam.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ constexpr double kContactDeg = 15.0;
 constexpr double kCreaseDeg = 30.0;
 constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
 constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
-constexpr int kFirstRock = 2;             // object numbers below are void and wall
 constexpr int kReach = 2;                 // cells to each side that a detection may lie off a fold: one spread wider has no place
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
@@ -59,7 +59,7 @@ Grid<std::uint8_t> notScored(const SimulationTruth& truth) {
     for (const std::uint16_t object : truth.object.cells) ++cells[object];
     Grid<std::uint8_t> small(ignore.lines, ignore.beams);
     for (std::size_t k = 0; k < small.size(); ++k) {
-        if (truth.object[k] >= kFirstRock && cells[truth.object[k]] < kSmallestRock) small[k] = 255;
+        if (truth.object[k] >= sim::kFirstRock && cells[truth.object[k]] < kSmallestRock) small[k] = 255;
     }
     dilate(small, 1);
     for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] |= small[k];
@@ -108,7 +108,7 @@ void judgePair(const SimulationTruth& truth, Marks& marks, std::size_t a, std::s
 // the next. Whether it is an edge, and where, nobody can say.
 void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
     const std::size_t first = spread.index(line, beam);
-    if (truth.object[first] < kFirstRock) return;
+    if (truth.object[first] < sim::kFirstRock) return;
     bool round = false;
     for (int n = 0; n <= 2 * kReach && spread.contains(line + n * lineStep, beam + n * beamStep); ++n) {
         const std::size_t k = spread.index(line + n * lineStep, beam + n * beamStep);

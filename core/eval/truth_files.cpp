@@ -5,6 +5,7 @@
 #include "core/files/png.h"
 #include "core/files/whole_file.h"
 #include "core/scan/cartesian.h"
+#include "core/sim/scene.h"
 #include "core/sim/settings_json.h"
 
 #include <Eigen/Eigenvalues>
@@ -53,7 +54,7 @@ Json rocksJson(const Simulation& simulation) {
     const CartesianTables tables(simulation.scan);
     std::vector<std::vector<Eigen::Vector3d>> visible(65536);
     for (std::size_t k = 0; k < truth.object.size(); ++k) {
-        if (truth.object[k] < 2) continue;
+        if (truth.object[k] < sim::kFirstRock) continue;
         const int line = static_cast<int>(k / static_cast<std::size_t>(truth.object.beams));
         const int beam = static_cast<int>(k % static_cast<std::size_t>(truth.object.beams));
         visible[truth.object[k]].push_back(tables.direction(line, beam) * (0.001 * static_cast<double>(truth.cleanMm[k])));

@@ -42,6 +42,16 @@ class ThresholdsTest : public QObject {
         window_->useSettings(settings);
         QVERIFY(waitForPicture());
     }
+    // Clicks the cell and asks why, by the key.
+    void askWhy(std::uint32_t cell) {
+        ImageView& view = window_->edgeView();
+        const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        QTest::keyClick(window_.get(), Qt::Key_W);
+        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+    }
     [[nodiscard]] QString meaning() const { return window_->panel().findChild<QLabel*>("meaning")->text(); }
 
 private slots:
@@ -205,13 +215,8 @@ private slots:
     void whyAnswersForTheCellClicked() {
         use(cannySettings());
         const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
-        ImageView& view = window_->edgeView();
-        const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
-        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
-        window_->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-        QTest::keyClick(window_.get(), Qt::Key_W);
-        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+        askWhy(cell);
+        if (QTest::currentTestFailed()) return;
         const QString text = window_->whyCard()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
@@ -220,13 +225,8 @@ private slots:
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {
         use(Settings{});
         const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
-        ImageView& view = window_->edgeView();
-        const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
-        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
-        window_->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-        QTest::keyClick(window_.get(), Qt::Key_W);
-        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+        askWhy(cell);
+        if (QTest::currentTestFailed()) return;
         const QString text = window_->whyCard()->text();
         for (const char* words :
              {"class jump", "Step in depth: ", " mm to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})

@@ -45,6 +45,14 @@ SimulationSettings perfect(const char* scene) {
     return settings;
 }
 
+// A few lines straight up, and the whole fan.
+SimulationSettings narrowStaircase() {
+    SimulationSettings settings = perfect("staircase");
+    settings.lines = 20;
+    settings.beams = 1141;
+    return settings;
+}
+
 Simulation swept(const SimulationSettings& settings) {
     Result<Simulation> result = simulate(settings);
     EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
@@ -205,9 +213,7 @@ TEST(SimSweep, GrazingAndPatchesLoseEchoes) {
 }
 
 TEST(SimSweep, MixedPixelsLieOnlyAtEdges) {
-    SimulationSettings settings = perfect("staircase");
-    settings.lines = 20;
-    settings.beams = 1141;
+    SimulationSettings settings = narrowStaircase();
     settings.footprint = true;
     settings.rangeStepMm = 0.1;
     const Simulation mixed = swept(settings);
@@ -232,9 +238,7 @@ TEST(SimSweep, MixedPixelsLieOnlyAtEdges) {
 }
 
 TEST(SimSweep, StaircaseStepsAreRecovered) {
-    SimulationSettings settings = perfect("staircase");
-    settings.lines = 20;
-    settings.beams = 1141;
+    SimulationSettings settings = narrowStaircase();
     settings.noise = 1.0;
     settings.footprint = true;
     const Simulation result = swept(settings);
@@ -260,9 +264,7 @@ TEST(SimSweep, StaircaseStepsAreRecovered) {
 
 TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
     for (const double distanceM : {2.0, 6.0, 15.0}) {
-        SimulationSettings settings = perfect("staircase");
-        settings.lines = 20;
-        settings.beams = 1141;
+        SimulationSettings settings = narrowStaircase();
         settings.distanceM = distanceM;
         settings.rangeStepMm = 0.5;
         const Simulation result = swept(settings);
