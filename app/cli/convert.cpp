@@ -1,7 +1,7 @@
 // edgescan-cli convert: any readable scan to any writable format.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/files/save_scan.h"
+#include "core/io/save_scan.h"
 
 #include <iostream>
 #include <memory>

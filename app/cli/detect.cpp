@@ -1,10 +1,10 @@
 // edgescan-cli detect: runs the method on files and writes what was asked for.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/edges/pipeline.h"
-#include "core/files/save_scan.h"
-#include "core/files/whole_file.h"
-#include "core/frames/placed_points.h"
+#include "core/method/pipeline.h"
+#include "core/io/save_scan.h"
+#include "core/base/whole_file.h"
+#include "core/georef/placed_points.h"
 #include "core/report/provenance.h"
 #include "core/report/report.h"
 

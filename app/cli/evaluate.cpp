@@ -1,13 +1,13 @@
 // edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/edges/depth_settings.h"
-#include "core/edges/parameters.h"
-#include "core/edges/pipeline.h"
+#include "core/depth/depth_settings.h"
+#include "core/settings/parameters.h"
+#include "core/method/pipeline.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/truth_fit.h"
-#include "core/files/png.h"
-#include "core/files/whole_file.h"
+#include "core/pictures/png.h"
+#include "core/base/whole_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 // edgescan-cli replay: a recording through the live path, a JSON line per line received, and the edges of the sweep at the end.
-#include "core/live/replay.h"
+#include "core/recording/replay.h"
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/base/sha256.h"
-#include "core/edges/pipeline.h"
-#include "core/live/recorded_robot.h"
+#include "core/method/pipeline.h"
+#include "core/recording/recorded_robot.h"
 #include "core/report/report.h"
 
 #include <algorithm>

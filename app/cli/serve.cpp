@@ -2,8 +2,8 @@
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/options.h"
-#include "core/sim/emulated_scanner.h"
-#include "core/sim/emulated_telegram.h"
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
 
 #include <chrono>
 #include <iostream>

@@ -3,8 +3,8 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/eval/truth_files.h"
-#include "core/files/open_scan.h"
-#include "core/files/save_scan.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
 #include "core/scan/cartesian.h"
 
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // edgescan-cli why: why a cell is an edge, or why it is none.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/edges/pipeline.h"
+#include "core/method/pipeline.h"
 #include "core/report/report.h"
 #include "core/report/why_report.h"
 

@@ -1,9 +1,9 @@
 // Flags that several commands share.
 #include "app/shared/options.h"
 
-#include "core/edges/parameters.h"
-#include "core/edges/presets.h"
-#include "core/edges/step_meaning.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "core/gray/step_meaning.h"
 
 #include <unistd.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/edges/presets.h"
-#include "core/files/open_scan.h"
+#include "core/settings/presets.h"
+#include "core/io/open_scan.h"
 #include "core/report/provenance.h"
 #include "core/scan/scan.h"
 

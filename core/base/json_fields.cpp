@@ -11,14 +11,14 @@
 namespace edgescan {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 constexpr double kLargest = 1e12;
 constexpr std::size_t kLargestText = 64U << 20U;
 constexpr int kDeepest = 12;
 
 std::string shortNumber(double value) {
-    std::string text = Json(value).dump();
+    std::string text = PlainJson(value).dump();
     return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
 }
 
@@ -33,10 +33,10 @@ std::string withoutUnit(const std::string& key) {
 
 } // namespace
 
-JsonFields::JsonFields(const Json& object, std::string where, std::string todo)
+JsonFields::JsonFields(const PlainJson& object, std::string where, std::string todo)
     : object_(object), where_(std::move(where)), todo_(std::move(todo)), problem_(std::make_shared<std::optional<Error>>()) {}
 
-JsonFields::JsonFields(Json object, std::string prefix, const JsonFields& parent)
+JsonFields::JsonFields(PlainJson object, std::string prefix, const JsonFields& parent)
     : object_(std::move(object)), where_(parent.where_), todo_(parent.todo_), prefix_(std::move(prefix)), problem_(parent.problem_) {}
 
 void JsonFields::refuse(const std::string& key, const std::string& what) {
@@ -48,7 +48,7 @@ bool JsonFields::has(const char* key) {
     return object_.contains(key) && !at(key).is_null();
 }
 
-double JsonFields::checked(const Json& value, const std::string& key, NumberLimits limits) {
+double JsonFields::checked(const PlainJson& value, const std::string& key, NumberLimits limits) {
     if (!value.is_number()) return refuse(key, "must hold numbers, not " + std::string(value.type_name())), 0.0;
     const auto number = value.get<double>();
     if (!std::isfinite(number) || std::abs(number) > kLargest) return refuse(key, "holds a number out of all reason"), 0.0;
@@ -112,9 +112,9 @@ Eigen::Vector3d JsonFields::neededVector(const char* key, NumberLimits limits) {
 Eigen::Matrix3d JsonFields::rotation(const char* key) {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
     if (!has(key)) return refuse(key, "is missing"), matrix;
-    const Json& rows = at(key);
+    const PlainJson& rows = at(key);
     const bool shaped = rows.is_array() && rows.size() == 3 &&
-                        std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row.is_array() && row.size() == 3; });
+                        std::all_of(rows.begin(), rows.end(), [](const PlainJson& row) { return row.is_array() && row.size() == 3; });
     if (!shaped) return refuse(key, "must hold three rows of three numbers"), matrix;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) matrix(i, j) = checked(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)], key, {-2, 2});
@@ -136,7 +136,7 @@ std::vector<std::string> JsonFields::texts(const char* key) {
     std::vector<std::string> list;
     if (!has(key)) return list;
     if (!at(key).is_array()) return refuse(key, "must be a list of texts"), list;
-    for (const Json& item : at(key)) {
+    for (const PlainJson& item : at(key)) {
         if (!item.is_string()) return refuse(key, "must be a list of texts"), list;
         list.push_back(item.get<std::string>());
     }
@@ -144,10 +144,10 @@ std::vector<std::string> JsonFields::texts(const char* key) {
 }
 
 JsonFields JsonFields::object(const char* key) {
-    if (!has(key)) return {Json::object(), prefix_ + key + ".", *this};
+    if (!has(key)) return {PlainJson::object(), prefix_ + key + ".", *this};
     if (!at(key).is_object()) {
         refuse(key, "must be an object {...}");
-        return {Json::object(), prefix_ + key + ".", *this};
+        return {PlainJson::object(), prefix_ + key + ".", *this};
     }
     return {at(key), prefix_ + key + ".", *this};
 }
@@ -157,7 +157,7 @@ std::vector<JsonFields> JsonFields::objects(const char* key) {
     if (!has(key)) return list;
     if (!at(key).is_array()) return list.push_back(object(key)), list;
     std::size_t number = 0;
-    for (const Json& item : at(key)) {
+    for (const PlainJson& item : at(key)) {
         const std::string prefix = prefix_ + key + "[" + std::to_string(number++) + "].";
         if (!item.is_object()) return refuse(key, "must be a list of objects {...}"), list;
         list.push_back(JsonFields(item, prefix, *this));
@@ -202,16 +202,16 @@ bool nestedTooDeep(std::string_view json) {
 
 } // namespace
 
-Result<Json> parseJsonObject(std::string_view text, const std::string& format, const std::string& where) {
+Result<PlainJson> parseJsonObject(std::string_view text, const std::string& format, const std::string& where) {
     const std::string wanted = "\"format\": \"" + format + "\"";
     if (text.size() > kLargestText || nestedTooDeep(text))
         return Error{"this JSON is too large or nested too deep", where, "choose a file with " + wanted};
-    Json object;
+    PlainJson object;
     try {
-        object = Json::parse(text);
-    } catch (const Json::parse_error& problem) {
+        object = PlainJson::parse(text);
+    } catch (const PlainJson::parse_error& problem) {
         return Error{"the JSON is damaged or cut off here", where + ": byte " + std::to_string(problem.byte), "check it around this place"};
-    } catch (const Json::exception&) {
+    } catch (const PlainJson::exception&) {
         return Error{"the JSON holds a number that no computer can store", where, "correct it"};
     }
     if (!object.is_object()) return Error{"the JSON holds no object", where, "choose a file with " + wanted};

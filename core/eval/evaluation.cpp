@@ -1,8 +1,8 @@
 // Figures of masks and sweeps.
 #include "core/eval/evaluation.h"
 
-#include "core/edges/opencv_view.h"
 #include "core/scan/cartesian.h"
+#include "core/scan/opencv_view.h"
 #include "core/sim/scene.h"
 
 #include <nlohmann/json.hpp>

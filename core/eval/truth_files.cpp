@@ -1,9 +1,9 @@
 // Ground truth as files.
 #include "core/eval/truth_files.h"
 
-#include "core/files/open_scan.h"
-#include "core/files/png.h"
-#include "core/files/whole_file.h"
+#include "core/base/whole_file.h"
+#include "core/io/open_scan.h"
+#include "core/pictures/png.h"
 #include "core/scan/cartesian.h"
 #include "core/sim/scene.h"
 #include "core/sim/settings_json.h"

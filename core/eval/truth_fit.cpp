@@ -1,7 +1,7 @@
 // Whether a scan is the one that its ground truth was made with.
 #include "core/eval/truth_fit.h"
 
-#include "core/edges/inverse_range.h"
+#include "core/scan/inverse_range.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Runs the method on scans that may grow: only the rows that new lines can reach, and with a range window that stays while they grow.
 #pragma once
 
-#include "core/edges/pipeline.h"
 #include "core/live/live_edges.h"
+#include "core/method/pipeline.h"
 
 #include <cstdint>
 #include <optional>

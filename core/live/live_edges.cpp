@@ -1,8 +1,8 @@
 // The method on the rows that a new line can reach.
 #include "core/live/live_edges.h"
 
-#include "core/edges/canny.h"
-#include "core/edges/holes.h"
+#include "core/gray/canny.h"
+#include "core/scan/missing_cells.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/edges/frame.h"
 #include "core/live/live_hysteresis.h"
 #include "core/live/live_rows.h"
+#include "core/method/detection.h"
 
 namespace edgescan {
 

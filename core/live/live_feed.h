@@ -1,9 +1,9 @@
 // A scanner from its socket to a growing scan, recorded before anything is parsed: the live end of the one path for file, replay and live.
 #pragma once
 
-#include "core/live/recording.h"
-#include "core/live/replay.h"
-#include "core/live/scanner_session.h"
+#include "core/lms/scanner_session.h"
+#include "core/recording/recording.h"
+#include "core/recording/replay.h"
 
 #include <deque>
 #include <functional>

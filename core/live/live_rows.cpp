@@ -1,7 +1,7 @@
 // Smoothing, gradient and non-maximum suppression row by row.
 #include "core/live/live_rows.h"
 
-#include "core/edges/smooth.h"
+#include "core/gray/smooth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/grid.h"
-#include "core/edges/settings.h"
 #include "core/live/live_hysteresis.h"
+#include "core/settings/settings.h"
 
 #include <cstdint>
 #include <vector>

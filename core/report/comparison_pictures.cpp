@@ -1,8 +1,8 @@
 // A comparison as pictures.
 #include "core/report/comparison_pictures.h"
 
-#include "core/edges/gray.h"
-#include "core/edges/parameters.h"
+#include "core/gray/gray.h"
+#include "core/settings/parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ std::vector<SheetMark> truthLegend() {
 }
 
 template <class... Values>
-std::string formatted(const char* format, Values... values) {
+std::string captioned(const char* format, Values... values) {
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(), format, values...);
     return text.data();
@@ -55,13 +55,11 @@ int tilePixels(std::size_t tiles, int beams) {
     return beams * std::max(1, static_cast<int>(std::lround(static_cast<double>(kLargePixels) / beams)));
 }
 
-bool wasRun(const ComparedMethod& method) { return method.edges > 0 || method.note.empty(); }
-
 std::string caption(const ComparedMethod& method) {
-    if (!wasRun(method)) return "not run: see the table";
-    std::string text = formatted("%zu edge cells, %.1f ms", method.edges, method.steps.total());
+    if (!method.wasRun()) return "not run: see the table";
+    std::string text = captioned("%zu edge cells, %.1f ms", method.edges, method.steps.total());
     if (method.share < 1.0) return text + " (not all points done)";
-    return method.score ? text + formatted(", F %.3f", method.score->score.all.f()) : text;
+    return method.score ? text + captioned(", F %.3f", method.score->score.all.f()) : text;
 }
 
 Grid<std::uint8_t> marksOf(const ComparedMethod& method) {
@@ -120,14 +118,14 @@ Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& method
         const bool best = method.best.has_value() && !isEdgeScanPlus(method);
         const EdgeCounts all = (best ? method.best->score : *method.score).score.all;
         std::string threshold = "as set";
-        if (best) threshold = "at its best threshold, " + method.best->parameter + formatted(" %.3g", method.best->value);
+        if (best) threshold = "at its best threshold, " + method.best->parameter + captioned(" %.3g", method.best->value);
         tiles.push_back({gray, truthMarks(best ? method.best->mask : method.mask, truth, tolerance), method.name + ", " + threshold,
-                         formatted("F %.3f, precision %.3f, recall %.3f", all.f(), all.precision(), all.recall())});
+                         captioned("F %.3f, precision %.3f, recall %.3f", all.f(), all.precision(), all.recall())});
     }
     if (tiles.empty()) return {};
     const std::size_t whole = tiles.size();
     SheetLook look{static_cast<int>(std::min(kColumns, whole)), tilePixels(whole, scan.beams()),
-                   shapeOf(scan) + formatted("; all edges, tolerance %.3g cells", tolerance), truthLegend()};
+                   shapeOf(scan) + captioned("; all edges, tolerance %.3g cells", tolerance), truthLegend()};
     if (whole <= kColumns && look.tilePixels < 3 * scan.beams()) {
         const int beams = look.tilePixels / kMagnified;
         for (std::size_t n = 0; n < whole; ++n)

@@ -1,7 +1,7 @@
 // A comparison as pictures: what each method found, and how that stands against the truth.
 #pragma once
 
-#include "core/peers/comparison.h"
+#include "core/compare/comparison.h"
 #include "core/report/contact_sheet.h"
 
 namespace edgescan {

@@ -2,7 +2,7 @@
 #include "core/report/comparison_report.h"
 
 #include "core/base/version.h"
-#include "core/edges/parameters.h"
+#include "core/settings/parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -40,18 +40,16 @@ const ComparedMethod* find(const std::vector<ComparedMethod>& methods, const std
     return found == methods.end() ? nullptr : &*found;
 }
 
-bool wasRun(const ComparedMethod& method) { return method.edges > 0 || method.note.empty(); }
-
 std::size_t validCells(const Scan& scan) { return countCells(scan)[static_cast<std::size_t>(CellState::Valid)]; }
 
 std::string milliseconds(const ComparedMethod* method) {
-    if (method == nullptr || !wasRun(*method)) return "-";
+    if (method == nullptr || !method->wasRun()) return "-";
     return formatted(method->share < 1.0 ? "~%.0f" : "%.1f", method->steps.total());
 }
 
 std::string methodRow(const ComparedMethod& method) {
     std::string row = formatted("%-34s", method.name.c_str());
-    if (!wasRun(method)) return row + "  not run\n";
+    if (!method.wasRun()) return row + "  not run\n";
     const ComparedSteps& s = method.steps;
     row += formatted("%9.1f %9.1f %10.1f %8.1f %10.1f %9zu", s.conversion, s.noiseRemoval, s.edges, s.merge, s.total(), method.edges);
     if (method.score) {
@@ -123,8 +121,8 @@ nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<Comp
                 {"repeats", settings.repeats}, {"tolerance", settings.tolerance}};
     report["methods"] = Json::array();
     for (const ComparedMethod& method : methods) {
-        Json row{{"name", method.name}, {"method", method.key}, {"run", wasRun(method)}};
-        if (wasRun(method)) {
+        Json row{{"name", method.name}, {"method", method.key}, {"run", method.wasRun()}};
+        if (method.wasRun()) {
             const ComparedSteps& s = method.steps;
             row["ms"] = {{"conversion", s.conversion},
                          {"noise_removal", s.noiseRemoval},
@@ -146,7 +144,7 @@ nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<Comp
     report["table_6_1"] = printedReport(methods);
     const auto today = [&](const std::string& key) -> Json {
         const ComparedMethod* method = find(methods, key);
-        if (method == nullptr || !wasRun(*method)) return nullptr;
+        if (method == nullptr || !method->wasRun()) return nullptr;
         return method->steps.total();
     };
     report["table_6_2"] = {

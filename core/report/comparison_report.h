@@ -1,7 +1,7 @@
 // A comparison as the thesis's tables 6.1 and 6.2 and as JSON.
 #pragma once
 
-#include "core/peers/comparison.h"
+#include "core/compare/comparison.h"
 
 #include <nlohmann/json.hpp>
 

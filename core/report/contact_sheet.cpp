@@ -1,7 +1,7 @@
 // Pictures side by side.
 #include "core/report/contact_sheet.h"
 
-#include "core/edges/opencv_view.h"
+#include "core/scan/opencv_view.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
-#include "core/files/png.h"
+#include "core/pictures/png.h"
 
 #include <cstdint>
 #include <string>

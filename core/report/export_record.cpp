@@ -3,12 +3,12 @@
 
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/edges/parameters.h"
-#include "core/files/description.h"
-#include "core/frames/placement_json.h"
+#include "core/georef/placement_json.h"
+#include "core/points/description.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
 #include "core/scan/acquisition.h"
+#include "core/settings/parameters.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/utility.hpp>

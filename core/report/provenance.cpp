@@ -3,14 +3,14 @@
 
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
-#include "core/files/cloud_columns.h"
-#include "core/files/las.h"
-#include "core/files/png.h"
-#include "core/files/save_scan.h"
-#include "core/files/text_layout.h"
-#include "core/files/whole_file.h"
+#include "core/base/whole_file.h"
+#include "core/io/save_scan.h"
+#include "core/pictures/png.h"
+#include "core/points/text_layout.h"
+#include "core/readers/las.h"
 #include "core/report/record_parts.h"
 #include "core/scan/range_picture.h"
+#include "core/writers/cloud_columns.h"
 
 #include <algorithm>
 #include <span>

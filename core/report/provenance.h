@@ -1,9 +1,9 @@
 // Provenance: every export says inside and beside itself what it was made of, so that anybody can make it again (OPERATOR.md S7, S8).
 #pragma once
 
+#include "core/base/file_bytes.h"
 #include "core/base/result.h"
-#include "core/edges/frame.h"
-#include "core/files/file_bytes.h"
+#include "core/method/detection.h"
 #include "core/scan/placement.h"
 
 #include <nlohmann/json.hpp>

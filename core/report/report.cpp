@@ -3,9 +3,9 @@
 
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/edges/parameters.h"
-#include "core/files/acquisition_json.h"
-#include "core/frames/placement_json.h"
+#include "core/georef/placement_json.h"
+#include "core/points/acquisition_json.h"
+#include "core/settings/parameters.h"
 
 #include <cmath>
 #include <span>

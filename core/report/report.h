@@ -1,7 +1,7 @@
 // What a scan holds and what the method made of it, as JSON for scripts (CLI.md: `info` and `detect --json`).
 #pragma once
 
-#include "core/edges/frame.h"
+#include "core/method/detection.h"
 
 #include <nlohmann/json.hpp>
 

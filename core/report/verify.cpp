@@ -3,16 +3,16 @@
 
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/edges/parameters.h"
-#include "core/edges/pipeline.h"
-#include "core/edges/presets.h"
-#include "core/files/open_options_json.h"
-#include "core/files/png.h"
-#include "core/files/whole_file.h"
-#include "core/frames/placement_json.h"
+#include "core/base/whole_file.h"
+#include "core/georef/placement_json.h"
+#include "core/io/open_options_json.h"
+#include "core/method/pipeline.h"
+#include "core/pictures/png.h"
 #include "core/report/find_scan.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 
 #include <algorithm>
 #include <span>
@@ -120,12 +120,12 @@ Result<std::shared_ptr<const Frame>> frameOf(const Json& record, ExportContent c
 void compareProgram(const Json& record, Verification& v) {
     const Json now = programOfRecords();
     const std::string then = wordAt(record, "/program/version") + " (" + wordAt(record, "/program/commit") + ")";
-    const std::string here = std::string(version()) + " (" + commit() + ")";
-    if (then != here) v.findings.push_back("The export was made by version " + then + ", this is " + here + ".");
+    const std::string present = std::string(version()) + " (" + commit() + ")";
+    if (then != present) v.findings.push_back("The export was made by version " + then + ", this is " + present + ".");
     for (const auto& [library, number] : now["libraries"].items()) {
         const std::string used = wordAt(record, "/program/libraries/" + library);
-        if (used != number)
-            v.findings.push_back("It was made with " + library + " " + used + ", this is " + number.get<std::string>() + ".");
+        const auto here = number.get<std::string>(); // g++ 14 will not compare a string with a JSON value
+        if (used != here) v.findings.push_back("It was made with " + library + " " + used + ", this is " + here + ".");
     }
 }
 

@@ -1,9 +1,9 @@
 // Why a cell is an edge or not, as JSON.
 #include "core/report/why_report.h"
 
-#include "core/edges/depth_settings.h"
-#include "core/edges/parameters.h"
-#include "core/edges/step_meaning.h"
+#include "core/depth/depth_settings.h"
+#include "core/gray/step_meaning.h"
+#include "core/settings/parameters.h"
 
 #include <algorithm>
 #include <cmath>

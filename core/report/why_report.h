@@ -1,7 +1,7 @@
 // Why a cell is an edge or not, as JSON (CLI.md, `why`).
 #pragma once
 
-#include "core/edges/why.h"
+#include "core/explain/why.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,14 +1,14 @@
 // Counts and bounds, once from the scan and once from the file.
-#include "core/files/cloud_columns.h"
-#include "core/files/dxf_points.h"
-#include "core/files/las.h"
-#include "core/files/obj.h"
-#include "core/files/pcd.h"
-#include "core/files/ply.h"
-#include "core/files/point_text.h"
-#include "core/files/ptx.h"
-#include "core/files/save_scan.h"
+#include "core/io/save_scan.h"
+#include "core/readers/las.h"
+#include "core/readers/obj.h"
+#include "core/readers/pcd.h"
+#include "core/readers/ply.h"
+#include "core/readers/point_text.h"
+#include "core/readers/ptx.h"
 #include "core/report/record_parts.h"
+#include "core/writers/cloud_columns.h"
+#include "core/writers/dxf_points.h"
 
 #include <span>
 

@@ -1,11 +1,11 @@
 // What EdgeScan+ costs beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
 // build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
-#include "core/edges/canny.h"
-#include "core/edges/depth_edges.h"
-#include "core/edges/gray.h"
-#include "core/edges/presets.h"
-#include "core/edges/smooth.h"
-#include "core/files/open_scan.h"
+#include "core/gray/canny.h"
+#include "core/depth/depth_edges.h"
+#include "core/gray/gray.h"
+#include "core/settings/presets.h"
+#include "core/gray/smooth.h"
+#include "core/io/open_scan.h"
 #include "core/sim/simulate.h"
 
 #include <opencv2/core/utility.hpp>

@@ -1,8 +1,8 @@
 // What a line costs beside drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
 #include "core/live/live_edges.h"
-#include "core/live/recording.h"
-#include "core/live/replay.h"
-#include "core/sim/emulated_telegram.h"
+#include "core/recording/recording.h"
+#include "core/recording/replay.h"
+#include "core/emulator/emulated_telegram.h"
 #include "core/sim/simulate.h"
 
 #include <algorithm>

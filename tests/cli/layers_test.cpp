@@ -1,44 +1,114 @@
-// The rule app -> ui -> core, and a command line without Qt and VTK.
+// The order of the rooms: app -> ui -> core, and inside core and ui the order of their CMakeLists.txt. What a room includes is what it
+// says it uses, and what it uses lies lower: so no circle and no arrow upwards can come about.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 
 namespace edgescan {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Every #include line below `folder` that matches `forbidden`.
-std::vector<std::string> offences(const std::string& folder, const std::regex& forbidden, int& files) {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(EDGESCAN_SOURCE_DIR) / folder)) {
-        const fs::path path = entry.path();
-        if (path.extension() != ".h" && path.extension() != ".cpp") continue;
-        ++files;
-        std::ifstream file(path);
+const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+
+bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+
+// What the files of a folder itself include with quotes, file by file.
+std::map<std::string, std::set<std::string>> includesOf(const fs::path& folder) {
+    static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    std::map<std::string, std::set<std::string>> found;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (!isSource(entry.path())) continue;
+        std::ifstream file(entry.path());
+        std::smatch match;
         for (std::string line; std::getline(file, line);) {
-            if (std::regex_search(line, forbidden)) found.push_back(path.string() + ": " + line);
+            if (std::regex_search(line, match, include)) found[entry.path().string()].insert(match[1]);
         }
     }
     return found;
 }
 
-TEST(Layers, TheCoreIncludesNoQtNoVtkAndNothingAboveIt) {
-    int files = 0;
-    const auto found = offences("core", std::regex(R"(^\s*#\s*include\s*[<"](Q[A-Z]|Qt|vtk|ui/|app/|tests/))"), files);
-    EXPECT_GT(files, 20);
-    for (const std::string& line : found) ADD_FAILURE() << line;
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
 }
 
-TEST(Layers, TheUserInterfaceIncludesNothingOfTheApplications) {
-    int files = 0;
-    const auto found = offences("ui", std::regex(R"(^\s*#\s*include\s*[<"](app/|tests/))"), files);
-    EXPECT_GT(files, 10);
-    for (const std::string& line : found) ADD_FAILURE() << line;
+// The rooms of core/ or ui/ in the order of its CMakeLists.txt, lowest first.
+std::vector<std::string> roomsInOrder(const std::string& storey) {
+    const std::string text = test::fileText((kRoot / storey / "CMakeLists.txt").string());
+    std::smatch match;
+    if (!std::regex_search(text, match, std::regex(R"(foreach\(room\s+([^)]*)\))"))) return {};
+    return words(match[1]);
 }
+
+// What a room says it uses: "gray" for core/gray out of a room of the core, "core" and the names of ui rooms out of one of ui.
+std::set<std::string> usedBy(const std::string& storey, const std::string& room) {
+    const std::string text = test::fileText((kRoot / storey / room / "CMakeLists.txt").string());
+    std::smatch match;
+    if (!std::regex_search(text, match, std::regex(R"(USES\s+([a-z_\s]*))"))) return {};
+    const std::vector<std::string> names = words(match[1]);
+    return {names.begin(), names.end()};
+}
+
+// "gray" of "core/gray/canny.h" for storey "core"; empty for anything else.
+std::string roomOf(const std::string& include, const std::string& storey) {
+    if (!include.starts_with(storey + "/")) return {};
+    const std::string rest = include.substr(storey.size() + 1);
+    return rest.substr(0, rest.find('/'));
+}
+
+void checkStorey(const std::string& storey) {
+    const std::vector<std::string> rooms = roomsInOrder(storey);
+    ASSERT_GE(rooms.size(), 6U);
+    for (const auto& entry : fs::directory_iterator(kRoot / storey)) {
+        if (entry.is_directory())
+            EXPECT_NE(std::ranges::find(rooms, entry.path().filename().string()), rooms.end()) << entry.path() << " is no room in the list";
+    }
+    std::set<std::string> lower;
+    for (const std::string& room : rooms) {
+        const std::set<std::string> uses = usedBy(storey, room);
+        for (const std::string& used : uses) EXPECT_TRUE(lower.contains(used)) << storey << '/' << room << " uses " << used << ", which is not below it";
+        std::set<std::string> included;
+        for (const auto& [file, includes] : includesOf(kRoot / storey / room)) {
+            for (const std::string& include : includes) {
+                const std::string other = roomOf(include, storey);
+                if (other.empty() || other == room) continue;
+                included.insert(other);
+                EXPECT_TRUE(uses.contains(other)) << file << " includes " << include << ", but " << room << " does not say that it uses " << other;
+            }
+        }
+        for (const std::string& used : uses) EXPECT_TRUE(included.contains(used)) << storey << '/' << room << " says that it uses " << used << " and does not";
+        lower.insert(room);
+    }
+}
+
+// Every #include below `folder` that matches `forbidden`.
+void expectNone(const std::string& folder, const std::regex& forbidden) {
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+        if (!entry.is_directory()) continue;
+        for (const auto& [file, includes] : includesOf(entry.path())) {
+            ++files;
+            for (const std::string& include : includes) EXPECT_FALSE(std::regex_search(include, forbidden)) << file << " includes " << include;
+        }
+    }
+    EXPECT_GT(files, 20);
+}
+
+TEST(Layers, TheRoomsOfTheCoreUseOnlyLowerOnesAndSayWhich) { checkStorey("core"); }
+
+TEST(Layers, TheRoomsOfTheUserInterfaceUseOnlyLowerOnesAndSayWhich) { checkStorey("ui"); }
+
+TEST(Layers, TheCoreIncludesNoQtNoVtkAndNothingAboveIt) { expectNone("core", std::regex("^(Q[A-Z]|Qt|vtk|ui/|app/|tests/)")); }
+
+TEST(Layers, TheUserInterfaceIncludesNothingOfTheApplications) { expectNone("ui", std::regex("^(app/|tests/)")); }
 
 TEST(Layers, TheCommandLineLinksNeitherQtNorVtkNorOpenGl) {
     const test::TemporaryFolder folder;

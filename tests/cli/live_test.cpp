@@ -1,6 +1,6 @@
 // serve, record and replay from outside: what is served, recorded and played again has the edges of the file.
-#include "core/edges/pipeline.h"
-#include "core/files/save_scan.h"
+#include "core/method/pipeline.h"
+#include "core/io/save_scan.h"
 #include "core/live/growing_pipeline.h"
 #include "core/live/live_feed.h"
 #include "core/report/report.h"

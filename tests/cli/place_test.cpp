@@ -1,7 +1,7 @@
 // Poses, frames, attached points and records from outside.
-#include "core/files/save_scan.h"
-#include "core/frames/calibration.h"
-#include "core/live/recording.h"
+#include "core/io/save_scan.h"
+#include "core/georef/calibration.h"
+#include "core/recording/recording.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"

@@ -1,5 +1,5 @@
 // Whatever bytes come as a recording: a scan or a sentence.
-#include "core/live/replay.h"
+#include "core/recording/replay.h"
 
 #include <cstddef>
 #include <cstdint>

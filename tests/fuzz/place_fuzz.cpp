@@ -1,6 +1,6 @@
 // Whatever bytes come as a pose or a calibration file: numbers that can be used, or a sentence.
-#include "core/frames/calibration.h"
-#include "core/frames/poses.h"
+#include "core/georef/calibration.h"
+#include "core/georef/poses.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // libFuzzer: any bytes as a scan telegram. What decodes must survive encoding in both dialects and give ranges that are numbers.
-#include "core/live/scan_telegram.h"
+#include "core/lms/scan_telegram.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // PCL reads what we write and we read what PCL writes. Needs pcl_common and pcl_io.
-#include "core/files/open_scan.h"
-#include "core/files/save_scan.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // OpenCV reads the pictures that we write, and we read those that it writes.
-#include "core/edges/pipeline.h"
-#include "core/files/open_scan.h"
-#include "core/files/png.h"
+#include "core/method/pipeline.h"
+#include "core/io/open_scan.h"
+#include "core/pictures/png.h"
 #include "core/report/provenance.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/point_lists.h"

@@ -1,9 +1,9 @@
 // Scan telegrams made in memory, for tests of what comes after the wire.
 #pragma once
 
-#include "core/live/recording.h"
-#include "core/live/scan_telegram.h"
-#include "core/live/sweep.h"
+#include "core/recording/recording.h"
+#include "core/lms/scan_telegram.h"
+#include "core/sweep/sweep.h"
 #include "core/scan/scan.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // A scanner session and what it told, for tests; an emulated scanner with few beams.
 #pragma once
 
-#include "core/live/counters.h"
-#include "core/live/scanner_session.h"
-#include "core/sim/emulated_scanner.h"
-#include "core/sim/emulated_telegram.h"
+#include "core/sweep/counters.h"
+#include "core/lms/scanner_session.h"
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Random places in the mine, for tests.
 #pragma once
 
-#include "core/frames/rotations.h"
+#include "core/georef/rotations.h"
 #include "core/scan/placement.h"
 
 #include <memory>

@@ -1,10 +1,10 @@
 // One small whole file per reader and kind, made in memory: seeds for the fuzzers and for the test that damages them.
 #pragma once
 
-#include "core/files/png.h"
-#include "core/files/save_scan.h"
-#include "core/frames/poses.h"
-#include "core/live/save_recording.h"
+#include "core/pictures/png.h"
+#include "core/io/save_scan.h"
+#include "core/georef/poses.h"
+#include "core/recording/save_recording.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/live_lines.h"

@@ -1,9 +1,9 @@
 // The real window on a live scanner and on recordings: grows, keeps its place, tells what is stale, records, plays again.
-#include "core/edges/pipeline.h"
-#include "core/files/save_scan.h"
+#include "core/method/pipeline.h"
+#include "core/io/save_scan.h"
 #include "core/report/report.h"
-#include "core/sim/emulated_scanner.h"
-#include "core/sim/emulated_telegram.h"
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
 #include "core/sim/simulate.h"
 #include "tests/support/own_sockets.h"
 #include "tests/support/served_program.h"

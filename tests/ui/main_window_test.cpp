@@ -1,7 +1,7 @@
 // The real window, driven by real events: what it shows belongs together and equals what the command line computes.
-#include "core/edges/parameters.h"
-#include "core/edges/presets.h"
-#include "core/files/save_scan.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "core/io/save_scan.h"
 #include "core/report/report.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"

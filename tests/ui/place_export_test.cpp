@@ -1,7 +1,7 @@
 // Where a scan stands, as the window tells it, and the question before an export.
-#include "core/edges/pipeline.h"
-#include "core/files/save_scan.h"
-#include "core/frames/placed_points.h"
+#include "core/method/pipeline.h"
+#include "core/io/save_scan.h"
+#include "core/georef/placed_points.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

@@ -1,5 +1,5 @@
 // How long the GUI thread is away while a slider moves over a full sweep. Prints; asserts no time.
-#include "core/files/save_scan.h"
+#include "core/io/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
 #include "ui/cloud/cloud_view.h"

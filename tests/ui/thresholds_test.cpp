@@ -1,8 +1,8 @@
 // What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
-#include "core/edges/parameters.h"
-#include "core/edges/presets.h"
-#include "core/edges/step_meaning.h"
-#include "core/files/save_scan.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "core/gray/step_meaning.h"
+#include "core/io/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

@@ -10,7 +10,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
-constexpr int kMargin = 8;
+constexpr int kLabelMargin = 8;
 
 void strokeTwice(QPainter& painter, double width, Qt::PenStyle style, const QColor& colour, auto&& draw) {
     painter.setPen(QPen(QColor(0, 0, 0, 220), width + 2.0));
@@ -76,7 +76,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         drawVeil(painter, rect(), marks_.veil);
         painter.restore();
     }
-    const QRect inner = rect().adjusted(kMargin + 6, kMargin + 3, -kMargin - 6, -kMargin - 3);
+    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
     if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }

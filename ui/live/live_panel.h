@@ -1,7 +1,7 @@
 // The panel under the views: which scanner, connect, record, keep, follow; and its health.
 #pragma once
 
-#include "core/live/sweep_settings.h"
+#include "core/sweep/sweep_settings.h"
 #include "ui/live/health_strip.h"
 
 #include <QWidget>

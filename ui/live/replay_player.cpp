@@ -1,7 +1,7 @@
 // Playing a recording off the GUI thread.
 #include "ui/live/replay_player.h"
 
-#include "core/live/recorded_grid.h"
+#include "core/recording/recorded_grid.h"
 
 #include <QMetaObject>
 

@@ -1,7 +1,7 @@
 // Plays a recording on a thread of its own: the newest line asked for wins, and going back costs one sweep at most.
 #pragma once
 
-#include "core/live/replay.h"
+#include "core/recording/replay.h"
 
 #include <QObject>
 

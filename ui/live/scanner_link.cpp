@@ -8,13 +8,13 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kTickMs = 40;
+constexpr int kLinkTickMs = 40;
 constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
 
 } // namespace
 
 ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), session_(session) {
-    timer_.setInterval(kTickMs);
+    timer_.setInterval(kLinkTickMs);
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
     connect(&session_, &Session::pictureReady, this, [this] {
         if (!awaiting_ || session_.picture()->source.stream != stream_) return;

@@ -1,7 +1,7 @@
 // What the operator says of the stepper: without it nobody knows how long a sweep is and where its lines lie.
 #pragma once
 
-#include "core/live/sweep_settings.h"
+#include "core/sweep/sweep_settings.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // The question before an export.
 #include "ui/main/export_dialog.h"
 
-#include "core/files/save_scan.h"
-#include "core/frames/placed_points.h"
+#include "core/io/save_scan.h"
+#include "core/georef/placed_points.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>

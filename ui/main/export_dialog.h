@@ -1,7 +1,7 @@
 // Asks what of a scan to export and in which coordinates, with the count before anything is saved.
 #pragma once
 
-#include "core/edges/frame.h"
+#include "core/method/detection.h"
 #include "core/report/provenance.h"
 
 #include <QDialog>

@@ -1,7 +1,7 @@
 // The window: gray image, edge map and cloud side by side, the panel, and what links them.
 #pragma once
 
-#include "core/live/sweep_settings.h"
+#include "core/sweep/sweep_settings.h"
 #include "ui/cloud/camera_motion.h"
 #include "ui/main/memory.h"
 #include "ui/session/session.h"

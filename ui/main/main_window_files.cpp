@@ -1,10 +1,10 @@
 // The window's dialogs for files, and what goes to the clipboard.
 #include "ui/main/main_window.h"
 
-#include "core/edges/command_text.h"
-#include "core/files/save_scan.h"
-#include "core/files/whole_file.h"
-#include "core/frames/placed_points.h"
+#include "core/settings/command_text.h"
+#include "core/io/save_scan.h"
+#include "core/base/whole_file.h"
+#include "core/georef/placed_points.h"
 #include "ui/main/export_dialog.h"
 #include "ui/main/notice_bar.h"
 #include "ui/main/status_line.h"

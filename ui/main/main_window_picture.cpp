@@ -1,8 +1,8 @@
 // What the window shows of a picture: images, cloud, the cell under the cursor, display levels.
 #include "ui/main/main_window.h"
 
-#include "core/edges/straighten_scan.h"
-#include "core/frames/placed_points.h"
+#include "core/straighten/straighten_scan.h"
+#include "core/georef/placed_points.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"

@@ -1,5 +1,5 @@
 // What the thresholds do: edge counts under the sliders, and why a cell is an edge.
-#include "core/edges/why.h"
+#include "core/explain/why.h"
 #include "ui/image/image_view.h"
 #include "ui/main/main_window.h"
 #include "ui/main/notice_bar.h"

@@ -1,7 +1,7 @@
 // What survives a restart and a kill.
 #include "ui/main/memory.h"
 
-#include "core/edges/parameters.h"
+#include "core/settings/parameters.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>

@@ -1,7 +1,7 @@
 // What survives a restart and a kill: one readable file, written shortly after each change.
 #pragma once
 
-#include "core/edges/presets.h"
+#include "core/settings/presets.h"
 
 #include <QByteArray>
 #include <QSettings>

@@ -1,7 +1,7 @@
 // Undo and redo of what the sliders set.
 #include "ui/main/settings_undo.h"
 
-#include "core/edges/parameters.h"
+#include "core/settings/parameters.h"
 
 #include <QObject>
 

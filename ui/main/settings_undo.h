@@ -1,7 +1,7 @@
 // Undo and redo of what the sliders set: one drag is one step.
 #pragma once
 
-#include "core/edges/settings.h"
+#include "core/settings/settings.h"
 
 #include <QUndoCommand>
 

@@ -1,7 +1,7 @@
 // The status bar.
 #include "ui/main/status_line.h"
 
-#include "core/edges/depth_settings.h"
+#include "core/depth/depth_settings.h"
 #include "core/scan/placement.h"
 
 #include <QHBoxLayout>

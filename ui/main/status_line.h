@@ -1,7 +1,7 @@
 // The status bar: what is under the mouse, how much of what there is, how long the last update took, what draws it.
 #pragma once
 
-#include "core/edges/probe.h"
+#include "core/explain/probe.h"
 
 #include <QStatusBar>
 

@@ -1,7 +1,7 @@
 // Edge count against threshold.
 #include "ui/panel/count_curve.h"
 
-#include "core/edges/parameters.h"
+#include "core/settings/parameters.h"
 #include "ui/panel/parameter_row.h"
 
 #include <QLocale>

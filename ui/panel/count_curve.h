@@ -1,7 +1,7 @@
 // How many edges there would be at every threshold, drawn under its slider, with the stretch where the number hardly changes.
 #pragma once
 
-#include "core/edges/threshold_map.h"
+#include "core/gray/threshold_map.h"
 
 #include <QWidget>
 

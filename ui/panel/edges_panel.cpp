@@ -1,11 +1,12 @@
 // The panel "Edges".
 #include "ui/panel/edges_panel.h"
 
-#include "core/edges/detectors/detector.h"
-#include "core/edges/detectors/zero_crossings.h"
-#include "core/edges/frame_thresholds.h"
-#include "core/edges/parameters.h"
-#include "core/edges/step_meaning.h"
+#include "core/gray/detector.h"
+#include "core/settings/method_traits.h"
+#include "core/gray/zero_crossings.h"
+#include "core/method/detection_thresholds.h"
+#include "core/settings/parameters.h"
+#include "core/gray/step_meaning.h"
 #include "ui/cloud/edge_cells.h"
 #include "ui/panel/count_curve.h"
 #include "ui/panel/parameter_row.h"

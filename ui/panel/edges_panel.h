@@ -1,9 +1,9 @@
 // The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
 #pragma once
 
-#include "core/edges/frame.h"
-#include "core/edges/presets.h"
-#include "core/edges/threshold_map.h"
+#include "core/method/detection.h"
+#include "core/settings/presets.h"
+#include "core/gray/threshold_map.h"
 
 #include <QColor>
 #include <QWidget>

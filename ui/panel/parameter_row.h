@@ -1,7 +1,7 @@
 // One row of the panel: label, slider, number, unit; built from a row of the parameter table.
 #pragma once
 
-#include "core/edges/parameters.h"
+#include "core/settings/parameters.h"
 
 #include <QObject>
 

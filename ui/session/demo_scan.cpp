@@ -2,8 +2,8 @@
 #include "ui/session/demo_scan.h"
 
 #include "core/base/version.h"
-#include "core/files/open_scan.h"
-#include "core/files/save_scan.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
 #include "core/sim/simulate.h"
 
 #include <QDir>

@@ -1,8 +1,8 @@
 // How many edges every threshold would give.
 #include "ui/session/edge_counts.h"
 
-#include "core/edges/frame_thresholds.h"
-#include "core/edges/parameters.h"
+#include "core/method/detection_thresholds.h"
+#include "core/settings/parameters.h"
 #include "ui/panel/count_curve.h"
 
 namespace edgescan::ui {

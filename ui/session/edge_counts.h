@@ -1,8 +1,8 @@
 // Works out, while nobody turns anything, how many edges every threshold would give.
 #pragma once
 
-#include "core/edges/frame.h"
-#include "core/edges/threshold_map.h"
+#include "core/method/detection.h"
+#include "core/gray/threshold_map.h"
 #include "ui/session/background_job.h"
 
 #include <QObject>

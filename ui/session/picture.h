@@ -1,7 +1,7 @@
 // What the window shows of one frame: the frame itself and the images made of it off the GUI thread.
 #pragma once
 
-#include "core/edges/frame.h"
+#include "core/method/detection.h"
 #include "core/live/growing_pipeline.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/edge_cells.h"

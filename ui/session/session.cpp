@@ -1,7 +1,7 @@
 // The one bridge between the window and the core's threads.
 #include "ui/session/session.h"
 
-#include "core/frames/placed_points.h"
+#include "core/georef/placed_points.h"
 #include "core/report/provenance.h"
 #include "ui/session/demo_scan.h"
 

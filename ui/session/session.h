@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/edges/settings.h"
-#include "core/edges/worker.h"
-#include "core/files/open_scan.h"
+#include "core/settings/settings.h"
+#include "core/method/worker.h"
+#include "core/io/open_scan.h"
 #include "core/report/provenance.h"
 #include "ui/session/background_job.h"
 #include "ui/session/picture.h"

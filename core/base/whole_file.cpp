@@ -1,0 +1,211 @@
+// Writing through a temporary and a rename; reading in one go.
+#include "core/base/whole_file.h"
+
+#include "core/base/memory.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    [[nodiscard]] int number() const { return number_; }
+    int release() { return std::exchange(number_, -1); }
+
+private:
+    int number_;
+};
+
+/// A temporary file that goes away unless it was renamed.
+struct Temporary {
+    fs::path path;
+    fs::path target;
+    bool renamed = false;
+
+    Temporary(fs::path temporaryPath, fs::path targetPath) : path(std::move(temporaryPath)), target(std::move(targetPath)) {}
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    Temporary(Temporary&& other) noexcept
+        : path(std::move(other.path)), target(std::move(other.target)), renamed(std::exchange(other.renamed, true)) {}
+    Temporary& operator=(Temporary&&) = delete;
+    ~Temporary() {
+        if (!renamed) ::unlink(path.c_str());
+    }
+};
+
+Error writeError(const fs::path& path, int code) {
+    const std::string reason = std::strerror(code);
+    switch (code) {
+    case ENOENT:
+        return {"the folder to write into does not exist", path.string(), "make the folder or choose another"};
+    case ENOTDIR:
+        return {"the folder to write into is not a folder", path.string(), "choose another folder"};
+    case EACCES:
+    case EPERM:
+        return {"writing here is not allowed", path.string(), "choose another folder or ask for the right to write"};
+    case EROFS:
+        return {"the disk can only be read", path.string(), "choose another folder"};
+    case ENOSPC:
+    case EDQUOT:
+        return {"the disk is full, nothing was written", path.string(), "free some space or choose another disk"};
+    case EFBIG:
+        return {"the file would be larger than the limit set for it", path.string(), "choose another disk or raise the limit"};
+    case EISDIR:
+        return {"this is a folder, not a file", path.string(), "give a file name"};
+    case ENAMETOOLONG:
+        return {"the file name is too long", path.string(), "choose a shorter name"};
+    default:
+        return {"the file cannot be written: " + reason, path.string(), "choose another folder or disk"};
+    }
+}
+
+Error readError(const fs::path& path, int code) {
+    const std::string reason = std::strerror(code);
+    switch (code) {
+    case ENOENT:
+    case ENOTDIR:
+        return {"there is no such file", path.string(), "check the spelling and the folder"};
+    case EACCES:
+    case EPERM:
+        return {"reading this file is not allowed", path.string(), "ask its owner for the right to read it"};
+    case EISDIR:
+        return {"this is a folder, not a file", path.string(), "choose a file inside it"};
+    default:
+        return {"the file cannot be read: " + reason, path.string(), "check the disk and the path"};
+    }
+}
+
+/// 0, or the errno that stopped the writing.
+int writeAll(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+Result<fs::path> finalTarget(const fs::path& path) {
+    std::error_code problem;
+    if (fs::is_directory(path, problem)) return writeError(path, EISDIR);
+    if (!path.has_filename()) return Error{"there is no file name to write to", path.string(), "give a file name"};
+    if (!fs::is_symlink(path, problem)) return path;
+    const fs::path resolved = fs::weakly_canonical(path, problem);
+    return problem ? Result<fs::path>(writeError(path, problem.value())) : Result<fs::path>(resolved);
+}
+
+fs::path temporaryNameFor(const fs::path& target) {
+    static std::atomic<unsigned> serial{0};
+    // A short name of its own, so that a target name of the greatest length allowed still works.
+    const std::string name = ".edgescan-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".part";
+    return target.parent_path() / name;
+}
+
+/// All bytes on the disk under a temporary name beside the target.
+Result<Temporary> writeTemporary(const fs::path& path, const fs::path& target, std::span<const std::byte> bytes) {
+    Temporary temporary(temporaryNameFor(target), target);
+    // The mode is what a plain open() would give, or that of the file that is replaced.
+    struct stat old {};
+    const bool replaces = ::stat(target.c_str(), &old) == 0;
+    ::unlink(temporary.path.c_str()); // left by a killed program that had our process number
+    Descriptor file(::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.number() < 0) {
+        temporary.renamed = true; // nothing of ours to remove
+        return writeError(path, errno);
+    }
+    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 07777U)); // not worth failing for
+    if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
+    if (::fsync(file.number()) != 0 && errno != EINVAL) return writeError(path, errno);
+    if (::close(file.release()) != 0 && errno != EINTR) return writeError(path, errno);
+    return temporary;
+}
+
+void syncFolder(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (descriptor.number() >= 0) static_cast<void>(::fsync(descriptor.number()));
+}
+
+/// Renaming over /dev/null or a pipe would destroy it; those are written to as they are.
+bool isDevice(const fs::path& path) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(path, problem);
+    return !problem && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+Result<Done> writeDevice(const fs::path& path, std::span<const std::byte> bytes) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.number() < 0) return writeError(path, errno);
+    if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
+    return Done{};
+}
+
+} // namespace
+
+Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
+    std::vector<Temporary> ready;
+    for (const FileContent& file : files) {
+        if (isDevice(file.path)) {
+            if (auto written = writeDevice(file.path, file.bytes); !written) return written.error();
+            continue;
+        }
+        const auto target = finalTarget(file.path);
+        if (!target) return target.error();
+        auto temporary = writeTemporary(file.path, *target, file.bytes);
+        if (!temporary) return temporary.error();
+        ready.push_back(std::move(*temporary));
+    }
+    for (Temporary& temporary : ready) {
+        if (::rename(temporary.path.c_str(), temporary.target.c_str()) != 0) return writeError(temporary.target, errno);
+        temporary.renamed = true;
+        syncFolder(temporary.target);
+    }
+    return Done{};
+}
+
+Result<Done> writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) { return writeWholeFiles({{path, bytes}}); }
+
+Result<Done> writeWholeFile(const fs::path& path, const std::string& text) { return writeWholeFile(path, std::as_bytes(std::span(text))); }
+
+Result<std::vector<std::byte>> readWholeFile(const fs::path& path) {
+    // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.number() < 0) return readError(path, errno);
+    struct stat status {};
+    if (::fstat(file.number(), &status) != 0) return readError(path, errno);
+    if (S_ISDIR(status.st_mode)) return readError(path, EISDIR);
+    if (!S_ISREG(status.st_mode)) return Error{"this is a device or a pipe, not a file", path.string(), "choose a file"};
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (auto enough = checkMemory(size, path.string()); !enough) return enough.error();
+    std::vector<std::byte> bytes(size);
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t count = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return readError(path, errno);
+        if (count == 0) break;
+        filled += static_cast<std::size_t>(count);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+} // namespace edgescan

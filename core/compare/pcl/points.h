@@ -1,0 +1,37 @@
+// A scan as PCL sees it.
+#pragma once
+
+#include "core/compare/peers.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vector>
+
+namespace edgescan {
+
+using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// An organised cloud, beams wide and lines high; NaN where there is no range.
+[[nodiscard]] PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM);
+
+/// Thread CPU time between two readings, by name.
+class StepClock {
+public:
+    StepClock();
+    /// Ends the step that began with the last call (or the construction).
+    void ended(const char* step);
+    [[nodiscard]] double secondsSinceStart() const;
+    [[nodiscard]] std::vector<StageTime> take() { return std::move(steps_); }
+
+private:
+    double start_, last_;
+    std::vector<StageTime> steps_;
+};
+
+// The peers, one file each. None throws or refuses a scan that has a point.
+[[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
+[[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
+[[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);
+
+} // namespace edgescan

@@ -1,0 +1,64 @@
+// The Point Cloud Library's own edge detectors on a scan, for comparison (thesis, chapters 4 and 6.3).
+#pragma once
+
+#include "core/base/result.h"
+#include "core/method/detection.h"
+#include "core/scan/scan.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+enum class Peer : std::uint8_t {
+    BoundaryNeighbours,    ///< BoundaryEstimation on the 30 nearest points
+    BoundaryRadius,        ///< BoundaryEstimation on all points within a radius
+    RangeImageBorder,      ///< RangeImageBorderExtractor on the scan's own grid
+    OrganizedEdge,         ///< OrganizedEdgeFromNormals on the points as they are
+    OrganizedEdgeUnrolled, ///< OrganizedEdgeFromNormals on x = beam, y = line angle times range, z = range: depth is range again
+};
+inline constexpr int kPeers = 5;
+
+/// "BoundaryEstimation k=30" ...
+[[nodiscard]] const char* peerName(Peer peer);
+
+struct PeerLimits {
+    double seconds = 10.0; ///< thread CPU time after which a peer that works point by point stops; infinite = never
+    int neighbours = 30;
+    double radiusM = 0.1;
+};
+
+/// One kind of edge that a peer tells apart.
+struct PeerClass {
+    std::string name;
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
+    bool counts = true;      ///< part of PeerEdges::mask: shadow borders, veils, occluded edges and borders of holes are not
+};
+
+struct PeerEdges {
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge of the nearer surface
+    std::vector<PeerClass> classes;
+    std::vector<StageTime> steps; ///< milliseconds of thread CPU time
+    double share = 1.0;           ///< of the points that were done before the time was up; the mask then covers only these
+};
+
+/// A scan as the peers see it: all lines x beams, metres, the sensor at 0; NaN where there is no range.
+struct PeerScan {
+    Grid<Eigen::Vector3f> pointsM;
+    Grid<Eigen::Vector3f> directions; ///< of the beams, unit; also where there is no range
+    Grid<Eigen::Vector3f> unrolledM;  ///< angles from the middle of the grid times the range, and the range as depth
+};
+[[nodiscard]] PeerScan peerScan(const Scan& scan);
+
+/// What the module with PCL inside offers.
+struct PeerModule {
+    Result<PeerEdges> (*run)(Peer peer, const PeerScan& scan, const PeerLimits& limits);
+    const char* version; ///< of PCL
+};
+
+/// Loads edgescan_peers.so from beside the program (or ../lib/edgescan): starting with PCL linked would cost every command 40 ms.
+/// Error: it was built without PCL, or the module is not there.
+[[nodiscard]] Result<const PeerModule*> loadPeers();
+
+} // namespace edgescan

@@ -1,0 +1,73 @@
+// EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (METHOD.md, "EdgeScan+").
+#pragma once
+
+#include "core/depth/depth_field.h"
+#include "core/scan/inverse_range.h"
+#include "core/straighten/interlace.h"
+
+namespace edgescan {
+
+/// METHOD.md's sliders. Automatic values follow the noise of the scan (step 6).
+struct DepthEdgeSettings {
+    double jumpMm = -1.0;       ///< J0; below 0: 30 mm x noise / that of an LMS511
+    double jumpGrowth = 0.01;   ///< p: share of the range
+    double creaseDeg = 30.0;    ///< C0: dihedral angle
+    double sensitivity = 1.0;   ///< high threshold of the hysteresis
+    double hysteresisLow = 0.7; ///< share of the high one
+    int minimumLength = 5;      ///< cells
+    double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
+    double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
+    bool straighten = true;     ///< interlaced beams and slipped lines are measured and taken into account
+    bool jumps = true;
+    bool convex = true;
+    bool concave = true;
+    bool border = false; ///< where the data end: nobody knows what is there, so it is no edge of a rock (OPERATOR.md S3)
+};
+
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };
+inline constexpr int kDepthEdges = 5; // None included
+
+/// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger or
+/// nothing is there, or nothing was measured. Depends on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten alone: the
+/// other sliders need only decideDepthEdges().
+struct DepthResponses {
+    Grid<float> jump;                  ///< lines x beams
+    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
+    RangeNoise noise;                  ///< used
+    double jumpMm = 0;                 ///< J0 used
+    std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
+};
+
+struct DepthEdges {
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a measured range
+    Grid<DepthEdge> kind;    ///< lines x beams
+    Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
+    RangeNoise noise;        ///< used
+};
+
+/// The sweep itself, cleaned and measured: steps 1 and 6. Holds whatever the sliders say, but for `straighten`.
+struct DepthSurface {
+    InverseRange inverse;
+    SweepSlips slips;
+    AngularSteps steps;
+    RangeNoise noise;
+    double spacingMm = 0;
+};
+[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten);
+
+/// Thresholds of the stages under these settings.
+[[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
+
+/// Steps 2 to 5.
+[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);
+
+/// From the scan on.
+[[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);
+
+/// Step 7: classes, hysteresis and minimum length.
+[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);
+
+/// Both.
+[[nodiscard]] DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings);
+
+} // namespace edgescan

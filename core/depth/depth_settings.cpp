@@ -1,0 +1,34 @@
+// What the operator turned, in the terms of EdgeScan+.
+#include "core/depth/depth_settings.h"
+
+#include <cmath>
+
+namespace edgescan {
+
+DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
+    const int classes = settings.method == Method::Jumps      ? kClassJump
+                        : settings.method == Method::Outlines ? kClassJump | kClassConcave
+                                                              : settings.classes;
+    DepthEdgeSettings depth;
+    if (!std::isnan(settings.jumpMm)) depth.jumpMm = settings.jumpMm;
+    depth.jumpGrowth = settings.growthPercent / 100.0;
+    depth.creaseDeg = settings.creaseDeg;
+    depth.sensitivity = settings.sensitivity;
+    depth.hysteresisLow = settings.hysteresisPercent / 100.0;
+    depth.minimumLength = settings.minimumLength;
+    depth.grazing = settings.grazing;
+    depth.straighten = settings.straighten;
+    if (!std::isnan(settings.noiseMm)) depth.noiseAt5mMm = settings.noiseMm;
+    depth.jumps = (classes & kClassJump) != 0;
+    depth.convex = (classes & kClassConvex) != 0;
+    depth.concave = (classes & kClassConcave) != 0;
+    depth.border = (classes & kClassBorder) != 0;
+    return depth;
+}
+
+const char* edgeClassName(DepthEdge kind) {
+    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+} // namespace edgescan

@@ -1,0 +1,15 @@
+// What the operator turned, in the terms of EdgeScan+.
+#pragma once
+
+#include "core/depth/depth_edges.h"
+#include "core/settings/settings.h"
+
+namespace edgescan {
+
+/// The method must not be Canny. Outlines and jumps are classes of the same edges.
+[[nodiscard]] DepthEdgeSettings depthEdgeSettings(const Settings& settings);
+
+/// "jump", "convex", "concave", "border"; "none".
+[[nodiscard]] const char* edgeClassName(DepthEdge kind);
+
+} // namespace edgescan

@@ -1,0 +1,67 @@
+// Jumps and folds of a sweep line by line: every stage of EdgeScan+ works on a line as soon as the stage before has done what it looks at.
+#pragma once
+
+#include "core/depth/depth_crease.h"
+#include "core/depth/depth_field.h"
+#include "core/straighten/interlace.h"
+
+#include <vector>
+
+namespace edgescan {
+
+/// The stages between a cleaned sweep and what is decided on (METHOD.md steps 2 to 5), and the lines between them. What they say of a line
+/// depends on no more than a few dozen lines round it, and no more are held.
+class SurfaceLines {
+public:
+    /// The references are kept.
+    SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits);
+
+    /// Takes up one more line of the sweep; after the last one, lines of the margin.
+    void advance();
+
+    /// S_J per cell, both ways, ...
+    [[nodiscard]] const Lines& jumps(Along along) const { return along == Along::Beams ? jumpBeams_ : jumpLines_; }
+    /// ... and S_C. Both have lines of 0 after the last one of the sweep.
+    [[nodiscard]] const Lines& folds(Along along) const { return along == Along::Beams ? folds_.alongBeams : folds_.alongLines; }
+
+    /// u of the newest lines of jumps, mixed pixels snapped, and where it is solid.
+    [[nodiscard]] DepthField surface() const { return {snapped_, solid_}; }
+    /// u of the newest line of folds and those around it, smoothed, and where neighbours are linked.
+    [[nodiscard]] const Lines& smoothed() const { return passes_.back().lines; }
+    [[nodiscard]] const Lines& links(Along along) const { return along == Along::Beams ? linkBeams_ : linkLines_; }
+
+    /// The newest line there is; negative before the first.
+    [[nodiscard]] int jumpLine() const { return crackLine_; }
+    [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldLooks; }
+
+private:
+    [[nodiscard]] bool isInside(int line) const { return line >= 0 && line < lines_; }
+    void takeLine(int line);
+    void snapAlongBeams(int line);
+    void snapAlongLines(int line);
+    void findCracks(int line);
+    void smooth(std::size_t pass, int line);
+    void fitFolds(int line);
+
+    const InverseRange& inverse_;
+    const AngularSteps& steps_;
+    const SweepSlips& slips_;
+    const DepthLimits& limits_;
+    int lines_;
+    int crackLine_;  // newest line of cracks
+    Lines measured_; // u
+    Lines solid_;
+    Lines snappedOnce_; // u, mixed pixels snapped along the beams ...
+    Lines snapped_;     // ... and along the lines
+    Lines crackBeams_, crackLines_;
+    Lines linkBeams_, linkLines_;
+    Lines jumpBeams_, jumpLines_;
+    struct Pass {
+        Lines beams, lines; // u, smoothed along both
+    };
+    std::vector<Pass> passes_;
+    FoldWork work_;
+    FoldStrengths folds_;
+};
+
+} // namespace edgescan

@@ -1,0 +1,36 @@
+// From a scan to the telegrams that an LMS511 would have sent while it was measured.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/lms/cola_commands.h"
+#include "core/lms/scan_telegram.h"
+#include "core/scan/scan.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan {
+
+struct TelegramStyle {
+    std::uint32_t serialNumber = 18110550;
+    std::uint32_t scanFrequency = 2500;  ///< 1/100 Hz
+    std::uint16_t firstTelegram = 10203; ///< counters of line 0
+    std::uint16_t firstScan = 10335;
+    std::uint32_t firstUs = 1387959194; ///< device clock of line 0
+    bool encoder = true;                ///< one encoder whose count is the line
+    bool remission = false;             ///< RSSI1, made up from the range: scans carry none
+};
+
+/// 1, or 2 when a range does not fit 16 bits of millimetres (SPEC 6.3).
+[[nodiscard]] float telegramScale(const Scan& scan);
+
+/// One line. Ranges are whole counts; NoReturn is 0, DeviceStatus its code. Error: beams that no fan of this scanner could be.
+[[nodiscard]] Result<ScanTelegram> telegramOf(const Scan& scan, int line, const TelegramStyle& style = {});
+
+/// All lines; those that are Lost from end to end are left out, and the counters show it.
+[[nodiscard]] Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramStyle& style = {});
+
+/// The telegram cut to what the scanner is configured to send.
+[[nodiscard]] ScanTelegram trimmedTelegram(ScanTelegram telegram, const OutputRange& range, const TelegramContent& content);
+
+} // namespace edgescan

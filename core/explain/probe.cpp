@@ -1,0 +1,30 @@
+// Everything known about one cell.
+#include "core/explain/probe.h"
+
+#include "core/georef/placed_points.h"
+#include "core/scan/cartesian.h"
+
+namespace edgescan {
+
+Probe probeCell(const Frame& frame, std::size_t k) {
+    const Scan& scan = *frame.scan;
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    Probe probe;
+    probe.cell = static_cast<std::uint32_t>(k);
+    probe.line = static_cast<int>(k / beams);
+    probe.beam = static_cast<int>(k % beams);
+    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
+        probe.lineDeg = polar->lineDeg[k / beams];
+        probe.beamDeg = polar->beamDeg[k % beams];
+    }
+    probe.state = scan.state[k];
+    probe.rangeMm = scan.rangeMm[k];
+    probe.gray = frame.gray->levels[k];
+    probe.pointM = pointOfCell(scan, k);
+    if (scan.placement && probe.state == CellState::Valid) probe.mineM = minePoint(scan, k).enhM;
+    probe.edge = (*frame.mask)[k] != 0;
+    if (frame.classes) probe.kind = (*frame.classes)[k];
+    return probe;
+}
+
+} // namespace edgescan

@@ -1,0 +1,124 @@
+// Reading and writing of pose files.
+#include "core/georef/poses.h"
+
+#include "core/base/json_fields.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/georef/calibration.h"
+
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kPoseFormat = "edgescan-pose/1";
+constexpr const char* kPoseHint = "compare it with the example in docs/coordinates.md";
+constexpr NumberLimits kTilt{-90, 90};
+constexpr NumberLimits kPlace{-1e8, 1e8};
+constexpr double kDegPerMil = 360.0 / 6400.0;
+
+/// NAME_deg, or NAME_mil with 6400 to the turn as TALIN may be set to.
+double angle(JsonFields& fields, const std::string& name, NumberLimits limits) {
+    const std::string deg = name + "_deg";
+    const std::string mil = name + "_mil";
+    const bool inDegrees = fields.has(deg.c_str());
+    if (!fields.has(mil.c_str())) return fields.neededNumber(deg.c_str(), limits);
+    if (inDegrees) fields.refuse(deg, "and \"" + mil + "\" exclude each other");
+    return fields.number(mil.c_str(), 0, {limits.least / kDegPerMil, limits.most / kDegPerMil}) * kDegPerMil;
+}
+
+InclinometerReading readInclinometer(JsonFields fields) {
+    InclinometerReading reading;
+    reading.timeS = fields.time("time");
+    reading.tiltXDeg = fields.neededNumber("tilt_x_deg", kTilt);
+    reading.tiltYDeg = fields.neededNumber("tilt_y_deg", kTilt);
+    fields.done();
+    return reading;
+}
+
+TalinReading readTalin(JsonFields fields, PoseTrack& poses) {
+    TalinReading reading;
+    reading.timeS = fields.time("time");
+    reading.enhM = {fields.neededNumber("easting_m", kPlace), fields.neededNumber("northing_m", kPlace),
+                    fields.neededNumber("elevation_m", {-2e4, 2e4})};
+    reading.headingDeg = angle(fields, "heading", kAngle);
+    reading.pitchDeg = angle(fields, "pitch", kTilt);
+    reading.rollDeg = angle(fields, "roll", {-180, 180});
+    reading.trueNorth = fields.choice("heading_ref", {"true", "grid"}) == 0;
+    const std::string zone = fields.text("zone");
+    const std::string datum = fields.text("datum");
+    if (poses.grid.empty()) poses.grid = zone + (zone.empty() || datum.empty() ? "" : ", ") + datum;
+    fields.done();
+    return reading;
+}
+
+template <class Reading>
+void checkTimes(JsonFields& fields, const std::vector<Reading>& readings, const char* key, bool moving) {
+    if (readings.empty()) return fields.refuse(key, "is missing");
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (moving && std::isnan(readings[i].timeS))
+            return fields.refuse(key, "needs a \"time\" in every reading when \"sweep\" is \"moving\"");
+        if (i > 0 && readings[i].timeS <= readings[i - 1].timeS) return fields.refuse(key, "must be in the order of time");
+    }
+}
+
+Json timeJson(double seconds) { return std::isnan(seconds) ? Json() : Json(utcText(seconds)); }
+
+} // namespace
+
+Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
+    const auto object = parseJsonObject(json, kPoseFormat, where);
+    if (!object) return object.error();
+    JsonFields fields(*object, where, kPoseHint);
+    PoseTrack poses;
+    poses.source = std::filesystem::path(where).filename().string();
+    poses.robot = fields.text("robot");
+    poses.scanStartS = fields.time("scan_start");
+    poses.scanEndS = fields.time("scan_end");
+    if (poses.scanEndS < poses.scanStartS) fields.refuse("scan_end", "comes before \"scan_start\"");
+    poses.moving = fields.choice("sweep", {"static", "moving"}) == 1;
+    JsonFields boom = fields.object("boom");
+    poses.boomAzimuthDeg = boom.neededNumber("azimuth_deg", kAngle);
+    poses.headInRobotM = boom.vector("head_in_robot_m", poses.headInRobotM, {-100, 100});
+    boom.done();
+    for (const JsonFields& reading : fields.objects("inclinometer")) poses.inclinometer.push_back(readInclinometer(reading));
+    for (const JsonFields& reading : fields.objects("talin")) poses.talin.push_back(readTalin(reading, poses));
+    checkTimes(fields, poses.inclinometer, "inclinometer", poses.moving);
+    checkTimes(fields, poses.talin, "talin", poses.moving);
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return poses;
+}
+
+Result<PoseTrack> openPoses(const std::filesystem::path& path) {
+    const auto bytes = readWholeFile(path);
+    if (!bytes) return bytes.error();
+    return parsePoses({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+}
+
+std::string posesText(const PoseTrack& poses) {
+    Json object{
+        {"format", kPoseFormat}, {"robot", poses.robot}, {"scan_start", timeJson(poses.scanStartS)}, {"scan_end", timeJson(poses.scanEndS)}};
+    object["sweep"] = poses.moving ? "moving" : "static";
+    object["boom"]["azimuth_deg"] = poses.boomAzimuthDeg;
+    const Eigen::Vector3d& head = poses.headInRobotM;
+    if (head.allFinite()) object["boom"]["head_in_robot_m"] = {head.x(), head.y(), head.z()};
+    for (const InclinometerReading& r : poses.inclinometer)
+        object["inclinometer"].push_back({{"time", timeJson(r.timeS)}, {"tilt_x_deg", r.tiltXDeg}, {"tilt_y_deg", r.tiltYDeg}});
+    for (const TalinReading& r : poses.talin) {
+        object["talin"].push_back({{"time", timeJson(r.timeS)},
+                                   {"easting_m", r.enhM.x()},
+                                   {"northing_m", r.enhM.y()},
+                                   {"elevation_m", r.enhM.z()},
+                                   {"heading_deg", r.headingDeg},
+                                   {"heading_ref", r.trueNorth ? "true" : "grid"},
+                                   {"pitch_deg", r.pitchDeg},
+                                   {"roll_deg", r.rollDeg},
+                                   {"zone", poses.grid}});
+    }
+    return object.dump(1) + "\n";
+}
+
+} // namespace edgescan

@@ -1,0 +1,297 @@
+// The highest threshold at which each cell is an edge.
+#include "core/gray/threshold_map.h"
+
+#include "core/gray/log_range.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace edgescan {
+namespace {
+
+constexpr double kNever = -1.0;
+constexpr double kAlways = std::numeric_limits<double>::infinity();
+constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
+constexpr double kGuessError = 1e-6;    // relative
+constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
+constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
+constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
+
+// How a swept threshold becomes a threshold of the gradient, and roughly back.
+struct Sweep {
+    std::function<double(double)> toGradient;
+    std::function<double(double)> fromGradient;
+};
+
+// Both conditions of cv::Canny as the highest swept threshold at which a suppressed magnitude meets them.
+class Limits {
+public:
+    Limits(const Gradient& gradient, const Settings& settings, Sweep sweep)
+        : scale_(gradient.scale), ratio_(settings.ratio), norm_(settings.norm), sweep_(std::move(sweep)) {}
+
+    struct Pair {
+        double weak = kNever;
+        double strong = kNever;
+    };
+    [[nodiscard]] Pair of(std::int32_t magnitude) {
+        const auto [place, isNew] = known_.try_emplace(magnitude);
+        if (isNew) place->second = {highest(magnitude, 1.0), highest(magnitude, ratio_)};
+        return place->second;
+    }
+
+private:
+    [[nodiscard]] double highest(std::int32_t magnitude, double ratio) const {
+        const auto holds = [&](double threshold) {
+            return magnitude > magnitudeLimit(ratio * sweep_.toGradient(threshold), scale_, norm_);
+        };
+        const double size = norm_ == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude;
+        return largestThreshold(holds, sweep_.fromGradient(size / scale_ / ratio));
+    }
+
+    double scale_, ratio_;
+    Norm norm_;
+    Sweep sweep_;
+    std::unordered_map<std::int32_t, Pair> known_;
+};
+
+ThresholdMap mapOf(const Gradient& gradient, const Settings& settings, Sweep sweep) {
+    const Grid<std::int32_t> suppressed = suppressedMagnitude(gradient, settings.norm);
+    Grid<double> weak(suppressed.lines, suppressed.beams, kNever);
+    Grid<double> strong = weak;
+    Limits limits(gradient, settings, std::move(sweep));
+    for (std::size_t k = 0; k < suppressed.size(); ++k) {
+        if (suppressed[k] == 0) continue;
+        const Limits::Pair pair = limits.of(suppressed[k]);
+        weak[k] = pair.weak;
+        strong[k] = std::min(pair.strong, pair.weak);
+    }
+    return {reconstructed(std::move(strong), weak)};
+}
+
+struct Offset {
+    int line, beam;
+};
+constexpr std::array<Offset, 4> kBefore{{{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}}};
+
+template <class Visit>
+void forNeighbours(const Grid<double>& grid, int line, int beam, Visit visit) {
+    for (int i = std::max(line - 1, 0); i <= std::min(line + 1, grid.lines - 1); ++i) {
+        for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, grid.beams - 1); ++j) {
+            if (i != line || j != beam) visit(grid.index(i, j));
+        }
+    }
+}
+
+} // namespace
+
+double largestThreshold(const std::function<bool(double)>& holds, double guess) {
+    if (!holds(0.0)) return kNever;
+    if (holds(kBeyondAll)) return kAlways;
+    double low = 0.0;
+    double high = kBeyondAll;
+    const double below = guess * (1.0 - kGuessError);
+    const double above = guess * (1.0 + kGuessError);
+    if (below > low && below < high && holds(below)) low = below;
+    if (above > low && above < high && !holds(above)) high = above;
+    for (double middle = low + (high - low) / 2; middle > low && middle < high; middle = low + (high - low) / 2)
+        (holds(middle) ? low : high) = middle;
+    return low;
+}
+
+Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask) {
+    const int lines = marker.lines;
+    const int beams = marker.beams;
+    const auto raise = [&](int i, int j, int sign) {
+        const std::size_t k = marker.index(i, j);
+        if (mask[k] < 0) return;
+        double value = marker[k];
+        for (const Offset& o : kBefore) {
+            if (marker.contains(i + sign * o.line, j + sign * o.beam))
+                value = std::max(value, marker.at(i + sign * o.line, j + sign * o.beam));
+        }
+        marker[k] = std::min(value, mask[k]);
+    };
+    for (int i = 0; i < lines; ++i) {
+        for (int j = 0; j < beams; ++j) raise(i, j, 1);
+    }
+    std::vector<std::size_t> waiting; // what is left after one pass each way goes through a queue
+    for (int i = lines - 1; i >= 0; --i) {
+        for (int j = beams - 1; j >= 0; --j) {
+            raise(i, j, -1);
+            const std::size_t k = marker.index(i, j);
+            if (mask[k] < 0) continue;
+            for (const Offset& o : kBefore) {
+                if (!marker.contains(i - o.line, j - o.beam)) continue;
+                const std::size_t n = marker.index(i - o.line, j - o.beam);
+                if (marker[n] >= marker[k] || marker[n] >= mask[n]) continue;
+                waiting.push_back(k);
+                break;
+            }
+        }
+    }
+    for (std::size_t at = 0; at < waiting.size(); ++at) {
+        const std::size_t k = waiting[at];
+        const int line = static_cast<int>(k / static_cast<std::size_t>(beams));
+        const int beam = static_cast<int>(k % static_cast<std::size_t>(beams));
+        forNeighbours(marker, line, beam, [&](std::size_t n) {
+            if (marker[n] >= marker[k] || marker[n] >= mask[n]) return;
+            marker[n] = std::min(marker[k], mask[n]);
+            waiting.push_back(n);
+        });
+    }
+    return marker;
+}
+
+ThresholdMap cannyThresholdMap(const Gradient& gradient, const Settings& settings) {
+    const auto same = [](double threshold) { return threshold; };
+    return mapOf(gradient, settings, {same, same});
+}
+
+ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
+    ThresholdMap map = mapOf(logRangeGradient(scan, settings), settings,
+                             {[&](double percent) { return logRangeGradientOfStep(percent, settings); },
+                              [&](double gradient) { return logRangeStepOfGradient(gradient, settings); }});
+    const Grid<std::uint8_t> without = withoutOwnRange(scan);
+    for (std::size_t k = 0; k < without.size(); ++k) {
+        if (without[k] != 0) map.highest[k] = kNever;
+    }
+    return map;
+}
+
+namespace {
+
+// Cells joined to sets, each with its size.
+class Sets {
+public:
+    explicit Sets(std::size_t cells) : parent_(cells), size_(cells, 1) {
+        for (std::size_t k = 0; k < cells; ++k) parent_[k] = static_cast<std::uint32_t>(k);
+    }
+    [[nodiscard]] std::uint32_t root(std::uint32_t k) {
+        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    // The root of both.
+    std::uint32_t join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return a;
+        if (size_[a] < size_[b]) std::swap(a, b);
+        parent_[b] = a;
+        size_[a] += size_[b];
+        return a;
+    }
+    [[nodiscard]] std::uint32_t size(std::uint32_t rootCell) const { return size_[rootCell]; }
+
+private:
+    std::vector<std::uint32_t> parent_, size_;
+};
+
+// Area opening: what a cell's chain is too short for is put off until enough cells have joined it.
+void putOffShortChains(ThresholdMap& map, int minimumLength) {
+    Grid<double>& highest = map.highest;
+    std::vector<std::uint32_t> order;
+    for (std::size_t k = 0; k < highest.size(); ++k) {
+        if (highest[k] >= 0) order.push_back(static_cast<std::uint32_t>(k));
+    }
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return highest[a] != highest[b] ? highest[a] > highest[b] : a < b; });
+    Sets sets(highest.size());
+    std::vector<std::vector<std::uint32_t>> waiting(highest.size()); // members of chains that are still too short, by root
+    Grid<double> opened(highest.lines, highest.beams, kNever);
+    Grid<std::uint8_t> joined(highest.lines, highest.beams);
+    const auto wanted = static_cast<std::uint32_t>(minimumLength);
+    for (std::size_t at = 0; at < order.size();) {
+        const double level = highest[order[at]];
+        const std::size_t from = at;
+        for (; at < order.size() && highest[order[at]] == level; ++at) {
+            const std::uint32_t k = order[at];
+            joined[k] = 1;
+            waiting[k] = {k};
+            const int line = static_cast<int>(k / static_cast<std::uint32_t>(highest.beams));
+            const int beam = static_cast<int>(k % static_cast<std::uint32_t>(highest.beams));
+            forNeighbours(highest, line, beam, [&](std::size_t n) {
+                if (joined[n] == 0) return;
+                const std::uint32_t a = sets.root(k);
+                const std::uint32_t b = sets.root(static_cast<std::uint32_t>(n));
+                if (a == b) return;
+                const std::uint32_t root = sets.join(a, b);
+                std::vector<std::uint32_t>& other = waiting[root == a ? b : a];
+                waiting[root].insert(waiting[root].end(), other.begin(), other.end());
+                other.clear();
+            });
+        }
+        for (std::size_t n = from; n < at; ++n) {
+            const std::uint32_t root = sets.root(order[n]);
+            if (sets.size(root) < wanted) continue;
+            for (const std::uint32_t member : waiting[root]) opened[member] = level;
+            waiting[root].clear();
+        }
+    }
+    highest = std::move(opened);
+}
+
+} // namespace
+
+ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength) {
+    const auto share = static_cast<float>(lowShare);
+    Grid<double> weak(strength.lines, strength.beams, kNever);
+    Grid<double> strong = weak;
+    for (std::size_t k = 0; k < strength.size(); ++k) {
+        if (!(strength[k] > 0)) continue;
+        const float here = strength[k];
+        weak[k] = largestThreshold([&](double high) { return here > static_cast<float>(high) * share; }, here / share);
+        strong[k] = std::min(weak[k], largestThreshold([&](double high) { return here > static_cast<float>(high); }, here));
+    }
+    ThresholdMap map{reconstructed(std::move(strong), weak)};
+    if (minimumLength > 1) putOffShortChains(map, minimumLength);
+    return map;
+}
+
+ThresholdMap responseThresholdMap(const Grid<float>& response) {
+    ThresholdMap map{Grid<double>(response.lines, response.beams, kNever)};
+    for (std::size_t k = 0; k < response.size(); ++k) {
+        if (response[k] > 0) map.highest[k] = std::nextafter(static_cast<double>(response[k]), 0.0);
+    }
+    return map;
+}
+
+Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
+    Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
+    for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = threshold <= map.highest[k] ? 255 : 0;
+    return mask;
+}
+
+EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds) {
+    EdgeCountCurve curve;
+    curve.thresholds = std::move(thresholds);
+    const std::size_t places = curve.thresholds.size();
+    // A cell counts at every threshold up to its highest one: the histogram, summed from its end.
+    curve.edges.assign(places, 0);
+    for (const double highest : map.highest.cells) {
+        const auto above = std::upper_bound(curve.thresholds.begin(), curve.thresholds.end(), highest) - curve.thresholds.begin();
+        if (above > 0) ++curve.edges[static_cast<std::size_t>(above) - 1];
+    }
+    for (std::size_t n = places - 1; n > 0; --n) curve.edges[n - 1] += curve.edges[n];
+
+    curve.stableFrom = curve.stableTo = curve.thresholds.front();
+    double best = 1.0;
+    const double most = kLargestShare * static_cast<double>(map.highest.size());
+    const double fewest = kSmallestShare * std::min(most, static_cast<double>(curve.edges.front()));
+    std::size_t end = 0;
+    for (std::size_t start = 0; start < places; ++start) {
+        const auto here = static_cast<double>(curve.edges[start]);
+        if (curve.thresholds[start] <= 0 || here > most || here < std::max(fewest, 1.0)) continue;
+        end = std::max(end, start);
+        while (end + 1 < places && static_cast<double>(curve.edges[end + 1]) >= kStableShare * here) ++end;
+        const double ratio = curve.thresholds[end] / curve.thresholds[start];
+        if (ratio <= best) continue;
+        best = ratio;
+        curve.stableFrom = curve.thresholds[start];
+        curve.stableTo = curve.thresholds[end];
+    }
+    return curve;
+}
+
+} // namespace edgescan

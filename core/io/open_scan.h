@@ -1,0 +1,31 @@
+// Opens any readable file as a scan. The content decides what it is; the extension is only a hint.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/reading_options.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// The file as a scan of lines x beams cells. Error: one sentence; nothing is loaded by halves.
+Result<Scan> openScan(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// The same from bytes in memory; `extension` (".pcd") is the hint that a file's name would be. No file is touched: a raw grid is its
+/// description, a NUL byte and its counts.
+Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const OpenOptions& options = {});
+
+/// A kind of file, for dialogs and for looking up by extension.
+struct FileKind {
+    std::string title;                   ///< "Point Cloud Library"
+    std::vector<std::string> extensions; ///< lower case, with the dot: {".pcd"}; the first is the usual one
+};
+
+/// Everything openScan understands, the most usual first.
+[[nodiscard]] const std::vector<FileKind>& readableKinds();
+
+} // namespace edgescan

@@ -1,0 +1,81 @@
+// Saves a scan, its cloud or its edge points. The extension chooses the format.
+#pragma once
+
+#include "core/base/file_bytes.h"
+#include "core/base/grid.h"
+#include "core/base/result.h"
+#include "core/io/open_scan.h"
+#include "core/scan/placement.h"
+#include "core/scan/scan.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+enum class DepthEdge : std::uint8_t; // core/depth/depth_edges.h: 0 none, 1 jump, 2 convex, 3 concave
+
+enum class SaveFormat : std::uint8_t {
+    RawGrid,   ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
+    Pcd,       ///< binary unless asked otherwise
+    Ply,       ///< binary little endian unless asked otherwise
+    Xyz,       ///< text, separated by spaces
+    Csv,       ///< text, separated by commas
+    Las,       ///< 1.4, whole millimetres
+    Dxf,       ///< points, and edges as polylines
+    Ptx,       ///< the grid; states other than valid become no return
+    Obj,       ///< vertices
+    Recording, ///< MCAP, lines as scan telegrams; whole counts of unitMm up to 65535 only
+};
+
+/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv, .las, .dxf, .ptx, .obj, .mcap); empty when it names none of them.
+[[nodiscard]] std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path);
+
+/// What saveScan / saveCloud and saveEdges write, for dialogs.
+[[nodiscard]] const std::vector<FileKind>& writableScanKinds();
+[[nodiscard]] const std::vector<FileKind>& writableCloudKinds();
+
+struct SaveOptions {
+    bool ascii = false; ///< PCD and PLY as text
+    CoordinateFrame frame = CoordinateFrame::Scanner;
+    std::string record{};                     ///< provenance JSON for the comment lines; empty = none
+    bool includeAttached = false;             ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
+    const Grid<DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
+};
+
+/// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.
+Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where);
+
+/// The bytes that the functions below write. `path` chooses the format and goes into errors; nothing is written.
+Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                               const SaveOptions& options = {});
+Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                              const SaveOptions& options = {});
+
+/// A cloud or a grid of points, not ranges and angles.
+[[nodiscard]] bool holdsPoints(SaveFormat format);
+
+/// The files that saveScan writes, in the order they must appear; nothing is written. A raw grid has two.
+Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// Sentences about what of this scan a file of that name will not hold: attached points, the grid, states. Empty when it opens again as
+/// the same scan.
+[[nodiscard]] std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// The whole grid with every cell, its state and the angles: openScan gives back the same ranges, states, angles and axis. Points that
+/// are attached to cells are not part of a grid: with `includeAttached` a cloud of all points is saved in its place.
+/// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
+Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
+
+/// All valid points: x y z (metres), line, beam, range_mm, edge (0 or 255 as in `edgeMask`, lines x beams; null = all 0).
+Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                       const SaveOptions& options = {});
+
+/// Only the valid points whose mask is not 0: x y z (metres), line, beam, range_mm.
+Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                       const SaveOptions& options = {});
+
+} // namespace edgescan

@@ -1,0 +1,92 @@
+// A recording's file: whole pieces, each synced.
+#include "core/mcap/mcap_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace edgescan {
+namespace {
+
+Error createError(const std::filesystem::path& path, int code) {
+    switch (code) {
+    case EEXIST:
+        return {"a file of this name exists already and a recording overwrites nothing", path.string(), "choose another name"};
+    case ENOENT:
+    case ENOTDIR:
+        return {"the folder to record into does not exist", path.string(), "make the folder or choose another"};
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return {"recording here is not allowed", path.string(), "choose another folder"};
+    case ENOSPC:
+    case EDQUOT:
+        return {"the disk is full, nothing is recorded", path.string(), "free some space or choose another disk"};
+    default:
+        return {std::string("the recording cannot be started: ") + std::strerror(code), path.string(), "choose another folder or disk"};
+    }
+}
+
+Error appendError(const std::filesystem::path& path, int code) {
+    switch (code) {
+    case ENOSPC:
+    case EDQUOT:
+        return {"the disk is full, the recording ends here", path.string(), "free some space and start a new recording"};
+    case EFBIG:
+        return {"the file has reached the limit set for its size, the recording ends here", path.string(), "start a new recording"};
+    default:
+        return {std::string("the recording ends here: ") + std::strerror(code), path.string(), "check the disk and start a new recording"};
+    }
+}
+
+} // namespace
+
+Result<GrowingFile> GrowingFile::create(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) return createError(path, errno);
+    // The name itself must survive a power failure too.
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const int folderDescriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folderDescriptor >= 0) {
+        static_cast<void>(::fsync(folderDescriptor));
+        ::close(folderDescriptor);
+    }
+    return GrowingFile(path, descriptor);
+}
+
+GrowingFile::GrowingFile(GrowingFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+
+GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+GrowingFile::~GrowingFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Result<Done> GrowingFile::append(ByteView bytes) {
+    for (auto rest = bytes; !rest.empty();) {
+        const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) {
+            const int code = errno;
+            // What is there of the piece is taken away again, so that the file ends with a whole record.
+            static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(size_)) == 0 &&
+                              ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) >= 0);
+            return appendError(path_, code);
+        }
+        rest = rest.subspan(static_cast<std::size_t>(count));
+    }
+    if (::fdatasync(descriptor_) != 0 && errno != EINVAL) return appendError(path_, errno); // EINVAL: a pipe
+    size_ += bytes.size();
+    return Done{};
+}
+
+} // namespace edgescan

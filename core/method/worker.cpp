@@ -1,0 +1,103 @@
+// The thread that runs the method.
+#include "core/method/worker.h"
+
+#include "core/method/pipeline.h"
+
+#include <exception>
+#include <utility>
+
+namespace edgescan {
+
+namespace {
+
+Worker::Run wholeMethod() {
+    auto pipeline = std::make_shared<Pipeline>();
+    return [pipeline](const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+        try {
+            return pipeline->run(scan, settings);
+        } catch (...) {
+            *pipeline = Pipeline();
+            throw;
+        }
+    };
+}
+
+} // namespace
+
+Worker::Worker(std::function<void()> frameReady) : Worker(std::move(frameReady), wholeMethod()) {}
+
+Worker::Worker(std::function<void()> frameReady, Run run)
+    : frameReady_(std::move(frameReady)), run_(std::move(run)), thread_([this] { loop(); }) {}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void Worker::post(std::shared_ptr<const Scan> scan) {
+    {
+        const std::lock_guard lock(mutex_);
+        scan_ = std::move(scan);
+        posted_ = true;
+    }
+    wake_.notify_one();
+}
+
+void Worker::post(const Settings& settings) {
+    {
+        const std::lock_guard lock(mutex_);
+        settings_ = settings;
+        posted_ = scan_ != nullptr;
+    }
+    wake_.notify_one();
+}
+
+std::shared_ptr<const Frame> Worker::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(unread_, nullptr);
+}
+
+std::string Worker::takeFailure() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(failure_, {});
+}
+
+bool Worker::busy() const {
+    const std::lock_guard lock(mutex_);
+    return posted_ || running_;
+}
+
+void Worker::loop() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [this] { return posted_ || stop_; });
+        if (stop_) return;
+        posted_ = false;
+        running_ = true;
+        const std::shared_ptr<const Scan> scan = scan_;
+        const Settings settings = settings_;
+        lock.unlock();
+        std::shared_ptr<const Frame> frame;
+        std::string failure;
+        try {
+            if (scan) frame = run_(scan, settings);
+        } catch (const std::exception& error) {
+            // The frame before stays on the screen; OpenCV reports a lack of memory in its own words.
+            failure = std::string("the edges could not be computed (") + error.what() + "); close other programs or open a smaller scan.";
+        }
+        lock.lock();
+        running_ = false;
+        failure_ = failure;
+        if (!frame && failure.empty()) continue;
+        if (frame) unread_ = std::move(frame);
+        lock.unlock();
+        frameReady_();
+        lock.lock();
+    }
+}
+
+} // namespace edgescan

@@ -1,0 +1,70 @@
+// Picks the columns that matter out of a format's fields and reads them into a point table.
+#pragma once
+
+#include "core/points/binary_field.h"
+#include "core/points/point_table.h"
+#include "core/points/text_layout.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+inline constexpr const char* kCopyAgain = "copy the file again, it may be cut off"; ///< what to do about fewer bytes than promised
+inline constexpr std::uint64_t kMostPoints = 0xFFFFFFF0;                              ///< that a header may promise
+
+/// One field of a record. In text `column` counts numbers, in binary record n of the field starts at offset + n * stride.
+struct RecordField {
+    std::string name;
+    Scalar scalar = Scalar::Float32;
+    std::size_t column = 0;
+    std::size_t offset = 0;
+    std::size_t stride = 0;
+};
+
+/// Fields x y z, and our own range_mm, state and scanner_x scanner_y scanner_z where present.
+struct PointFields {
+    RecordField x, y, z;
+    std::optional<RecordField> rangeMm, state;
+    std::vector<RecordField> scanner; ///< three or none
+};
+
+/// Empty when x, y or z is missing.
+[[nodiscard]] std::optional<PointFields> pickFields(const std::vector<RecordField>& fields);
+
+/// Reads `points` records out of checked bytes. False when the user cancelled.
+bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
+                 const Source& source);
+
+/// Reads exactly `points` rows of `columns` numbers from `text`, which starts at line `firstLine` of the file.
+Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t points, std::size_t columns, std::size_t firstByte,
+                      std::size_t firstLine, const Source& source);
+
+/// Rounding errors of numbers printed like that.
+[[nodiscard]] Precision precisionOf(const PrintedDigits& digits);
+
+/// The lines of a header, one at a time.
+class HeaderLines {
+public:
+    explicit HeaderLines(std::string_view text) : text_(text) {}
+    /// False when there is no further line.
+    bool next();
+    [[nodiscard]] std::string_view line() const { return line_; }
+    [[nodiscard]] std::size_t number() const { return number_; } ///< of line(), from 1
+    [[nodiscard]] std::size_t nextByte() const { return nextByte_; }
+
+private:
+    std::string_view text_, line_;
+    std::size_t number_ = 0;
+    std::size_t nextByte_ = 0;
+};
+
+/// Words between blanks.
+[[nodiscard]] std::vector<std::string_view> wordsOf(std::string_view line);
+
+/// A whole number without sign; empty when the word is none or too large.
+[[nodiscard]] std::optional<std::uint64_t> wholeNumber(std::string_view word);
+
+} // namespace edgescan

@@ -1,0 +1,403 @@
+// From points to a scan: our own files exactly, organised clouds as they are, lists by recognition.
+#include "core/points/point_table.h"
+
+#include "core/base/memory.h"
+#include "core/points/description.h"
+#include "core/recognition/recognise_unit.h"
+#include "core/recognition/regrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+constexpr double kMetresPerMm = 0.001;
+constexpr double kLongestRangeMm = 1e9;
+constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
+
+std::string numberText(double value, const char* format = "%.3g") {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+/// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
+Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / 20000);
+    for (const double scale : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+        std::size_t telling = 0;
+        std::size_t whole = 0;
+        for (std::size_t k = 0; k < points.size(); k += stride) {
+            if (!isReturn(points[k])) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double value = points[k][axis] * scale;
+                const double error = std::abs(value) * 2 * precision.relative + 1e-9;
+                if (error > 0.02) continue;
+                ++telling;
+                whole += std::abs(value - std::round(value)) <= error ? 1 : 0;
+            }
+        }
+        if (telling > 30 && whole * 1000 >= telling * 999) {
+            precision.absolute = std::max(precision.absolute, 0.5 / scale);
+            return precision;
+        }
+    }
+    return precision;
+}
+
+Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
+    std::vector<CellState> states;
+    states.reserve(table.state.size());
+    for (const std::uint8_t state : table.state) {
+        if (state >= kCellStates)
+            return source.refused("a cell has the state " + std::to_string(state) + ", which does not exist", "save the scan again");
+        states.push_back(static_cast<CellState>(state));
+    }
+    return states;
+}
+
+/// A scan that this program saved: every cell in order with range and state.
+Result<Scan> ownScan(PointTable& table, const Source& source) {
+    const auto grid = parseDescription(table.description, source.path.string());
+    if (!grid) return grid.error();
+    const std::size_t cells = table.points.size();
+    const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
+    if (grid->lines * grid->beams != cells)
+        return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
+    if (table.rangeMm.size() != cells || table.state.size() != cells) {
+        return source.refused("describes " + shape + " but has no columns range_mm and state",
+                              "save the scan again, or remove the comment lines");
+    }
+    auto states = statesOf(table, source);
+    if (!states) return states.error();
+    const int lines = static_cast<int>(grid->lines);
+    const int beams = static_cast<int>(grid->beams);
+    if (source.options->unitMm && *source.options->unitMm != 1000.0)
+        return source.refused("--unit does not apply: this program saved the file, in metres", "leave --unit out");
+    Scan scan;
+    scan.format = table.format;
+    scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
+    scan.state = Grid<CellState>(lines, beams, std::move(*states));
+    for (std::size_t k = 0; k < cells; ++k) {
+        if (scan.state[k] == CellState::Valid && !(scan.rangeMm[k] >= 0 && scan.rangeMm[k] <= kLongestRangeMm))
+            return source.refused("a valid cell has a range that is no range", "save the scan again");
+    }
+    scan.unitMm = grid->unitMm;
+    scan.noReturnCodes = grid->noReturnCodes;
+    scan.statusCodes = grid->statusCodes;
+    scan.note = grid->note;
+    scan.placement = grid->placement;
+    scan.acquisition = grid->acquisition;
+    if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
+    if (grid->sensorM) {
+        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
+    } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
+        PolarGeometry polar{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
+        if (grid->lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid->lineSkewDeg, grid->beams);
+        scan.geometry = std::move(polar);
+    } else {
+        return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
+    }
+    return scan;
+}
+
+std::vector<double> rangesOf(const PointTable& table) {
+    std::vector<double> ranges;
+    ranges.reserve(table.points.size());
+    for (const Eigen::Vector3d& p : table.points) ranges.push_back(isReturn(p) ? (p - table.sensor).norm() : 0.0);
+    return ranges;
+}
+
+RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, const Source& source) {
+    std::vector<double> returns;
+    std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(returns), [](double r) { return r > 0; });
+    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
+    return recogniseUnit(returns, table.precision, known);
+}
+
+/// Ranges and states of a scan whose cells are points of the list.
+void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& unit, const Grid<std::uint32_t>& pointOf) {
+    scan.rangeMm = Grid<float>(pointOf.lines, pointOf.beams);
+    scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
+    for (std::size_t k = 0; k < pointOf.size(); ++k) {
+        if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
+        const double mm = ranges[pointOf[k]] * unit.mmPerUnit;
+        if (!(mm <= kLongestRangeMm)) continue; // no scanner reaches as far: as good as no return
+        scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
+        scan.state[k] = CellState::Valid;
+    }
+    if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
+}
+
+PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& pointOf, const RangeUnit& unit) {
+    const double metres = unit.mmPerUnit * kMetresPerMm;
+    const Eigen::Vector3d missing = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    PointGeometry geometry{Grid<Eigen::Vector3d>(pointOf.lines, pointOf.beams, missing), table.sensor * metres};
+    for (std::size_t k = 0; k < pointOf.size(); ++k) {
+        if (pointOf[k] == RecognisedGrid::kNoPoint || !isReturn(table.points[pointOf[k]])) continue;
+        geometry.pointsM[k] = metres == 1.0 ? table.points[pointOf[k]] : Eigen::Vector3d(table.points[pointOf[k]] * metres);
+    }
+    return geometry;
+}
+
+void takeStatusCodes(Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return;
+    scan.statusCodes = lms2xxStatusCodes(scan.rangeMm, scan.state, *polar);
+    std::size_t cells = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const bool code = scan.state[k] == CellState::Valid &&
+                          std::find(scan.statusCodes.begin(), scan.statusCodes.end(), static_cast<std::uint32_t>(scan.rangeMm[k])) !=
+                              scan.statusCodes.end();
+        if (!code) continue;
+        scan.state[k] = CellState::DeviceStatus;
+        ++cells;
+    }
+    if (cells > 0) {
+        scan.warnings.push_back(std::to_string(cells) + " cells hold status codes of an LMS2xx from " +
+                                std::to_string(scan.statusCodes.front()) + " on instead of a range and were taken as such.");
+    }
+}
+
+/// All the cells without a point stand at the end of the last line: a text that was cut off, not points that were left out.
+bool endsInMidLine(const Grid<std::uint32_t>& pointOf) {
+    std::size_t firstEmpty = pointOf.size();
+    while (firstEmpty > 0 && pointOf[firstEmpty - 1] == RecognisedGrid::kNoPoint) --firstEmpty;
+    const bool elsewhere = std::find(pointOf.cells.begin(), pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty),
+                                     RecognisedGrid::kNoPoint) != pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty);
+    return firstEmpty < pointOf.size() && !elsewhere && pointOf.size() - firstEmpty < static_cast<std::size_t>(pointOf.beams);
+}
+
+Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& source) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    const RangeUnit unit = unitOf(table, ranges, source);
+    fillCells(scan, ranges, unit, grid.pointOf);
+    if (table.leftHanded) {
+        grid.geometry.lineDirection = -1.0;
+        scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+    }
+    if (table.sensor.isZero(0.0)) {
+        scan.geometry = std::move(grid.geometry);
+        if (unit.wholeMm) takeStatusCodes(scan);
+    } else {
+        scan.geometry = pointGeometry(table, grid.pointOf, unit);
+    }
+    std::move(grid.remarks.begin(), grid.remarks.end(), std::back_inserter(scan.warnings));
+    const std::size_t empty = countCells(scan)[static_cast<std::size_t>(CellState::NoReturn)];
+    if (!grid.complete && empty > 0) {
+        scan.warnings.push_back(std::to_string(empty) + " of " + std::to_string(scan.cells()) +
+                                " cells of the grid that was found have no point and count as no return.");
+    }
+    return scan;
+}
+
+Scan organisedScan(const PointTable& table, const Source& source) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
+    for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
+    fillCells(scan, ranges, unit, inOrder);
+    scan.geometry = pointGeometry(table, inOrder, unit);
+    return scan;
+}
+
+/// Where numbers are so large that 4-byte floats hold them only in coarse steps.
+std::string coarseStep(const PointTable& table) {
+    double largest = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!p.allFinite()) continue;
+        if (p.cast<float>().cast<double>() != p) return {}; // written with more digits than a float has
+        largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    if (largest < 1e5) return {};
+    const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
+                      static_cast<double>(static_cast<float>(largest));
+    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
+           numberText(step);
+}
+
+std::string withCoarseStep(std::string what, const PointTable& table) {
+    const std::string coarse = coarseStep(table);
+    if (!coarse.empty()) what += "; " + coarse;
+    return what;
+}
+
+Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, std::size_t rowLength) {
+    std::vector<Eigen::Vector3d> shifted;
+    std::span<const Eigen::Vector3d> points = table.points;
+    if (!table.sensor.isZero(0.0)) {
+        for (const Eigen::Vector3d& p : table.points)
+            shifted.push_back(isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        points = shifted;
+    }
+    PointList list{points, table.precision, rowLength, source.options->axis, {}};
+    list.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    return recogniseGrid(list);
+}
+
+/// Distance in metres that few points exceed.
+double farDistanceM(std::vector<double> ranges, double mmPerUnit) {
+    std::erase_if(ranges, [](double r) { return !(r > 0); });
+    if (ranges.empty()) return 0;
+    const auto far = ranges.begin() + static_cast<std::ptrdiff_t>((ranges.size() - 1) * 95 / 100);
+    std::nth_element(ranges.begin(), far, ranges.end());
+    return *far * mmPerUnit * kMetresPerMm;
+}
+
+/// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
+/// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
+void takeGivenSensor(PointTable& table, const Source& source) {
+    if (!source.options->sensorM) return;
+    Eigen::Vector3d given = *source.options->sensorM;
+    if (table.leftHanded) given.y() *= -1;
+    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
+    if (known) {
+        table.sensor = given * (1000.0 / *known);
+        return;
+    }
+    constexpr double kReachM = 1000.0;
+    double best = 0, bestFarM = 0;
+    bool agrees = false;
+    for (const double unit : {1000.0, 1.0, 10.0}) {
+        table.sensor = given * (1000.0 / unit);
+        const std::vector<double> ranges = rangesOf(table);
+        const RangeUnit found = unitOf(table, ranges, source);
+        const double farM = farDistanceM(ranges, unit);
+        const bool whole = found.wholeMm && found.mmPerUnit == unit;
+        const bool nearer = farM < bestFarM && bestFarM > kReachM && unit != 10.0; // centimetres only when they are whole
+        if (best != 0 && !whole && !nearer) continue;
+        best = unit;
+        bestFarM = farM;
+        agrees = found.mmPerUnit == unit;
+        if (whole) break;
+    }
+    table.sensor = given * (1000.0 / best);
+    if (agrees) return;
+    table.unitMm = best;
+    table.remarks.push_back(std::string("Unit taken as ") + (best == 1000.0 ? "metres" : "millimetres") +
+                            ", in which the numbers fit the sensor position given.");
+}
+
+/// Points of a left-handed file as they are in space; lines that are recognised say it by their direction instead.
+void mirror(PointTable& table) {
+    for (Eigen::Vector3d& p : table.points) p.y() = -p.y();
+    table.sensor.y() = -table.sensor.y();
+    table.leftHanded = false;
+    table.remarks.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+}
+
+std::string aboutSensor(const PointTable& table, const Source& source, double metres) {
+    if (!source.options->sensorM && table.sensor.isZero(0.0)) return "the origin, because no sensor position is known";
+    std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ", ";
+        text += numberText(table.sensor[axis] * metres, "%.10g");
+    }
+    return text += ") m";
+}
+
+/// What was done to the points, in numbers.
+void tellProjection(Scan& scan, const Regridded& grid, const std::string& about, bool gridLookedFor, bool stepGiven) {
+    std::string text = gridLookedFor ? "The points lie on no scanner grid and were projected about " : "The points were projected about ";
+    text += about;
+    text += ": ";
+    text += accountOf(grid);
+    scan.warnings.push_back(text += ".");
+    text = stepGiven ? "The cells have the given " : "The cells have ";
+    text += numberText(grid.beamStepDeg, "%.4g");
+    text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
+    scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
+}
+
+/// A cloud without a grid, as seen from its sensor.
+Result<Scan> projectedScan(PointTable& table, const Source& source, const Error& noGrid) {
+    if (table.leftHanded) mirror(table);
+    LooseCloud cloud{table.points, table.sensor, source.options->gridStepDeg, {}};
+    cloud.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    const auto grid = regrid(cloud);
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    const double metres = unit.mmPerUnit * kMetresPerMm;
+    const std::string about = aboutSensor(table, source, metres);
+    if (!grid) {
+        if (grid.error().what == "cancelled") return source.cancelled();
+        std::string text = noGrid.what;
+        if (!text.empty()) text += "; ";
+        text += "projected about ";
+        text += about;
+        text += ": ";
+        text += grid.error().what;
+        return source.refused(withCoarseStep(text, table), grid.error().todo);
+    }
+    Scan scan;
+    scan.format = table.format;
+    fillCells(scan, ranges, unit, grid->pointOf);
+    scan.geometry = pointGeometry(table, grid->pointOf, unit);
+    scan.attached.reserve(grid->hidden.size());
+    for (const auto& hidden : grid->hidden) scan.attached.push_back({hidden.cell, table.points[hidden.point] * metres});
+    tellProjection(scan, *grid, about, !noGrid.what.empty(), source.options->gridStepDeg.has_value());
+    return scan;
+}
+
+Result<Scan> scanOf(PointTable& table, const Source& source) {
+    const Projection projection = source.options->projection;
+    if (projection == Projection::Always) return projectedScan(table, source, {});
+    const bool organised = table.height > 1;
+    if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
+    auto grid = recognise(table, source, organised ? table.width : 0);
+    const bool text = table.format == "point list";
+    if (grid && text && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
+        return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
+    }
+    if (grid) return recognisedScan(table, std::move(*grid), source);
+    if (grid.error().what == "cancelled") return source.cancelled();
+    if (organised) return organisedScan(table, source);
+    // Who names the axis knows of a grid; to project the points then would hide that it was not found.
+    const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
+    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().todo);
+    return projectedScan(table, source, grid.error());
+}
+
+} // namespace
+
+bool addToDescription(std::string_view comment, std::string& description) {
+    while (comment.starts_with(' ')) comment.remove_prefix(1);
+    while (comment.ends_with(' ') || comment.ends_with('\r')) comment.remove_suffix(1);
+    constexpr std::string_view kOurs = "edgescan ";
+    if (!comment.starts_with(kOurs)) return false;
+    comment.remove_prefix(kOurs.size());
+    if (description.empty() && !comment.starts_with('{')) return false;
+    description += comment;
+    return true;
+}
+
+Result<Scan> scanFromPoints(PointTable table, const Source& source) {
+    if (!table.description.empty()) return ownScan(table, source);
+    if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
+    if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
+    std::size_t infinite = 0;
+    for (const Eigen::Vector3d& p : table.points) infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < 1e12 ? 0 : 1;
+    table.precision = withDecimals(table.precision, table.points);
+    takeGivenSensor(table, source);
+    auto scan = scanOf(table, source);
+    if (!scan) return scan;
+    if (std::string coarse = coarseStep(table); !coarse.empty()) {
+        coarse[0] = 'N';
+        scan->warnings.push_back(coarse + ": it was written with 4-byte floats.");
+    }
+    std::move(table.remarks.begin(), table.remarks.end(), std::back_inserter(scan->warnings));
+    if (infinite > 0)
+        scan->warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
+    return scan;
+}
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// Points as any format delivers them, and the scan they become.
+#pragma once
+
+#include "core/points/source.h"
+#include "core/recognition/recognise_grid.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// Twice the relative rounding error of a 4-byte float. Whatever a file's numbers look like, most programs computed them in float.
+inline constexpr double kFloatError = 1.2e-7;
+
+struct PointTable {
+    std::string format;                               ///< "PCD", "PLY", "point list"
+    std::size_t width = 0;                            ///< points per row of an organised cloud; all points otherwise
+    std::size_t height = 1;                           ///< 1 = not organised
+    std::vector<Eigen::Vector3d> points;              ///< the numbers of the file; not finite where missing
+    Precision precision{0.0, kFloatError};            ///< how exactly they are written
+    Eigen::Vector3d sensor = Eigen::Vector3d::Zero(); ///< position of the sensor, in the same numbers
+    std::optional<double> unitMm;                     ///< millimetres per number where the format or a header says so
+    bool leftHanded = false;                          ///< 3DTK: x right, y up, z forward
+    std::string description;                          ///< our own comment lines, JSON
+    std::vector<std::string> remarks;                 ///< sentences of the reader, for Scan::warnings
+
+    // Our own columns; empty when the file has them not, else one per point.
+    std::vector<float> rangeMm;
+    std::vector<std::uint8_t> state;
+    std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
+};
+
+/// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised, or else
+/// the one the points are projected onto. Error: neither, in numbers; a description that does not fit.
+Result<Scan> scanFromPoints(PointTable table, const Source& source);
+
+/// Adds one line of a comment to the description when it is ours ("edgescan {..."): true when it was.
+bool addToDescription(std::string_view comment, std::string& description);
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// What a reader is given: the bytes of one file, where they came from, and what the user said.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/reading_options.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace edgescan {
+
+struct Source {
+    std::filesystem::path path;
+    std::span<const std::byte> bytes; ///< the whole file
+    const OpenOptions* options = nullptr;
+    bool inMemory = false; ///< there is no file, and no other may be touched
+
+    [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+    /// Lower case, with the dot.
+    [[nodiscard]] std::string extension() const {
+        std::string text = path.extension().string();
+        for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        return text;
+    }
+
+    [[nodiscard]] Error refused(std::string what, std::string todo) const { return {std::move(what), path.string(), std::move(todo)}; }
+    [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string todo) const {
+        return {std::move(what), path.string() + ": line " + std::to_string(lineNumber), std::move(todo)};
+    }
+    [[nodiscard]] Error refusedAtByte(std::size_t byte, std::string what, std::string todo) const {
+        return {std::move(what), path.string() + ": byte " + std::to_string(byte), std::move(todo)};
+    }
+
+    /// False when the user has cancelled.
+    [[nodiscard]] bool goOn(const char* stage, double fraction) const {
+        return options == nullptr || !options->progress || options->progress(stage, fraction);
+    }
+    [[nodiscard]] Error cancelled() const { return {"cancelled", path.string(), ""}; }
+};
+
+} // namespace edgescan

@@ -1,0 +1,88 @@
+// How a text of numbers is laid out: separators, decimal comma, comments, header and count lines. And its rows, read fast.
+#pragma once
+
+#include "core/points/source.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+/// White space within a row; quotes count as such.
+[[nodiscard]] constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '"'; }
+
+struct TextLayout {
+    std::size_t firstByte = 0;               ///< where the first row of numbers begins
+    std::size_t firstLine = 1;               ///< its line number, from 1
+    char separator = ' ';                    ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
+    bool decimalComma = false;               ///< 1,5;2,25
+    bool trailingSeparator = false;          ///< every row ends with a separator that begins no cell
+    std::size_t columns = 0;                 ///< of the first row
+    std::vector<std::string> names;          ///< column names of the header, lower case; empty when there is none
+    std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
+    std::string description;                 ///< JSON of our own "# edgescan " comment lines
+};
+
+/// Length of the line that starts at `from`, without its end; and where the next one starts. CR, LF and CRLF end a line.
+struct TextLine {
+    std::string_view text;
+    std::size_t next = 0;
+};
+[[nodiscard]] TextLine textLineAt(std::string_view text, std::size_t from);
+
+/// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
+[[nodiscard]] std::optional<std::size_t> firstByteThatIsNoText(std::string_view text);
+
+/// Error: there is no row of numbers.
+Result<TextLayout> textLayoutOf(const Source& source);
+
+/// How exactly numbers were printed.
+struct PrintedDigits {
+    int decimals = 0;    ///< most digits after the point
+    int significant = 0; ///< most digits from the first that is not 0
+    int whole = 0;       ///< most digits before the point
+    bool powers = false; ///< some numbers have a power of ten
+
+    /// 3 decimals whatever the size, or 6 digits whatever the size?
+    [[nodiscard]] bool fixedDecimals() const { return !powers && decimals + whole <= significant; }
+};
+
+/// Rows of numbers one after the other. An empty cell and "nan" are NaN.
+class RowReader {
+public:
+    RowReader(const Source& source, const TextLayout& layout);
+
+    /// The next row's numbers; false at the end or when something is wrong.
+    bool next(std::vector<double>& numbers);
+    [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+    [[nodiscard]] std::size_t lineNumber() const { return line_; } ///< of the row that next() gave
+    [[nodiscard]] double fraction() const;                         ///< of the text that has been read
+    /// Which columns digits() is about; the first three unless told otherwise.
+    void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
+    /// Of the measured columns of the rows read so far.
+    [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
+
+private:
+    bool readRow(std::vector<double>& numbers);
+    bool readCell(std::vector<double>& numbers);
+    void countDigits(const char* from, const char* to);
+
+    const Source* source_;
+    const char* begin_;
+    const char* at_;
+    const char* end_;
+    const TextLayout* layout_;
+    const char* rowEnd_ = nullptr;
+    std::size_t line_;
+    std::size_t nextLine_;
+    std::size_t rows_ = 0;
+    std::array<std::size_t, 3> measured_{0, 1, 2};
+    PrintedDigits digits_;
+    std::optional<Error> problem_;
+};
+
+} // namespace edgescan

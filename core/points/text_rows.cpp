@@ -1,0 +1,140 @@
+// Reads rows of numbers with std::from_chars: the point is always '.', whatever the locale.
+#include "core/points/text_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kRowsWithDigits = 20000; // enough to know how numbers are printed
+
+
+/// "1.#QNAN", "-1.#IND", "1.#INF" of old Microsoft programs.
+bool isOldNan(const char* from, const char* to) {
+    return to - from >= 3 && from[0] == '#' && (from[1] == 'Q' || from[1] == 'I' || from[1] == 'S');
+}
+
+} // namespace
+
+RowReader::RowReader(const Source& source, const TextLayout& layout)
+    : source_(&source), begin_(source.text().data()), at_(begin_ + layout.firstByte), end_(begin_ + source.text().size()), layout_(&layout),
+      line_(layout.firstLine), nextLine_(layout.firstLine) {}
+
+double RowReader::fraction() const { return begin_ == end_ ? 1.0 : static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_); }
+
+bool RowReader::next(std::vector<double>& numbers) {
+    while (at_ < end_) {
+        const char* rowEnd = at_;
+        while (rowEnd < end_ && *rowEnd != '\n' && *rowEnd != '\r') ++rowEnd;
+        rowEnd_ = rowEnd;
+        line_ = nextLine_++;
+        numbers.clear();
+        const bool read = readRow(numbers);
+        at_ = rowEnd;
+        if (at_ < end_) at_ += *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n' ? 2 : 1;
+        if (!read) return false;
+        if (numbers.empty()) continue; // blank or comment
+        ++rows_;
+        return true;
+    }
+    return false;
+}
+
+bool RowReader::readRow(std::vector<double>& numbers) {
+    const auto isComment = [&] { return *at_ == '#' || *at_ == '%' || *at_ == '!' || (*at_ == '/' && at_ + 1 < rowEnd_ && at_[1] == '/'); };
+    const char separator = layout_->separator;
+    while (at_ < rowEnd_ && (*at_ == ' ' || *at_ == '"' || (*at_ == '\t' && separator != '\t'))) ++at_;
+    if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true; // Ctrl+Z ended files once
+    for (;;) {
+        if (!readCell(numbers)) return false;
+        while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
+        if (separator == ' ') {
+            while (at_ < rowEnd_ && isBlank(*at_)) ++at_;
+            if (at_ == rowEnd_ || isComment()) return true;
+            continue;
+        }
+        if (at_ == rowEnd_ || isComment()) return true;
+        ++at_; // the separator; readCell has checked that it is one
+        if (at_ == rowEnd_ && layout_->trailingSeparator) return true;
+    }
+}
+
+bool RowReader::readCell(std::vector<double>& numbers) {
+    const char separator = layout_->separator;
+    while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
+    if (at_ == rowEnd_ || (separator != ' ' && *at_ == separator)) {
+        numbers.push_back(kMissing);
+        return true;
+    }
+    const char* from = at_ + (*at_ == '+' ? 1 : 0);
+    double value = kMissing;
+    std::from_chars_result parsed{};
+    if (layout_->decimalComma) {
+        std::array<char, 64> copy{};
+        const auto length = std::min<std::size_t>(static_cast<std::size_t>(rowEnd_ - from), copy.size());
+        std::replace_copy(from, from + length, copy.begin(), ',', '.');
+        parsed = std::from_chars(copy.data(), copy.data() + length, value);
+        parsed.ptr = from + (parsed.ptr - copy.data());
+    } else {
+        parsed = std::from_chars(from, rowEnd_, value);
+    }
+    if (parsed.ec == std::errc::result_out_of_range) {
+        const std::string_view word(from, static_cast<std::size_t>(parsed.ptr - from));
+        const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+        value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
+    }
+    const char* end = parsed.ptr;
+    if (parsed.ec != std::errc::invalid_argument && isOldNan(end, rowEnd_)) {
+        value = kMissing;
+        while (end < rowEnd_ && !isBlank(*end) && *end != separator) ++end;
+    }
+    const bool ends = end == rowEnd_ || isBlank(*end) || *end == separator;
+    if (parsed.ec == std::errc::invalid_argument || !ends) {
+        const char* wordEnd = at_;
+        while (wordEnd < rowEnd_ && !isBlank(*wordEnd) && *wordEnd != separator && wordEnd - at_ < 40) ++wordEnd;
+        std::string word(at_, wordEnd);
+        std::replace_if(
+            word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
+        problem_ = source_->refusedAtLine(line_, "\"" + word + "\" is no number", "correct the line or export the file again");
+        return false;
+    }
+    const bool measured = std::find(measured_.begin(), measured_.end(), numbers.size()) != measured_.end();
+    if (rows_ < kRowsWithDigits && measured) countDigits(from, end);
+    numbers.push_back(value);
+    at_ = end;
+    return true;
+}
+
+void RowReader::countDigits(const char* from, const char* to) {
+    int significant = 0;
+    int decimals = 0;
+    int whole = 0;
+    bool afterPoint = false;
+    for (; from < to && *from != 'e' && *from != 'E'; ++from) {
+        if (*from == '.' || *from == ',') {
+            afterPoint = true;
+        } else if (*from >= '0' && *from <= '9') {
+            if (significant > 0 || *from != '0') ++significant;
+            if (afterPoint)
+                ++decimals;
+            else if (significant > 0)
+                ++whole;
+        }
+    }
+    if (from < to) { // 1.234e-05 has more decimals than it shows
+        digits_.powers = true;
+        int exponent = 0;
+        const char* digits = from + 1 + (from + 1 < to && from[1] == '+' ? 1 : 0);
+        std::from_chars(digits, to, exponent);
+        decimals = std::max(0, decimals - std::clamp(exponent, -400, 400));
+    }
+    digits_.decimals = std::max(digits_.decimals, decimals);
+    digits_.whole = std::max(digits_.whole, whole);
+    digits_.significant = std::max(digits_.significant, significant);
+}
+
+} // namespace edgescan

@@ -1,0 +1,159 @@
+// Playing recordings.
+#include "core/recording/replay.h"
+
+#include "core/recording/recorded_grid.h"
+#include "core/recording/recorded_robot.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+/// Where the payload of a frame begins, to know a scan telegram without taking the frame apart.
+bool isLine(const RecordedMessage& message) {
+    if (message.topic != RecordingTopic::ColaRx || message.payload.size() < 2) return false;
+    constexpr std::size_t kBinaryPayload = 8;
+    const bool binary = message.payload.size() > kBinaryPayload && message.payload[1] == 2;
+    return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
+}
+
+/// What the recording says beside its telegrams: grid, scanner, place.
+Result<Scan> described(Scan scan, const Recording& recording, const std::string& where, const OpenOptions& options) {
+    if (recording.metadata().contains(kMadeFromKey))
+        scan.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
+    else
+        nameScanner(scan, recording);
+    if (options.unitMm && *options.unitMm != scan.unitMm)
+        return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};
+    auto whole = withRecordedGrid(std::move(scan), recording.metadata(), where);
+    if (!whole) return whole;
+    if (options.axis) std::get<PolarGeometry>(whole->geometry).axis = *options.axis;
+    if (auto placed = placeRecordedSweep(*whole, recording, options, where); !placed) return placed.error();
+    return whole;
+}
+
+} // namespace
+
+bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
+    if (!isScanTelegram(frame.payload())) return false;
+    const auto telegram = decodeScanTelegram(frame);
+    if (!telegram) {
+        ++undecodable_;
+        return false;
+    }
+    assembler_.push(*telegram, hostNs);
+    return true;
+}
+
+bool SweepFeed::message(const RecordedMessage& message) {
+    bool line = false;
+    if (message.topic == RecordingTopic::ColaRx) {
+        for (const ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
+        if (stream_.waiting() > 0) stream_ = ColaStream(); // a message holds whole frames: the rest of it is damaged
+    } else if (message.topic == RecordingTopic::Stepper) {
+        if (const auto reading = parseStepper(message.payload, message.logNs)) assembler_.push(*reading);
+    }
+    return line;
+}
+
+Replay::Replay(std::shared_ptr<const Recording> recording, const SweepSettings& otherwise)
+    : recording_(std::move(recording)), settings_(otherwise), warnings_(recording_->warnings()), feed_(settings_) {
+    SettingsFound found = settingsOf(recording_->metadata(), otherwise);
+    settings_ = found.settings;
+    warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
+    feed_ = SweepFeed(settings_);
+    for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
+        if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
+    }
+}
+
+std::int64_t Replay::timeNs(int line) const {
+    if (lineAt_.empty()) return 0;
+    const auto last = static_cast<int>(lineAt_.size()) - 1;
+    return recording_->messages()[lineAt_[static_cast<std::size_t>(std::clamp(line, 0, last))]].logNs;
+}
+
+bool Replay::playOne() {
+    if (atEnd()) return false;
+    const std::size_t message = next_++;
+    feed_.message(recording_->messages()[message]);
+    const auto line = static_cast<std::size_t>(position_);
+    if (line < lineAt_.size() && lineAt_[line] == message) ++position_;
+    if (atEnd()) feed_.assembler().finish();
+    return true;
+}
+
+bool Replay::step() {
+    if (atEnd()) return false;
+    seek(position_ + 1);
+    return true;
+}
+
+void Replay::seek(int line) {
+    if (line < position_) {
+        feed_ = SweepFeed(settings_);
+        next_ = 0;
+        position_ = 0;
+    }
+    // What stands between this line and the next one (the stepper's report of it) belongs to this line.
+    const auto behind = static_cast<std::size_t>(std::max(line, 0));
+    const std::size_t end = behind < lineAt_.size() ? lineAt_[behind] : recording_->messages().size();
+    while (next_ < end) playOne();
+}
+
+void Replay::advanceTo(std::int64_t timeNs) {
+    while (!atEnd() && recording_->messages()[next_].logNs <= timeNs) playOne();
+}
+
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options) {
+    Replay replay(recording);
+    FinishedSweep best;
+    int sweeps = 0;
+    const auto collect = [&] {
+        for (FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
+            ++sweeps;
+            if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
+        }
+    };
+    while (replay.step()) collect();
+    collect();
+    if (!best.scan) {
+        const bool undecodable = replay.feed().undecodable() > 0;
+        return Error{undecodable ? "none of the scan telegrams in this recording can be decoded" : "this recording holds no scan telegram",
+                     where, "choose another recording"};
+    }
+    Scan scan = *best.scan;
+    scan.format = "recording";
+    scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
+    if (sweeps > 1) {
+        scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
+                                std::to_string(best.progress.number + 1) + ", the one with most lines, was opened.");
+    }
+    if (replay.feed().undecodable() > 0)
+        scan.warnings.push_back(std::to_string(replay.feed().undecodable()) + " scan telegrams could not be decoded.");
+    if (!recording->clean() && best.progress.expected == 0)
+        scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
+                                " lines are there, how many there were is not known.");
+    if (const auto note = recording->metadata().find("note"); note != recording->metadata().end()) scan.note = note->second;
+    return described(std::move(scan), *recording, where, options);
+}
+
+Result<Scan> openRecording(const std::filesystem::path& path) {
+    const auto recording = Recording::open(path);
+    if (!recording) return recording.error();
+    auto scan = scanOf(*recording, path.string());
+    if (!scan) return scan;
+    scan->path = path.string();
+    scan->name = path.stem().string();
+    return scan;
+}
+
+Result<Scan> readRecording(const Source& source) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
+    const auto recording = Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string());
+    if (!recording) return recording.error();
+    return scanOf(*recording, source.path.string(), *source.options);
+}
+
+} // namespace edgescan

@@ -1,0 +1,78 @@
+// A recording played through the same path as live: frames, telegrams, sweep assembly; at any speed, line by line.
+#pragma once
+
+#include "core/points/source.h"
+#include "core/recording/recorded.h"
+#include "core/sweep/sweep.h"
+
+#include <filesystem>
+
+namespace edgescan {
+
+/// Feeds what was received into an assembler: the one path for live, replay and opening.
+class SweepFeed {
+public:
+    explicit SweepFeed(const SweepSettings& settings) : assembler_(settings) {}
+
+    /// One received frame; bytes that are no scan telegram are ignored. True when it brought a line.
+    bool frame(const ColaFrame& frame, std::int64_t hostNs);
+    bool message(const RecordedMessage& message);
+
+    [[nodiscard]] SweepAssembler& assembler() { return assembler_; }
+    [[nodiscard]] const SweepAssembler& assembler() const { return assembler_; }
+    /// Scan telegrams that could not be decoded.
+    [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
+
+private:
+    ColaStream stream_;
+    SweepAssembler assembler_;
+    std::int64_t undecodable_ = 0;
+};
+
+/// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
+class Replay {
+public:
+    explicit Replay(std::shared_ptr<const Recording> recording, const SweepSettings& otherwise = {});
+
+    [[nodiscard]] const Recording& recording() const { return *recording_; }
+    /// Lines, that is scan telegrams, in the recording.
+    [[nodiscard]] int lines() const { return static_cast<int>(lineAt_.size()); }
+    /// Lines played so far.
+    [[nodiscard]] int position() const { return position_; }
+    [[nodiscard]] bool atEnd() const { return next_ == recording_->messages().size(); }
+    /// When line `line` was received; recordings say so even where nothing else tells the time.
+    [[nodiscard]] std::int64_t timeNs(int line) const;
+
+    /// The next line with all that belongs to it. False at the end.
+    bool step();
+    /// To just behind `line` lines, forward or backward; the end is lines().
+    void seek(int line);
+    /// Everything that was received up to a time.
+    void advanceTo(std::int64_t timeNs);
+
+    [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
+    [[nodiscard]] SweepProgress progress() const { return feed_.assembler().progress(); }
+    [[nodiscard]] SweepFeed& feed() { return feed_; }
+    /// What the recording and its settings gave reason to say.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    bool playOne();
+
+    std::shared_ptr<const Recording> recording_;
+    SweepSettings settings_;
+    std::vector<std::string> warnings_;
+    std::vector<std::size_t> lineAt_; // message of each line
+    SweepFeed feed_;
+    std::size_t next_ = 0; // message
+    int position_ = 0;
+};
+
+/// The longest sweep of a recording, placed as placeRecordedSweep() does. Warnings say what is missing: INCOMPLETE n/N, lost lines, a
+/// cut. Error: no line in it.
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options = {});
+Result<Scan> openRecording(const std::filesystem::path& path);
+/// The same for openScan().
+Result<Scan> readRecording(const Source& source);
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// The command line that computes the same edges.
+#include "core/settings/command_text.h"
+
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+std::vector<std::string> differences(const Settings& from, const Settings& to) {
+    std::vector<std::string> flags;
+    for (const Parameter& p : parameters()) {
+        const std::string value = formatValue(p, p.get(to));
+        if (formatValue(p, p.get(from)) != value) flags.push_back(std::string("--") + p.key + " " + value);
+    }
+    return flags;
+}
+
+} // namespace
+
+std::string shellQuoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
+    const auto presets = builtInPresets();
+    std::string nearest = presets.front().name;
+    std::vector<std::string> fewest = differences(presets.front().settings, settings);
+    for (const Preset& preset : presets.subspan(1)) {
+        std::vector<std::string> flags = differences(preset.settings, settings);
+        if (flags.size() >= fewest.size()) continue;
+        nearest = preset.name;
+        fewest = std::move(flags);
+    }
+    std::string command = program + " detect " + shellQuoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " --preset " + nearest;
+    for (const std::string& flag : fewest) command += " " + flag;
+    return command + " --json -";
+}
+
+} // namespace edgescan

@@ -1,0 +1,18 @@
+// The command line that computes the same edges: "Copy as command".
+#pragma once
+
+#include "core/settings/settings.h"
+
+#include <string>
+
+namespace edgescan {
+
+/// In single quotes, as a POSIX shell takes it for one word.
+[[nodiscard]] std::string shellQuoted(const std::string& text);
+
+/// PROGRAM detect 'PATH' READFLAGS --preset NAME --lower 12 ...: the nearest built-in preset and what differs from it. The path is
+/// quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...", may be empty) are taken as they are.
+[[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,
+                                        const Settings& settings);
+
+} // namespace edgescan

@@ -1,0 +1,306 @@
+// The one table of parameters. A new parameter is one entry here and one member of Settings.
+#include "core/settings/parameters.h"
+
+#include "core/settings/method_traits.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <type_traits>
+
+namespace edgescan {
+namespace {
+
+const std::vector<Choice> kMethods{{0, "edgescan+", "EdgeScan+"},
+                                   {1, "outlines", "Rock outlines"},
+                                   {2, "jumps", "Jumps"},
+                                   {3, "canny", "Canny (thesis)"},
+                                   {4, "log-range", "Canny on log range"},
+                                   {5, "roberts", "Roberts"},
+                                   {6, "sobel", "Sobel"},
+                                   {7, "prewitt", "Prewitt"},
+                                   {8, "kirsch", "Kirsch"},
+                                   {9, "robinson", "Robinson"},
+                                   {10, "marr-hildreth", "Marr-Hildreth"},
+                                   {11, "log", "Laplacian of Gaussian"}};
+const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
+                                   {kClassConvex, "convex", "convex"},
+                                   {kClassConcave, "concave", "concave"},
+                                   {kClassBorder, "border", "data border"}};
+const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
+const std::vector<Choice> kScalings{
+    {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
+const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
+const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
+const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
+const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
+
+constexpr bool kAuto = true;
+constexpr bool kAdvanced = true;
+constexpr bool kSeveral = true;
+
+bool always(const Settings&) { return true; }
+bool depth(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines || s.method == Method::Jumps; }
+bool creases(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines; }
+bool classes(const Settings& s) { return s.method == Method::EdgeScanPlus; }
+bool gray(const Settings& s) { return s.method == Method::Canny || hasOneThreshold(s.method); }
+bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
+bool logRange(const Settings& s) { return s.method == Method::LogRange; }
+bool twoThresholds(const Settings& s) { return s.method == Method::Canny || logRange(s); }
+bool kernel(const Settings& s) { return (gray(s) || logRange(s)) && !smoothsItself(s.method); }
+bool sigma(const Settings& s) { return smoothsItself(s.method) || (kernel(s) && s.kernel > 1); }
+bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
+bool norm(const Settings& s) {
+    return twoThresholds(s) || s.method == Method::Roberts || s.method == Method::Sobel || s.method == Method::Prewitt;
+}
+bool logMask(const Settings& s) { return s.method == Method::Log; }
+
+template <class Member>
+void assign(Member& member, double value) {
+    if constexpr (std::is_same_v<Member, int>)
+        member = static_cast<int>(std::lround(value));
+    else
+        member = static_cast<Member>(value);
+}
+
+// Reads and writes one member of Settings.
+#define EDGESCAN_MEMBER(member)                                                                                                            \
+    [](const Settings& s) { return static_cast<double>(s.member); }, [](Settings& s, double v) { assign(s.member, v); }
+
+// clang-format off
+const std::vector<Parameter>& table() {
+    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, several, member, used by
+    static const std::vector<Parameter> rows{
+        {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
+         0, 11, 11, 1, 0, !kAuto, !kAdvanced, kMethods, !kSeveral, EDGESCAN_MEMBER(method), always},
+        {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
+         0.3, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), depth},
+        {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
+         10, 300, 300, 1, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(jumpMm), depth},
+        {"growth", "Jump growth", "% of range", "What the smallest step grows by with the distance.",
+         0, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(growthPercent), depth},
+        {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
+         15, 90, 90, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), creases},
+        {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
+         1, 50, 50, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), depth},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.",
+         0, 15, 15, 1, 0, !kAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), classes},
+        {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
+         30, 100, 100, 1, 0, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), depth},
+        {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
+         0, 2, 2, 0.05, 2, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), depth},
+        {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), depth},
+        {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
+         1, 30, 30, 0.25, 2, kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), depth},
+        {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
+         0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray},
+        {"step", "Step", "% of range", "A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.",
+         0.1, 100, 20, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(stepPercent), logRange},
+        {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
+         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), twoThresholds},
+        {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
+         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), kernel},
+        {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
+         0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma},
+        {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
+         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kScalings, !kSeveral, EDGESCAN_MEMBER(scaling), gray},
+        {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(nearMm), nearFar},
+        {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
+         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(farMm), nearFar},
+        {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.",
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskMissing), gray},
+        {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
+         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated},
+        {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
+         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), twoThresholds},
+        {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
+         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), norm},
+        {"log-mask", "Laplacian mask", "", "Which mask stands for the Laplacian of Gaussian.",
+         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kLogMasks, !kSeveral, EDGESCAN_MEMBER(logMask), logMask},
+    };
+    return rows;
+}
+// clang-format on
+
+std::string shortest(double value) {
+    std::array<char, 64> buffer{}; // values are within the limits of the table
+    const auto format = std::abs(value) < 1e15 ? std::chars_format::fixed : std::chars_format::general;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
+    return {buffer.data(), end};
+}
+
+std::string choiceNames(const Parameter& parameter) {
+    std::string names;
+    for (const Choice& choice : parameter.choices) names += (names.empty() ? "" : ", ") + std::string(choice.name);
+    return names;
+}
+
+std::string flag(const Parameter& parameter) { return std::string("--") + parameter.key; }
+
+Result<double> withinLimits(const Parameter& parameter, double value) {
+    // What counts cells holds no fractions.
+    Settings held;
+    parameter.set(held, value);
+    if (std::abs(value) < 1e9 && parameter.get(held) != value)
+        return Error{shortest(value) + " is not a whole number", flag(parameter),
+                     "give a whole number such as " + shortest(std::clamp(std::ceil(value), parameter.minimum, parameter.maximum))};
+    if (value >= parameter.minimum && value <= parameter.maximum) return value;
+    const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
+    return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit,
+                 flag(parameter), "give a value within these limits"};
+}
+
+// "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the unit's own name is always allowed.
+bool stripUnit(const Parameter& parameter, std::string_view& text, double& factor) {
+    const auto ends = [&](std::string_view unit) {
+        if (unit.empty() || text.size() <= unit.size() || !text.ends_with(unit)) return false;
+        text.remove_suffix(unit.size());
+        while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+        return true;
+    };
+    factor = 1.0;
+    if (ends(parameter.unit)) return true;
+    if (std::string_view(parameter.unit) == "mm" && ends("m")) factor = 1000.0;
+    return true;
+}
+
+// "jump,concave" -> the sum of their values; "all" and "none" are names too.
+Result<double> parseSet(const Parameter& parameter, std::string_view text) {
+    if (text == "all") return parameter.maximum;
+    if (text == "none") return parameter.minimum;
+    int set = 0;
+    for (std::string_view rest = text; true;) {
+        const std::string_view name = rest.substr(0, rest.find(','));
+        const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return name == c.name; });
+        if (found == parameter.choices.end()) {
+            return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flag(parameter),
+                         "give one or several of these, separated by commas, or all or none"};
+        }
+        set |= static_cast<int>(found->value);
+        if (name.size() == rest.size()) return set;
+        rest.remove_prefix(name.size() + 1);
+    }
+}
+
+std::string formatSet(const Parameter& parameter, double value) {
+    if (value == parameter.maximum) return "all";
+    std::string names;
+    for (const Choice& choice : parameter.choices) {
+        if ((static_cast<int>(value) & static_cast<int>(choice.value)) != 0) names += (names.empty() ? "" : ",") + std::string(choice.name);
+    }
+    return names.empty() ? "none" : names;
+}
+
+} // namespace
+
+bool operator==(const Settings& a, const Settings& b) {
+    return std::ranges::all_of(table(), [&](const Parameter& p) {
+        const double x = p.get(a);
+        const double y = p.get(b);
+        return x == y || (std::isnan(x) && std::isnan(y));
+    });
+}
+
+std::span<const Parameter> parameters() { return table(); }
+
+const Parameter* findParameter(std::string_view key) {
+    const auto found = std::ranges::find_if(table(), [&](const Parameter& p) { return key == p.key; });
+    return found == table().end() ? nullptr : &*found;
+}
+
+Result<double> parseValue(const Parameter& parameter, std::string_view text) {
+    if (text == "auto" && parameter.canBeAutomatic) return kAutomatic;
+    if (parameter.several) return parseSet(parameter, text);
+    for (const Choice& choice : parameter.choices) {
+        if (text == choice.name) return choice.value;
+    }
+    const std::string typed(text);
+    if (!parameter.choices.empty()) {
+        return Error{"\"" + typed + "\" is not one of " + choiceNames(parameter), flag(parameter), "give one of these"};
+    }
+    double factor = 1.0;
+    stripUnit(parameter, text, factor);
+    double value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+        return Error{"\"" + typed + "\" is not a number" + (parameter.canBeAutomatic ? " and not auto" : ""), flag(parameter),
+                     "write it like 12.5"};
+    }
+    return withinLimits(parameter, value * factor);
+}
+
+std::string formatValue(const Parameter& parameter, double value) {
+    if (std::isnan(value)) return "auto";
+    if (parameter.several) return formatSet(parameter, value);
+    for (const Choice& choice : parameter.choices) {
+        if (choice.value == value) return choice.name;
+    }
+    return shortest(value);
+}
+
+double snapped(const Parameter& parameter, double value) {
+    if (std::isnan(value)) return parameter.canBeAutomatic ? value : parameter.minimum;
+    if (!parameter.choices.empty() && !parameter.several) {
+        const auto nearest = std::ranges::min_element(
+            parameter.choices, [&](const Choice& a, const Choice& b) { return std::abs(a.value - value) < std::abs(b.value - value); });
+        return nearest->value;
+    }
+    const double tens = std::pow(10.0, parameter.decimals);
+    return std::clamp(std::round(value * tens) / tens, parameter.minimum, parameter.maximum);
+}
+
+Result<Done> checkSettings(const Settings& s) {
+    if (s.method == Method::Canny && s.scaling != Scaling::Thesis && !std::isnan(s.nearMm) && !std::isnan(s.farMm) && s.nearMm >= s.farMm) {
+        return Error{"near " + shortest(s.nearMm) + " mm is not smaller than far " + shortest(s.farMm) + " mm", "--near --far",
+                     "give a near that is smaller than far"};
+    }
+    return Done{};
+}
+
+std::string choiceLabel(const Parameter& parameter, const Settings& settings) {
+    const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return c.value == parameter.get(settings); });
+    return found == parameter.choices.end() ? formatValue(parameter, parameter.get(settings)) : found->label;
+}
+
+nlohmann::json settingsToJson(const Settings& settings) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const Parameter& p : table()) {
+        const double value = p.get(settings);
+        const bool asNumber = !std::isnan(value) && (p.choices.empty() || (p.choices.front().name[0] <= '9' && !p.several));
+        if (asNumber && value == std::floor(value))
+            object[p.key] = static_cast<std::int64_t>(value);
+        else if (asNumber)
+            object[p.key] = value;
+        else
+            object[p.key] = formatValue(p, value);
+    }
+    return object;
+}
+
+Result<Settings> settingsFromJson(const nlohmann::json& object, Settings settings, const std::string& where) {
+    if (!object.is_object()) return Error{"the settings are not a JSON object", where, "write {\"kernel\": 3, ...}"};
+    for (const auto& [key, value] : object.items()) {
+        const Parameter* parameter = findParameter(key);
+        if (parameter == nullptr)
+            return Error{"there is no parameter \"" + key + "\"", where, "see edgescan-cli detect --help for the names"};
+        std::string text;
+        if (value.is_string())
+            text = value.get<std::string>();
+        else if (value.is_boolean())
+            text = value.get<bool>() ? "on" : "off";
+        else if (value.is_number())
+            text = shortest(value.get<double>());
+        const Result<double> parsed = parseValue(*parameter, text);
+        if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().todo};
+        parameter->set(settings, *parsed);
+    }
+    return settings;
+}
+
+} // namespace edgescan

@@ -1,0 +1,215 @@
+// Stalls and leaps of the stepper.
+#include "core/straighten/line_slips.h"
+
+#include "core/base/simd.h"
+#include "core/straighten/slip_votes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace edgescan {
+namespace {
+
+constexpr int kFarthest = 8; // lines to each side that tell the slope
+constexpr int kNearest = 3;
+constexpr float kAlike = 0.4F;      // of the steeper slope
+constexpr float kLeastExtra = 0.5F; // at the first look
+constexpr float kSureExtra = 0.7F;
+constexpr float kMostExtra = 20;   // index steps; what jumps farther is an edge
+constexpr float kExplained = 0.5F; // of the deviations on a line
+constexpr int kPause = 3;          // lines without a slip that end a stall
+constexpr float kMadeUp = 1.0F;    // index steps from where the stepper should be
+
+// The lines that tell the slope of a step from a line to the next; fewer at both ends of the sweep.
+int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 - line}); }
+
+// Of a step to the next line, from the lines before and after it: the steeper of the two slopes, for the stepper may have stalled on one
+// side.
+EDGESCAN_VECTORS void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
+                                      std::uint8_t* __restrict slanted) {
+    const std::ptrdiff_t far = reach * stride;
+    const auto steps = static_cast<float>(reach);
+    for (int j = 0; j < beams; ++j) {
+        const float before = (u[j] - u[j - far]) / steps;
+        const float after = (u[j + stride + far] - u[j + stride]) / steps;
+        const float slant = std::abs(before) > std::abs(after) ? before : after;
+        const float smaller = std::min(std::abs(before), std::abs(after));
+        const float share = std::abs(slant) / u[j];
+        slants[j] = slant;
+        slanted[j] = static_cast<std::uint8_t>((share >= kLeastSlant) & (share <= kMostSlant) & (before * after > 0) &
+                                               (smaller >= kAlike * std::abs(slant)));
+    }
+}
+
+using StepSlips = std::array<std::vector<Slip>, 2>;
+
+void addStep(const InverseRange& inverse, int line, int beam, float slant, StepSlips& slips) {
+    const float u = inverse.u.at(line, beam);
+    const float next = inverse.u.at(line + 1, beam);
+    slips[static_cast<std::size_t>(beam % 2)].push_back({(next - u) / slant - 1, std::abs(slant) / u, slant});
+}
+
+void addSteps(const InverseRange& inverse, int line, LineSlants& slants, StepSlips& slips) {
+    const int reach = reachAt(line, inverse.u.lines);
+    slantsRoundStep(inverse.u.line(line), inverse.u.beams, reach, inverse.u.beams, slants.slant.data(), slants.slanted.data());
+    slants.forEach([&](int j, float slant) {
+        for (const int i : {line - reach, line, line + 1, line + 1 + reach}) {
+            if (!inverse.isMeasured(i, j)) return;
+        }
+        addStep(inverse, line, j, slant, slips);
+    });
+}
+
+// The change of u from line to line over some lines, the mean of the middle half: neither stalls nor a leap nor one jump tell on it, and
+// ranges in whole centimetres do not, either. 0 where a range is missing or where the surface is too steep or not slanted.
+float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
+    std::array<float, 2 * kFarthest + 1> changes{};
+    for (int i = first; i <= last; ++i) {
+        if (!inverse.isMeasured(i, beam)) return 0;
+        if (i > first) changes[static_cast<std::size_t>(i - first - 1)] = inverse.u.at(i, beam) - inverse.u.at(i - 1, beam);
+    }
+    const int count = last - first;
+    std::sort(changes.begin(), changes.begin() + count);
+    const auto from = changes.begin() + count / 4;
+    const auto to = changes.begin() + (count - count / 4);
+    const float slant = std::accumulate(from, to, 0.0F) / static_cast<float>(to - from);
+    const float share = std::abs(slant) / inverse.u.at(first, beam);
+    return share >= kLeastSlant && share <= kMostSlant ? slant : 0;
+}
+
+// Of the same cells, measured with more care.
+void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
+    for (std::vector<Slip>& ofParity : slips) ofParity.clear();
+    const int reach = reachAt(line, inverse.u.lines);
+    slants.forEach([&](int j, float) {
+        const float slant = middleSlant(inverse, line - reach, line + 1 + reach, j);
+        if (slant != 0) addStep(inverse, line, j, slant, slips);
+    });
+}
+
+// The slip that the beams of one parity tell of; 0 when there is none that explains what is seen.
+float extraStep(const std::vector<Slip>& slips, int beams, float least) {
+    if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
+    if (isMiddleWithin(least, slips)) return 0;
+    const float steps = weightedMiddle(slips);
+    if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
+    return explained(slips, steps) < kExplained ? 0 : steps;
+}
+
+// Slips one after the other, of beams of either parity.
+struct Stall {
+    int first, last; // steps
+    int leap;        // the longest of them
+};
+
+float sizeAt(const LineSteps& extra, int step) {
+    return std::abs(extra[0][static_cast<std::size_t>(step)]) + std::abs(extra[1][static_cast<std::size_t>(step)]);
+}
+
+Stall stallFrom(const LineSteps& extra, int first) {
+    Stall stall{first, first, first};
+    for (int i = first; i < static_cast<int>(extra[0].size()) && i - stall.last <= kPause; ++i) {
+        if (sizeAt(extra, i) == 0) continue;
+        stall.last = i;
+        if (sizeAt(extra, i) > sizeAt(extra, stall.leap)) stall.leap = i;
+    }
+    return stall;
+}
+
+// How far the lines of a stall lie ahead of their places, index steps. They are counted from both ends, so that what the stepper did not
+// make up for is left as one longer step, the same for both parities; where it made up for all, nothing is left.
+void straightenStall(const Stall& stall, std::vector<float>& extra, std::vector<float>& ahead) {
+    const auto at = [](std::vector<float>& steps, int i) -> float& { return steps[static_cast<std::size_t>(i)]; };
+    float total = 0;
+    for (int i = stall.first; i <= stall.last; ++i) total += at(extra, i);
+    const bool madeUp = std::abs(total) < kMadeUp;
+    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // was a little on every line
+    float sum = 0;
+    for (int i = stall.first; i <= stall.last; ++i) {
+        sum += at(extra, i) - over;
+        at(ahead, i + 1) = madeUp || i < stall.leap ? sum : sum - total;
+        at(extra, i) = 0;
+    }
+    if (!madeUp) at(extra, stall.leap) = total;
+}
+
+LineSteps straightenStalls(LineSteps& extra) {
+    LineSteps ahead;
+    ahead.fill(std::vector<float>(extra[0].size()));
+    for (int i = 0; i < static_cast<int>(extra[0].size()); ++i) {
+        if (sizeAt(extra, i) == 0) continue;
+        const Stall stall = stallFrom(extra, i);
+        if (stall.last > stall.first) {
+            for (std::size_t parity = 0; parity < 2; ++parity) straightenStall(stall, extra[parity], ahead[parity]);
+        }
+        i = stall.last;
+    }
+    return ahead;
+}
+
+// What is left of a slip, by the slopes right beside it, which are what it will be weighed against.
+float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
+    std::vector<Slip> slips;
+    for (int j = parity; j < inverse.u.beams; j += 2) {
+        bool solid = true;
+        for (int i = line - 1; i <= line + 2; ++i) solid = solid && inverse.isMeasured(i, j);
+        if (!solid) continue;
+        const float u = inverse.u.at(line, j);
+        const float next = inverse.u.at(line + 1, j);
+        const float slant = 0.5F * (u - inverse.u.at(line - 1, j) + inverse.u.at(line + 2, j) - next);
+        const float share = std::abs(slant) / u;
+        if (share >= kLeastSlant && share <= kMostSlant) slips.push_back({(next - u) / slant - 1, share, slant});
+    }
+    return slips.size() < kFewestCells ? otherwise : weightedMiddle(slips);
+}
+
+} // namespace
+
+LineSteps lineSlips(const InverseRange& inverse) {
+    const int lines = inverse.u.lines;
+    LineSteps steps;
+    steps.fill(std::vector<float>(static_cast<std::size_t>(lines)));
+    LineSlants slants(inverse.u.beams);
+    StepSlips slips;
+    for (int i = kNearest; i + 1 + kNearest < lines; ++i) {
+        addSteps(inverse, i, slants, slips);
+        if (extraStep(slips[0], inverse.u.beams, kLeastExtra) != 0 || extraStep(slips[1], inverse.u.beams, kLeastExtra) != 0) {
+            addStepsAgain(inverse, i, slants, slips);
+            for (std::size_t parity = 0; parity < 2; ++parity) {
+                const float extra = extraStep(slips[parity], inverse.u.beams, kSureExtra);
+                steps[parity][static_cast<std::size_t>(i)] = std::abs(extra) <= kMostExtra ? extra : 0;
+            }
+        }
+        for (std::vector<Slip>& ofParity : slips) ofParity.clear();
+    }
+    return steps;
+}
+
+LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
+    const bool anything = std::any_of(slips.begin(), slips.end(), [](const std::vector<float>& steps) {
+        return std::any_of(steps.begin(), steps.end(), [](float extra) { return extra != 0; });
+    });
+    if (!anything) return slips;
+    LineSteps left = slips;
+    const LineSteps ahead = straightenStalls(left);
+    const InverseRange from = inverse;
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        for (int parity = 0; parity < 2; ++parity) {
+            const float steps = ahead[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)];
+            if (steps == 0) continue;
+            const int reach = std::min({kFarthest, i, inverse.u.lines - 1 - i});
+            for (int j = parity; j < inverse.u.beams; j += 2)
+                inverse.u.at(i, j) = std::max(from.u.at(i, j) - steps * middleSlant(from, i - reach, i + reach, j), 1e-4F);
+        }
+    }
+    for (int i = 1; i + 2 < inverse.u.lines; ++i) {
+        for (int parity = 0; parity < 2; ++parity) {
+            float& extra = left[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)];
+            if (extra != 0) extra = leftOver(inverse, i, parity, extra);
+        }
+    }
+    return left;
+}
+
+} // namespace edgescan

@@ -1,0 +1,158 @@
+// From displacements in index steps to angles.
+#include "core/straighten/straighten_scan.h"
+
+#include "core/straighten/interlace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace edgescan {
+namespace {
+
+// Median of the lines that tell of a displacement, index steps; 0 when none does.
+double medianParity(const std::vector<float>& parity) {
+    std::vector<float> told;
+    std::copy_if(parity.begin(), parity.end(), std::back_inserter(told), [](float steps) { return steps != 0; });
+    if (told.empty()) return 0;
+    const auto middle = told.begin() + static_cast<std::ptrdiff_t>(told.size() / 2);
+    std::nth_element(told.begin(), middle, told.end());
+    return static_cast<double>(*middle);
+}
+
+void moveBeams(PolarGeometry& polar, double displacementDeg) {
+    polar.lineSkewDeg.resize(polar.beamDeg.size());
+    for (std::size_t j = 0; j < polar.lineSkewDeg.size(); ++j) polar.lineSkewDeg[j] += (j % 2 == 1 ? 0.5 : -0.5) * displacementDeg;
+}
+
+void moveLines(PolarGeometry& polar, const std::vector<double>& slipSteps, double stepDeg) {
+    double shiftDeg = 0;
+    for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
+        shiftDeg += slipSteps[i] * stepDeg;
+        polar.lineDeg[i + 1] += shiftDeg;
+    }
+}
+
+// What the surfaces of a sweep say about its angles.
+struct Displacement {
+    double stepDeg = 0;            // from line to line
+    double oddAheadDeg = 0;        // odd beams against even ones
+    std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
+    int slips = 0;                 // of these that are not 0
+    int left = 0;                  // that beams of both parities do not agree on
+};
+
+// What is left of a displacement that the angles tell of already; nothing where both agree as well as can be measured.
+double beyond(double measured, double told, double agree) { return told != 0 && std::abs(measured - told) < agree ? 0.0 : measured - told; }
+
+// How far the angles have odd beams ahead of even ones.
+double oddSkewDeg(const PolarGeometry& polar) {
+    const std::size_t pairs = polar.lineSkewDeg.size() / 2;
+    double sum = 0;
+    for (std::size_t n = 0; n < pairs; ++n) sum += polar.lineSkewDeg[2 * n + 1] - polar.lineSkewDeg[2 * n];
+    return pairs == 0 ? 0.0 : sum / static_cast<double>(pairs);
+}
+
+double medianStepDeg(const std::vector<double>& lineDeg) {
+    std::vector<double> steps;
+    for (std::size_t i = 0; i + 1 < lineDeg.size(); ++i) steps.push_back(lineDeg[i + 1] - lineDeg[i]);
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+Displacement displacementOf(const Scan& scan, const PolarGeometry& polar) {
+    constexpr double kAgreeBeams = 0.35; // index steps
+    constexpr double kAgreeLines = 0.75;
+    InverseRange inverse = inverseRange(scan);
+    const SweepSlips slips = straighten(inverse);
+    Displacement found;
+    found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
+    if (slips.interlaced)
+        found.oddAheadDeg = beyond(medianParity(slips.parity) * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+    const double usualDeg = medianStepDeg(polar.lineDeg);
+    found.slipSteps.resize(polar.lineDeg.size());
+    for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
+        const double even = static_cast<double>(slips.measured[0][i]);
+        const double odd = static_cast<double>(slips.measured[1][i]);
+        if (even * odd <= 0) {
+            found.left += even != 0 || odd != 0 ? 1 : 0;
+            continue;
+        }
+        const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
+        found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
+        found.slips += found.slipSteps[i] != 0 ? 1 : 0;
+    }
+    return found;
+}
+
+const PolarGeometry* anglesOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    return polar != nullptr && polar->lineDeg.size() >= 2 ? polar : nullptr;
+}
+
+std::string degreesText(double deg) {
+    char text[40];
+    std::snprintf(text, sizeof text, deg < 0.1 ? "%.2g degrees" : "%.2f degrees", deg);
+    return text;
+}
+
+// "odd beams lie 0.12 degrees ahead of even ones"
+std::string interlaceText(double oddAheadDeg) {
+    return "odd beams lie " + degreesText(std::abs(oddAheadDeg)) + (oddAheadDeg > 0 ? " ahead of even ones" : " behind even ones");
+}
+
+std::string slipText(const Displacement& found) {
+    const auto slipped = [](double steps) { return steps != 0; };
+    const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
+    double most = 0;
+    for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
+    return "the stepper slipped at " + std::to_string(found.slips) + (found.slips == 1 ? " line" : " lines") + " (first at line " +
+           std::to_string(first + 1) + ", by up to " + degreesText(most) + ")";
+}
+
+// Empty where nothing lies elsewhere.
+std::string displacementText(const Displacement& found) {
+    std::string text;
+    if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg);
+    if (found.slips > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
+    return text;
+}
+
+constexpr const char* kDisplaced = "Measured elsewhere than the angles say: ";
+
+} // namespace
+
+Scan straightened(Scan scan) {
+    auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (anglesOf(scan) == nullptr) {
+        scan.warnings.emplace_back("Not straightened: the scan has no lines with angles.");
+        return scan;
+    }
+    const Displacement found = displacementOf(scan, *polar);
+    if (found.oddAheadDeg != 0) moveBeams(*polar, found.oddAheadDeg);
+    moveLines(*polar, found.slipSteps, found.stepDeg);
+    const std::string text = displacementText(found);
+    if (!text.empty())
+        scan.warnings.push_back("Straightened: " + text + ".");
+    else if (found.left == 0)
+        scan.warnings.emplace_back("Straightened: no interlaced beams and no slips were found; the angles stay.");
+    if (found.left > 0)
+        scan.warnings.push_back(std::to_string(found.left) +
+                                (found.left == 1 ? " slip was seen in every second beam only, and is left as it is."
+                                                 : " slips were seen in every second beam only, and are left as they are."));
+    return scan;
+}
+
+std::optional<std::string> displacementWarning(const Scan& scan) {
+    const PolarGeometry* polar = anglesOf(scan);
+    if (polar == nullptr) return std::nullopt;
+    const std::string text = displacementText(displacementOf(scan, *polar));
+    if (text.empty()) return std::nullopt;
+    return kDisplaced + text +
+           "; EdgeScan+ allows for it, but points lie where the angles say: --straighten (Scan > Straighten Beams) corrects these.";
+}
+
+bool tellsOfDisplacement(const std::string& warning) { return warning.starts_with(kDisplaced); }
+
+} // namespace edgescan

@@ -1,0 +1,71 @@
+// Makes the scanner's wrapping counters and clocks run on, and says per line what was lost or came twice (SPEC 6.5, 6.6).
+#pragma once
+
+#include "core/lms/scan_telegram.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace edgescan {
+
+enum class LineStep : std::uint8_t {
+    First,     ///< nothing came before
+    Next,      ///< follows the line before it, after `lost` lost ones
+    Duplicate, ///< was there already: drop it
+    Restart,   ///< the scanner's counters began anew (power, another device); what is missing in between cannot be counted
+};
+
+/// A line's place in the scanner's history.
+struct LineStamp {
+    LineStep step = LineStep::First;
+    std::int64_t telegram = 0;      ///< telegram counter, unwrapped: first value as sent, then without wrapping
+    std::int64_t scan = 0;          ///< scan counter, unwrapped
+    std::int64_t deviceUs = 0;      ///< device clock of the line, unwrapped, microseconds
+    std::int64_t transmittedUs = 0; ///< device clock of the transmission, on the same scale
+    std::int64_t lost = 0;          ///< lines missing before this one: the greater of the next two
+    std::int64_t lostTelegrams = 0; ///< by the telegram counter
+    std::int64_t lostScans = 0;     ///< by the scan counter, after the output interval is taken out
+    int epoch = 0;                  ///< grows by one with every Restart
+
+    bool operator==(const LineStamp&) const = default;
+};
+
+/// Give it every line of one scanner in order of arrival; a value. The device clock is the referee where a counter alone leaves open
+/// whether it ran far ahead or was set back; the host clock tells how often the device clock itself wrapped (every 71.6 minutes).
+class LineCounter {
+public:
+    /// `outputInterval`: every how many scans a telegram is sent (LMDscandatacfg); 0: learn it.
+    explicit LineCounter(int outputInterval = 0) : interval_(outputInterval), learning_(outputInterval <= 0) {}
+
+    /// `hostNs`: monotonic host time of the line; only differences are used, and 0 throughout is fine when no silence of an hour is
+    /// to be bridged. A Duplicate is stamped as the line it repeats and changes nothing.
+    LineStamp stamp(const ScanTelegram& telegram, std::int64_t hostNs);
+
+    /// The connection was made anew: counters that are set back now are a Restart, never a late duplicate.
+    void reconnected() { reconnected_ = true; }
+
+private:
+    struct Last {
+        std::uint16_t telegramCounter = 0, scanCounter = 0;
+        std::uint32_t sinceStartUs = 0;
+        std::int64_t hostNs = 0;
+        LineStamp stamp;
+    };
+    struct Advance {
+        std::int64_t us = 0, hostUs = 0, telegrams = 0, scans = 0;
+        double scansByClock = 0.0;
+    };
+
+    [[nodiscard]] std::int64_t steps() const { return interval_ > 0 ? interval_ : 1; }
+    [[nodiscard]] Advance advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const;
+    [[nodiscard]] LineStep judge(const Advance& advance) const;
+    void learnInterval(const Advance& advance);
+    LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp);
+
+    std::int64_t interval_; ///< scans per telegram, 0 while unknown
+    bool learning_;
+    bool reconnected_ = false;
+    std::optional<Last> last_;
+};
+
+} // namespace edgescan

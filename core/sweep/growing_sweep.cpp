@@ -1,0 +1,187 @@
+// Rows of one sweep.
+#include "core/sweep/growing_sweep.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kEarlyLines = 16; // after these it is clear how lines interlace
+constexpr int kAnglesWaitedFor = 8;     // rows that a reading of the stepper may come late
+constexpr int kMostCells = 50'000'000;  // of one sweep
+
+} // namespace
+
+std::uint64_t GrowingSweep::newGrowth() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+int GrowingSweep::rowOf(std::int64_t slot) const {
+    const std::int64_t place = slot - origin_;
+    return place < 0 ? -1 : static_cast<int>(place / weave_.parts);
+}
+
+/// The slot after `lost` lost ones that this part can have.
+std::int64_t GrowingSweep::slotOf(int part, std::int64_t lost) const {
+    std::int64_t slot = lastSlot_ + 1 + lost;
+    if (!laidOut_ || weave_.parts == 1) return slot;
+    const std::int64_t wanted = origin_ + turns_[static_cast<std::size_t>(part)];
+    const std::int64_t ahead = (wanted - slot) % weave_.parts;
+    return slot + (ahead < 0 ? ahead + weave_.parts : ahead);
+}
+
+GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings) {
+    auto part = weave_.partOf(line.beams);
+    const bool early = lastSlot_ < 0 || (!early_.empty() && early_.size() < kEarlyLines);
+    const std::int64_t next = lastSlot_ + 1 + lost;
+    if (early && (!part || lastSlot_ < 0)) {
+        std::vector<BeamGrid> grids{line.beams};
+        for (const Early& other : early_) grids.push_back(other.line.beams);
+        if (!layOut(grids)) return Place::Misfit;
+        early_.push_back({line, next});
+        lastSlot_ = next;
+        rebuild();
+        return Place::Taken;
+    }
+    if (!part) return Place::Misfit;
+    const std::int64_t slot = slotOf(*part, lost);
+    const int allowed = std::min(settings.mostLines, kMostCells / std::max(weave_.beams, 1));
+    const int most = settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
+    if (slot - origin_ >= static_cast<std::int64_t>(most) * weave_.parts) return Place::Full;
+    if (early) early_.push_back({line, slot});
+    write(line, slot, *part);
+    return Place::Taken;
+}
+
+bool GrowingSweep::layOut(std::span<const BeamGrid> grids) {
+    const auto weave = weaveOf(grids);
+    if (!weave) return false;
+    weave_ = *weave;
+    return true;
+}
+
+/// Places all early lines anew after the weave has changed.
+void GrowingSweep::rebuild() {
+    const auto parts = static_cast<std::size_t>(weave_.parts);
+    std::vector<std::int64_t> firstSlot(parts, -1);
+    for (const Early& early : early_) {
+        std::int64_t& first = firstSlot[static_cast<std::size_t>(weave_.partOf(early.line.beams).value_or(0))];
+        if (first < 0) first = early.slot;
+    }
+    // A row begins with part 0: what came before the first of them is no whole row and is left out.
+    origin_ = firstSlot[0];
+    for (std::size_t part = 1; part < parts && origin_ < 0; ++part) {
+        if (firstSlot[part] >= 0) origin_ = firstSlot[part] + static_cast<std::int64_t>(parts - part);
+    }
+    turns_.assign(parts, 0);
+    for (std::size_t part = 0; part < parts; ++part) {
+        const std::int64_t after = firstSlot[part] >= 0 ? firstSlot[part] - origin_ : static_cast<std::int64_t>(part);
+        const auto count = static_cast<std::int64_t>(parts);
+        turns_[part] = static_cast<int>((after % count + count) % count);
+    }
+    laidOut_ = true;
+    growth_ = newGrowth();
+    grid_ = SweepGrid(weave_.beams);
+    facts_.clear();
+    missing_.clear();
+    wholeRows_ = 0;
+    firstFlagged_ = -1;
+    for (const Early& early : early_) write(early.line, early.slot, weave_.partOf(early.line.beams).value_or(0));
+}
+
+void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
+    lastSlot_ = std::max(lastSlot_, slot);
+    const int row = rowOf(slot);
+    if (row < 0) return;
+    grow(row + 1);
+    grid_.write(row, part, weave_.parts, line.ranges.rangeMm, line.ranges.state);
+    --missing_[static_cast<std::size_t>(row)];
+    LineFacts& facts = facts_[static_cast<std::size_t>(row)];
+    if (!facts.received) {
+        facts = line.facts;
+        facts.received = true;
+        facts.turns = turns_[static_cast<std::size_t>(part)];
+    }
+    wholeRows_ = std::max(wholeRows_, turns_[static_cast<std::size_t>(part)] == weave_.parts - 1 ? row + 1 : row);
+    if (unitMm_ != line.unitMm && row == 0) unitMm_ = line.unitMm;
+    noteStatus(line, row);
+}
+
+void GrowingSweep::grow(int rows) {
+    if (rows <= grid_.rows()) return;
+    grid_.grow(rows);
+    facts_.resize(static_cast<std::size_t>(rows));
+    missing_.resize(static_cast<std::size_t>(rows), weave_.parts);
+}
+
+void GrowingSweep::loseRest(int rows) {
+    grow(rows);
+    finish();
+}
+
+void GrowingSweep::noteStatus(const SweepLine& line, int row) {
+    for (std::size_t i = 0; i < line.ranges.state.size(); ++i) {
+        if (line.ranges.state[i] != CellState::DeviceStatus) continue;
+        const auto code = static_cast<std::uint32_t>(std::lround(static_cast<double>(line.ranges.rangeMm[i]) / line.unitMm));
+        const auto place = std::lower_bound(statusCodes_.begin(), statusCodes_.end(), code);
+        if (place == statusCodes_.end() || *place != code) statusCodes_.insert(place, code);
+    }
+    if (line.serialNumber != 0) serialNumber_ = line.serialNumber;
+    const DeviceFlags& now = line.device;
+    if (firstFlagged_ < 0 && (now.error || now.contaminationWarning || now.contaminationError)) firstFlagged_ = row;
+    deviceEver_.error |= now.error;
+    deviceEver_.contaminationWarning |= now.contaminationWarning;
+    deviceEver_.contaminationError |= now.contaminationError;
+}
+
+std::optional<int> GrowingSweep::reversal(const SweepSettings& settings) {
+    const AngleSource source = angleSourceOf(facts_, settings);
+    if (settings.reversalDeg <= 0 || (source != AngleSource::Encoder && source != AngleSource::Stepper)) return std::nullopt;
+    for (; examined_ < wholeRows_; ++examined_) {
+        const LineFacts& line = facts_[static_cast<std::size_t>(examined_)];
+        const auto deg = measuredDeg(line, source, settings);
+        if (!deg && line.received && wholeRows_ - examined_ < kAnglesWaitedFor) break;
+        if (!deg) continue;
+        if (!startDeg_) startDeg_ = extremeDeg_ = *deg;
+        if (direction_ == 0 && std::abs(*deg - *startDeg_) > settings.reversalDeg) {
+            direction_ = *deg > *startDeg_ ? 1 : -1;
+            extremeDeg_ = *startDeg_;
+        }
+        const double onward = (*deg - extremeDeg_) * direction_;
+        if (onward > 0 || direction_ == 0) {
+            if (direction_ != 0) extremeDeg_ = *deg;
+            extremeRow_ = examined_;
+        } else if (-onward > settings.reversalDeg) {
+            return extremeRow_ + 1;
+        }
+    }
+    return std::nullopt;
+}
+
+GrowingSweep GrowingSweep::cutFrom(int row) {
+    GrowingSweep rest;
+    const auto first = static_cast<std::ptrdiff_t>(row);
+    rest.weave_ = weave_;
+    rest.turns_ = turns_;
+    rest.origin_ = origin_ + static_cast<std::int64_t>(row) * weave_.parts;
+    rest.lastSlot_ = lastSlot_;
+    rest.laidOut_ = true;
+    rest.grid_ = grid_.cutFrom(row);
+    rest.facts_.assign(facts_.begin() + first, facts_.end());
+    rest.missing_.assign(missing_.begin() + first, missing_.end());
+    rest.wholeRows_ = std::max(0, wholeRows_ - row);
+    rest.unitMm_ = unitMm_;
+    rest.statusCodes_ = statusCodes_;
+    rest.deviceEver_ = deviceEver_;
+    rest.serialNumber_ = serialNumber_;
+    rest.firstFlagged_ = firstFlagged_ >= 0 ? std::max(0, firstFlagged_ - row) : -1;
+    facts_.resize(static_cast<std::size_t>(row));
+    missing_.resize(static_cast<std::size_t>(row));
+    wholeRows_ = std::min(wholeRows_, row);
+    return rest;
+}
+
+} // namespace edgescan

@@ -1,0 +1,63 @@
+// Weaving interlaced lines.
+#include "core/sweep/interlaced_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr int kMostParts = 8;
+constexpr double kSameDeg = 1e-6; // angles are snapped or given in 1/10000 degree
+constexpr double kAlignedPart = 0.01;
+
+/// Which part starts `offset` steps after part 0, or -1.
+int partAt(double offset, int parts) {
+    const double part = offset * parts;
+    const double nearest = std::round(part);
+    if (std::abs(part - nearest) > kAlignedPart * parts || nearest < 0 || nearest >= parts) return -1;
+    return static_cast<int>(nearest);
+}
+
+} // namespace
+
+std::optional<int> BeamWeave::partOf(const BeamGrid& grid) const {
+    if (std::abs(grid.stepDeg - stepDeg) > kSameDeg) return std::nullopt;
+    if (parts == 1) return std::abs(grid.startDeg - startDeg) <= kSameDeg && grid.beams <= beams ? std::optional(0) : std::nullopt;
+    const int part = partAt((grid.startDeg - startDeg) / stepDeg, parts);
+    return part >= 0 && grid.beams <= beamsOf(part) ? std::optional(part) : std::nullopt;
+}
+
+std::vector<double> BeamWeave::beamDeg() const {
+    std::vector<double> degrees;
+    degrees.reserve(static_cast<std::size_t>(beams));
+    // As beamAnglesDeg() for part 0, and snapped again for the starts of the others.
+    for (int j = 0; j < beams; ++j) {
+        const int part = j % parts;
+        const double start = part == 0 ? startDeg : snappedDeg(startDeg + stepDeg * part / parts);
+        degrees.push_back(start + j / parts * stepDeg);
+    }
+    return degrees;
+}
+
+std::optional<BeamWeave> weaveOf(std::span<const BeamGrid> grids) {
+    if (grids.empty()) return std::nullopt;
+    BeamWeave weave{grids[0].startDeg, grids[0].stepDeg, 1, 0};
+    for (const BeamGrid& grid : grids) weave.startDeg = std::min(weave.startDeg, grid.startDeg);
+    const auto fits = [&](int parts) {
+        return std::all_of(grids.begin(), grids.end(), [&](const BeamGrid& grid) {
+            if (std::abs(grid.stepDeg - weave.stepDeg) > kSameDeg) return false;
+            if (std::abs(grid.startDeg - weave.startDeg) <= kSameDeg) return true;
+            return weave.stepDeg > 0 && partAt((grid.startDeg - weave.startDeg) / weave.stepDeg, parts) >= 0;
+        });
+    };
+    while (weave.parts <= kMostParts && !fits(weave.parts)) ++weave.parts;
+    if (weave.parts > kMostParts) return std::nullopt;
+    for (const BeamGrid& grid : grids) {
+        const int part = weave.parts == 1 ? 0 : partAt((grid.startDeg - weave.startDeg) / weave.stepDeg, weave.parts);
+        if (grid.beams > 0) weave.beams = std::max(weave.beams, part + (grid.beams - 1) * weave.parts + 1);
+    }
+    return weave;
+}
+
+} // namespace edgescan

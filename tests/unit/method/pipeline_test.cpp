@@ -1,0 +1,170 @@
+// Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
+#include "core/depth/depth_settings.h"
+#include "core/settings/parameters.h"
+#include "core/method/pipeline.h"
+#include "core/settings/presets.h"
+#include "core/method/worker.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <set>
+#include <thread>
+
+namespace edgescan {
+namespace {
+
+Settings randomlyTurned(Settings s, std::mt19937& random) {
+    const auto rows = parameters();
+    const Parameter& p = rows[random() % rows.size()];
+    const double share = static_cast<double>(random() % 1001) / 1000.0;
+    double value =
+        p.choices.empty() ? p.minimum + share * std::min(p.maximum - p.minimum, 20000.0) : p.choices[random() % p.choices.size()].value;
+    if (p.canBeAutomatic && random() % 3 == 0) value = kAutomatic;
+    p.set(s, snapped(p, value));
+    return checkSettings(s) ? s : Settings{};
+}
+
+TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
+    std::mt19937 random(31);
+    std::vector<std::shared_ptr<const Scan>> scans;
+    for (std::uint32_t seed = 0; seed < 3; ++seed) scans.push_back(std::make_shared<Scan>(test::boxesScan(40, 60, seed, 0.05)));
+    Pipeline pipeline;
+    Settings settings;
+    std::set<int> methods;
+    for (int step = 0; step < 1500; ++step) {
+        settings = randomlyTurned(settings, random);
+        methods.insert(static_cast<int>(settings.method));
+        const auto& scan = scans[random() % 10 == 0 ? random() % 3 : 0];
+        const auto frame = pipeline.run(scan, settings);
+        const auto fresh = detectEdges(scan, settings);
+        ASSERT_EQ(frame->gray->levels, fresh->gray->levels) << step;
+        ASSERT_EQ(frame->smoothed == nullptr, fresh->smoothed == nullptr) << step;
+        if (frame->smoothed) ASSERT_EQ(*frame->smoothed, *fresh->smoothed) << step;
+        ASSERT_EQ(frame->classes == nullptr, fresh->classes == nullptr) << step;
+        if (frame->classes) ASSERT_EQ(frame->classes->cells, fresh->classes->cells) << step;
+        ASSERT_EQ(*frame->mask, *fresh->mask) << step;
+        ASSERT_EQ(*frame->edges, *fresh->edges) << step;
+        EXPECT_EQ(frame->scan, scan);
+    }
+    EXPECT_EQ(methods.size(), findParameter("method")->choices.size());
+}
+
+TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 60, 1));
+    Pipeline pipeline;
+    Settings settings = cannySettings();
+    const auto first = pipeline.run(scan, settings);
+    EXPECT_EQ(pipeline.run(scan, settings), first);
+    settings.lower = 40;
+    const auto second = pipeline.run(scan, settings);
+    EXPECT_EQ(second->gray, first->gray);
+    EXPECT_EQ(second->smoothed, first->smoothed);
+    EXPECT_NE(second->mask, first->mask);
+    settings.kernel = 5;
+    const auto third = pipeline.run(scan, settings);
+    EXPECT_EQ(third->gray, first->gray);
+    EXPECT_NE(third->smoothed, first->smoothed);
+}
+
+TEST(Pipeline, AHandOnAThresholdBuildsOneMapAndGetsWhatTheMethodGives) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(50, 70, 1, 0.04));
+    for (const Method method : {Method::Canny, Method::LogRange, Method::Kirsch, Method::MarrHildreth}) {
+        Pipeline pipeline;
+        Settings settings = cannySettings();
+        settings.method = method;
+        (void)pipeline.run(scan, settings);
+        int maps = 0;
+        for (const double threshold : {8.0, 9.5, 12.0, 3.0, 40.0, 0.5}) {
+            settings.lower = settings.stepPercent = threshold;
+            if (method != Method::LogRange) settings.stepPercent = Settings{}.stepPercent;
+            if (method == Method::LogRange) settings.lower = cannySettings().lower;
+            const auto frame = pipeline.run(scan, settings);
+            ASSERT_EQ(*frame->mask, *detectEdges(scan, settings)->mask) << threshold;
+            maps += static_cast<int>(std::ranges::count(frame->timings, "threshold map", &StageTime::stage));
+            EXPECT_EQ(std::ranges::count(frame->timings, "canny", &StageTime::stage), 0);
+        }
+        EXPECT_EQ(maps, 1);
+        settings.kernel = 5; // another map
+        (void)pipeline.run(scan, settings);
+        settings.lower = settings.stepPercent = 7;
+        ASSERT_EQ(*pipeline.run(scan, settings)->mask, *detectEdges(scan, settings)->mask);
+    }
+}
+
+TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(60, 80, 1));
+    Pipeline pipeline;
+    Settings settings;
+    const auto first = pipeline.run(scan, settings);
+    settings.sensitivity = 2.0;
+    settings.hysteresisPercent = 60;
+    settings.minimumLength = 9;
+    settings.classes = kClassJump;
+    const auto second = pipeline.run(scan, settings);
+    EXPECT_EQ(second->responses, first->responses);
+    EXPECT_NE(second->edges->size(), first->edges->size());
+    settings.creaseDeg = 60;
+    const auto third = pipeline.run(scan, settings);
+    EXPECT_NE(third->responses, first->responses);
+    // The sweep is cleaned and its noise measured once.
+    EXPECT_EQ(std::ranges::count(first->timings, "surface", &StageTime::stage), 1);
+    EXPECT_EQ(std::ranges::count(third->timings, "surface", &StageTime::stage), 0);
+    settings.straighten = !settings.straighten;
+    EXPECT_EQ(std::ranges::count(pipeline.run(scan, settings)->timings, "surface", &StageTime::stage), 1);
+}
+
+TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
+    const DepthEdgeSettings sliders = depthEdgeSettings(Settings{});
+    const DepthEdgeSettings method;
+    EXPECT_EQ(sliders.jumpMm, method.jumpMm);
+    EXPECT_EQ(sliders.jumpGrowth, method.jumpGrowth);
+    EXPECT_EQ(sliders.creaseDeg, method.creaseDeg);
+    EXPECT_EQ(sliders.sensitivity, method.sensitivity);
+    EXPECT_EQ(sliders.hysteresisLow, method.hysteresisLow);
+    EXPECT_EQ(sliders.minimumLength, method.minimumLength);
+    EXPECT_EQ(sliders.grazing, method.grazing);
+    EXPECT_EQ(sliders.noiseAt5mMm, method.noiseAt5mMm);
+    EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
+}
+
+TEST(Worker, ManyPostingsEndWithTheLastOne) {
+    std::atomic<int> ready{0};
+    Worker worker([&] { ++ready; });
+    const auto scan = std::make_shared<const Scan>(test::boxesScan(200, 300, 2));
+    worker.post(scan);
+    Settings settings = cannySettings();
+    for (int i = 0; i < 200; ++i) {
+        settings.lower = 5 + i;
+        worker.post(settings);
+    }
+    while (worker.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const auto frame = worker.take();
+    ASSERT_NE(frame, nullptr);
+    EXPECT_EQ(frame->settings.lower, 204);
+    EXPECT_EQ(*frame->mask, *detectEdges(scan, settings)->mask);
+    EXPECT_EQ(worker.take(), nullptr);
+    EXPECT_GE(ready.load(), 1);
+    EXPECT_LE(ready.load(), 201);
+}
+
+TEST(Worker, SettingsPostedBeforeAScanAreKeptAndStoppingNeverHangs) {
+    for (int round = 0; round < 50; ++round) {
+        std::atomic<int> ready{0};
+        Worker worker([&] { ++ready; });
+        Settings settings;
+        settings.lower = 33;
+        worker.post(settings);
+        EXPECT_FALSE(worker.busy());
+        worker.post(std::make_shared<const Scan>(test::boxesScan(20, 20, 2)));
+        if (round % 2 == 0) continue; // destroyed with work under way
+        while (worker.busy()) std::this_thread::yield();
+        EXPECT_EQ(worker.take()->settings.lower, 33);
+    }
+}
+
+} // namespace
+} // namespace edgescan
