@@ -5,8 +5,8 @@
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/main/main_window.h"
-#include "ui/main/memory.h"
 #include "ui/main/theme.h"
+#include "ui/session/memory.h"
 
 #include <QApplication>
 #include <QTimer>

@@ -1,12 +1,13 @@
 // The real window on a live scanner and on recordings: grows, keeps its place, tells what is stale, records, plays again.
-#include "core/method/pipeline.h"
-#include "core/io/save_scan.h"
-#include "core/report/report.h"
 #include "core/emulator/emulated_scanner.h"
 #include "core/emulator/emulated_telegram.h"
+#include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
+#include "core/report/report.h"
 #include "core/sim/simulate.h"
 #include "tests/support/own_sockets.h"
 #include "tests/support/served_program.h"
+#include "ui/base/notice_bar.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
@@ -15,7 +16,6 @@
 #include "ui/live/state_badge.h"
 #include "ui/live/timeline.h"
 #include "ui/main/main_window.h"
-#include "ui/main/notice_bar.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/parameter_row.h"
 
@@ -114,7 +114,7 @@ class LiveWindowTest : public QObject {
     static void press(MainWindow& window, const char* name) {
         QTest::mouseClick(window.livePanel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
-    // What an image view has on the screen, texts and veil included.
+    // What an image view has on the screen, texts and stale overlay included.
     static QImage seen(QWidget& view) { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
 
 private slots:
@@ -232,24 +232,24 @@ private slots:
         window.connectScanner("127.0.0.1", emulated->port(), sweep());
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 5000));
         QVERIFY(waitForLines(window, 60));
-        QVERIFY(window.grayView().veil().isEmpty());
+        QVERIFY(window.grayView().stale().isEmpty());
         const QImage fresh = seen(window.grayView());
         QVERIFY(QTest::qWaitFor([&] { return emulated->statistics().stalls == 1; }, 5000));
         QElapsedTimer since;
         since.start();
-        QVERIFY(QTest::qWaitFor([&] { return !window.grayView().veil().isEmpty(); }, 3000));
+        QVERIFY(QTest::qWaitFor([&] { return !window.grayView().stale().isEmpty(); }, 3000));
         QVERIFY2(since.elapsed() <= 2000, qPrintable(QString("grey after %1 ms").arg(since.elapsed())));
-        QVERIFY2(window.grayView().veil().startsWith("STALE") || window.grayView().veil().startsWith("LOST"),
-                 qPrintable(window.grayView().veil()));
-        QCOMPARE(window.edgeView().veil(), window.grayView().veil());
-        QCOMPARE(window.cloudView().veil(), window.grayView().veil());
+        QVERIFY2(window.grayView().stale().startsWith("STALE") || window.grayView().stale().startsWith("LOST"),
+                 qPrintable(window.grayView().stale()));
+        QCOMPARE(window.edgeView().stale(), window.grayView().stale());
+        QCOMPARE(window.cloudView().stale(), window.grayView().stale());
         const QImage stale = seen(window.grayView());
         int greyer = 0;
         for (int x = 0; x < stale.width(); ++x) greyer += stale.pixel(x, stale.height() / 4) != fresh.pixel(x, stale.height() / 4) ? 1 : 0;
         QVERIFY2(greyer > stale.width() / 2, "the whole picture is greyed, not a corner");
         QVERIFY(window.livePanel().strip().badge().sign() != StateBadge::Sign::Good);
         // When it goes on, so does the picture.
-        QVERIFY(QTest::qWaitFor([&] { return window.grayView().veil().isEmpty(); }, 8000));
+        QVERIFY(QTest::qWaitFor([&] { return window.grayView().stale().isEmpty(); }, 8000));
         QCOMPARE(window.livePanel().strip().badge().text(), QString("LIVE"));
     }
 
@@ -267,7 +267,7 @@ private slots:
         emulated->dropConnections();
         QVERIFY(waitForBadge(window, StateBadge::Sign::Failed, 1500));
         QVERIFY(window.livePanel().strip().badge().text().startsWith("LOST"));
-        QVERIFY(window.grayView().veil().startsWith("LOST"));
+        QVERIFY(window.grayView().stale().startsWith("LOST"));
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 6000));
         QVERIFY(QTest::qWaitFor([&] { return !window.livePanel().strip().shown().lost.empty(); }, 3000));
         QVERIFY(QTest::qWaitFor(

@@ -1,19 +1,19 @@
 // The real window, driven by real events: what it shows belongs together and equals what the command line computes.
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
 #include "core/io/save_scan.h"
 #include "core/report/report.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "ui/base/notice_bar.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
 #include "ui/main/main_window.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/parameter_row.h"
+#include "ui/panel/status_line.h"
 
 #include <QAction>
 #include <QComboBox>

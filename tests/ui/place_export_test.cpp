@@ -1,15 +1,15 @@
 // Where a scan stands, as the window tells it, and the question before an export.
-#include "core/method/pipeline.h"
-#include "core/io/save_scan.h"
 #include "core/georef/placed_points.h"
+#include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/image/image_view.h"
-#include "ui/main/export_dialog.h"
 #include "ui/main/main_window.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/status_line.h"
+#include "ui/panel/status_line.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // Marker, laser ray and texts over the 3D picture.
 #include "ui/cloud/cloud_overlay.h"
 
-#include "ui/base/veil.h"
+#include "ui/base/stale_overlay.h"
 
 #include <QPaintEvent>
 #include <QPainter>
@@ -46,7 +46,7 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 }
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
-    if (!marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.veil.isEmpty()) return rect();
+    if (!marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.stale.isEmpty()) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
@@ -71,9 +71,9 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(Qt::white);
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
     }
-    if (!marks_.veil.isEmpty()) {
+    if (!marks_.stale.isEmpty()) {
         painter.save();
-        drawVeil(painter, rect(), marks_.veil);
+        drawStaleOverlay(painter, rect(), marks_.stale);
         painter.restore();
     }
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);

@@ -16,10 +16,10 @@ struct OverlayMarks {
     bool hidden = false;         ///< the point lies behind others: dashed
     QString centreText;          ///< why the view is empty
     QString note;                ///< top left
-    QString veil;                ///< greys the picture and says why; empty = none
+    QString stale;               ///< greys the picture and says why; empty = none
 
     bool operator==(const OverlayMarks&) const = default;
-    [[nodiscard]] bool empty() const { return !ring && !ray && centreText.isEmpty() && note.isEmpty() && veil.isEmpty(); }
+    [[nodiscard]] bool empty() const { return !ring && !ray && centreText.isEmpty() && note.isEmpty() && stale.isEmpty(); }
 };
 
 class CloudOverlay : public QWidget {

@@ -197,9 +197,9 @@ void CloudView::setNote(const QString& note) {
     updateOverlay();
 }
 
-void CloudView::setVeil(const QString& why) {
-    if (why == veil_) return;
-    veil_ = why;
+void CloudView::setStale(const QString& why) {
+    if (why == stale_) return;
+    stale_ = why;
     updateOverlay();
 }
 
@@ -211,7 +211,7 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 
 void CloudView::updateOverlay() {
     OverlayMarks marks;
-    marks.veil = veil_;
+    marks.stale = stale_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {

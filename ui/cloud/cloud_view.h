@@ -75,8 +75,8 @@ public:
     /// Text over the picture: "no scan open", "stale" ... Empty = the view's own ("no scan open", "no point to show").
     void setNote(const QString& note);
     /// Greys the picture and says why across it: it is older than it seems. Empty = none.
-    void setVeil(const QString& why);
-    [[nodiscard]] const QString& veil() const { return veil_; }
+    void setStale(const QString& why);
+    [[nodiscard]] const QString& stale() const { return stale_; }
 
     /// Point drawn under a widget position, within 8 px.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
@@ -175,7 +175,7 @@ private:
     double pointSize_ = 2.0;
     QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
     MousePreset mousePreset_ = MousePreset::Default;
-    QString note_, veil_;
+    QString note_, stale_;
 
     DragAction drag_ = DragAction::None;
     Qt::MouseButton dragButton_ = Qt::NoButton;

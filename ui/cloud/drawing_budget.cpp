@@ -17,31 +17,31 @@ constexpr double kLeastSlope = 0.6; // of what it would be if a frame cost nothi
 DrawingBudget::DrawingBudget(double allPointsMs) { restart(allPointsMs); }
 
 void DrawingBudget::restart(double allPointsMs) {
-    frames_.clear();
+    drawings_.clear();
     base_ = 0.0;
     slope_ = allPointsMs;
 }
 
 void DrawingBudget::measured(double fraction, double ms) {
-    frames_.push_back({fraction, ms});
-    if (frames_.size() > kRemembered) frames_.pop_front();
+    drawings_.push_back({fraction, ms});
+    if (drawings_.size() > kRemembered) drawings_.pop_front();
     fit();
 }
 
 void DrawingBudget::grown(double share) {
-    for (Frame& frame : frames_) frame.fraction *= share;
+    for (Drawing& drawing : drawings_) drawing.fraction *= share;
     slope_ /= share;
 }
 
 void DrawingBudget::fit() {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     double weight = 1.0; // old frames count less: the machine may have become busier
-    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame, weight *= 0.8) {
+    for (auto drawing = drawings_.rbegin(); drawing != drawings_.rend(); ++drawing, weight *= 0.8) {
         n += weight;
-        sx += weight * frame->fraction;
-        sy += weight * frame->ms;
-        sxx += weight * frame->fraction * frame->fraction;
-        sxy += weight * frame->fraction * frame->ms;
+        sx += weight * drawing->fraction;
+        sy += weight * drawing->ms;
+        sxx += weight * drawing->fraction * drawing->fraction;
+        sxy += weight * drawing->fraction * drawing->ms;
     }
     const double meanX = sx / n;
     const double meanY = sy / n;

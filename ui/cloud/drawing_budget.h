@@ -25,13 +25,13 @@ public:
     void restart(double allPointsMs = 150.0);
 
 private:
-    struct Frame {
+    struct Drawing {
         double fraction;
         double ms;
     };
     void fit();
 
-    std::deque<Frame> frames_;
+    std::deque<Drawing> drawings_;
     double base_ = 0.0;
     double slope_ = 150.0;
 };

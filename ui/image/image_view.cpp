@@ -1,7 +1,7 @@
 // Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
 #include "ui/image/image_view.h"
 
-#include "ui/base/veil.h"
+#include "ui/base/stale_overlay.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -114,9 +114,9 @@ void ImageView::setNote(const QString& note) {
     update();
 }
 
-void ImageView::setVeil(const QString& why) {
-    if (why == veil_) return;
-    veil_ = why;
+void ImageView::setStale(const QString& why) {
+    if (why == stale_) return;
+    stale_ = why;
     update();
 }
 
@@ -152,9 +152,9 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
         painter.setOpacity(1.0);
     }
     drawMarks(painter);
-    if (!veil_.isEmpty()) {
+    if (!stale_.isEmpty()) {
         painter.save();
-        drawVeil(painter, rect(), veil_);
+        drawStaleOverlay(painter, rect(), stale_);
         painter.restore();
     }
     drawTexts(painter);

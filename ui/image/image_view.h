@@ -61,8 +61,8 @@ public:
     [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
     /// Greys the picture and says why across it ("STALE 3 s"): it is older than it seems. Empty = none.
-    void setVeil(const QString& why);
-    [[nodiscard]] const QString& veil() const { return veil_; }
+    void setStale(const QString& why);
+    [[nodiscard]] const QString& stale() const { return stale_; }
 
     /// Cell under a widget position; none outside the image.
     [[nodiscard]] std::optional<QPoint> cellAt(QPointF pixel) const;
@@ -115,7 +115,7 @@ private:
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
     EdgeTrail trail_;
-    QString title_, note_, veil_;
+    QString title_, note_, stale_;
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;

@@ -1,18 +1,18 @@
 // The window: builds its views and keeps them in step.
 #include "ui/main/main_window.h"
 
+#include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/control/settings_undo.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/scanner_link.h"
 #include "ui/live/timeline.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/pane.h"
-#include "ui/main/settings_undo.h"
-#include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
+#include "ui/panel/status_line.h"
 #include "ui/session/edge_counts.h"
 
 #include <QCloseEvent>

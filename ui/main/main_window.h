@@ -3,7 +3,7 @@
 
 #include "core/sweep/sweep_settings.h"
 #include "ui/cloud/camera_motion.h"
-#include "ui/main/memory.h"
+#include "ui/session/memory.h"
 #include "ui/session/session.h"
 
 #include <QElapsedTimer>

@@ -1,14 +1,14 @@
 // The window's dialogs for files, and what goes to the clipboard.
 #include "ui/main/main_window.h"
 
-#include "core/settings/command_text.h"
-#include "core/io/save_scan.h"
 #include "core/base/whole_file.h"
 #include "core/georef/placed_points.h"
-#include "ui/main/export_dialog.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/status_line.h"
+#include "core/io/save_scan.h"
+#include "core/settings/command_text.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/panel/edges_panel.h"
+#include "ui/panel/status_line.h"
 
 #include <QBuffer>
 #include <QClipboard>

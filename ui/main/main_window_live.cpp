@@ -1,12 +1,12 @@
 // What the window does with a live scanner and with recordings: panel, commands, stale pictures, timeline.
 #include "ui/main/main_window.h"
 
+#include "ui/base/notice_bar.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/scanner_link.h"
 #include "ui/live/timeline.h"
-#include "ui/main/notice_bar.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -118,9 +118,9 @@ void MainWindow::connectScanner(const QString& host, int port, const SweepSettin
 
 void MainWindow::showLiveHealth() {
     live_->showHealth(scanner_->health());
-    const QString veil = scanner_->showsStale() ? QString::fromStdString(scanner_->health().badge) : QString();
-    for (ImageView* view : {gray_, edges_}) view->setVeil(veil);
-    cloud_->setVeil(veil);
+    const QString stale = scanner_->showsStale() ? QString::fromStdString(scanner_->health().badge) : QString();
+    for (ImageView* view : {gray_, edges_}) view->setStale(stale);
+    cloud_->setStale(stale);
     // A strip that says LIVE beside a picture that stands still would be misleading.
     const bool held = scanner_->connected() && !scanner_->following() && shown_ && shown_->source.stream == scanner_->stream();
     const QString note =

@@ -1,15 +1,15 @@
 // What the window shows of a picture: images, cloud, the cell under the cursor, display levels.
 #include "ui/main/main_window.h"
 
-#include "core/straighten/straighten_scan.h"
 #include "core/georef/placed_points.h"
+#include "core/straighten/straighten_scan.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/pane.h"
-#include "ui/main/status_line.h"
 #include "ui/panel/edges_panel.h"
+#include "ui/panel/status_line.h"
 #include "ui/session/edge_counts.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What the thresholds do: edge counts under the sliders, and why a cell is an edge.
 #include "core/explain/why.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/why_card.h"
 #include "ui/image/image_view.h"
 #include "ui/main/main_window.h"
-#include "ui/main/notice_bar.h"
-#include "ui/main/why_card.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/session/edge_counts.h"
 

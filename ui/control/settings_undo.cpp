@@ -1,5 +1,5 @@
 // Undo and redo of what the sliders set.
-#include "ui/main/settings_undo.h"
+#include "ui/control/settings_undo.h"
 
 #include "core/settings/parameters.h"
 

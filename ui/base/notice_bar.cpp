@@ -1,5 +1,5 @@
 // The bar above the views.
-#include "ui/main/notice_bar.h"
+#include "ui/base/notice_bar.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

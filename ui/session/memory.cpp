@@ -1,5 +1,5 @@
 // What survives a restart and a kill.
-#include "ui/main/memory.h"
+#include "ui/session/memory.h"
 
 #include "core/settings/parameters.h"
 

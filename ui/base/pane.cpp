@@ -1,5 +1,5 @@
 // A view with its title.
-#include "ui/main/pane.h"
+#include "ui/base/pane.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -6,10 +6,10 @@
 
 namespace edgescan::ui {
 
-inline const QColor kVeil(104, 104, 104, 170);
+inline const QColor kGraying(104, 104, 104, 170);
 
-inline void drawVeil(QPainter& painter, const QRect& place, const QString& why) {
-    painter.fillRect(place, kVeil);
+inline void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why) {
+    painter.fillRect(place, kGraying);
     QFont large = painter.font();
     large.setBold(true);
     large.setPointSizeF(large.pointSizeF() * 2.0);

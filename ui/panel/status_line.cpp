@@ -1,5 +1,5 @@
 // The status bar.
-#include "ui/main/status_line.h"
+#include "ui/panel/status_line.h"
 
 #include "core/depth/depth_settings.h"
 #include "core/scan/placement.h"

@@ -1,5 +1,5 @@
 // Why a cell is an edge.
-#include "ui/main/why_card.h"
+#include "ui/dialogs/why_card.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

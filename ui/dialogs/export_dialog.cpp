@@ -1,8 +1,8 @@
 // The question before an export.
-#include "ui/main/export_dialog.h"
+#include "ui/dialogs/export_dialog.h"
 
-#include "core/io/save_scan.h"
 #include "core/georef/placed_points.h"
+#include "core/io/save_scan.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
