@@ -1,16 +1,16 @@
 // edgescan-cli detect: runs the method on files and writes what was asked for.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/method/pipeline.h"
-#include "core/io/save_scan.h"
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/georef/placed_points.h"
+#include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/report/report.h"
 
 #include <chrono>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -87,7 +87,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file, bool sever
     const Outputs out = outputsOf(detect, *frame->scan);
     if (nothingAskedFor(out)) {
         std::cout << file << ": " << frame->edges->size() << " edge cells of " << frame->scan->cells() << " (" << frame->scan->lines()
-                  << " lines x " << frame->scan->beams() << " beams), " << std::fixed << std::setprecision(1) << frame->totalMs << " ms\n";
+                  << " lines x " << frame->scan->beams() << " beams), " << fixedText(frame->totalMs, 1) << " ms\n";
         return Done{};
     }
     return writeOutputs(out, *frame, detect.write, loadMs, several);

@@ -1,20 +1,20 @@
 // edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/depth/depth_settings.h"
-#include "core/settings/parameters.h"
-#include "core/method/pipeline.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/truth_fit.h"
+#include "core/method/pipeline.h"
 #include "core/pictures/png.h"
-#include "core/base/whole_file.h"
+#include "core/settings/parameters.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
@@ -116,21 +116,21 @@ private:
 };
 
 void show(const Json& evaluation) {
-    std::cout << "                precision  recall      F\n" << std::fixed << std::setprecision(3);
+    const auto text = [](const Json& number, int decimals) { return fixedText(number.get<double>(), decimals); };
+    std::cout << "                precision  recall      F\n";
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
-        std::cout << std::setw(15) << group << "      " << evaluation[group]["precision"].get<double>() << "   "
-                  << evaluation[group]["recall"].get<double>() << "  " << evaluation[group]["f"].get<double>() << '\n';
+        std::cout << rightAligned(group, 15) << "      " << text(evaluation[group]["precision"], 3) << "   "
+                  << text(evaluation[group]["recall"], 3) << "  " << text(evaluation[group]["f"], 3) << '\n';
     const Json& rocks = evaluation["rocks"];
-    std::cout << std::setprecision(0);
     if (rocks["count"] == 0)
         std::cout << "no rock with an outline to find";
     else
-        std::cout << "rocks with 80 / 90 % of their outline: " << 100 * rocks["at_least_80_percent"].get<double>() << " / "
-                  << 100 * rocks["at_least_90_percent"].get<double>() << " % of " << rocks["count"];
+        std::cout << "rocks with 80 / 90 % of their outline: " << fixedText(100 * rocks["at_least_80_percent"].get<double>(), 0) << " / "
+                  << fixedText(100 * rocks["at_least_90_percent"].get<double>(), 0) << " % of " << rocks["count"];
     if (evaluation.contains("error_mm"))
-        std::cout << ", 3D error P50 / P95 " << evaluation["error_mm"]["p50"].get<double>() << " / "
-                  << evaluation["error_mm"]["p95"].get<double>() << " mm";
-    std::cout << ", Pratt " << std::setprecision(3) << evaluation["pratt"].get<double>() << '\n';
+        std::cout << ", 3D error P50 / P95 " << text(evaluation["error_mm"]["p50"], 0) << " / " << text(evaluation["error_mm"]["p95"], 0)
+                  << " mm";
+    std::cout << ", Pratt " << text(evaluation["pratt"], 3) << '\n';
 }
 
 Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {

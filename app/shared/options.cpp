@@ -1,9 +1,10 @@
 // Flags that several commands share.
 #include "app/shared/options.h"
 
+#include "core/base/number_text.h"
+#include "core/gray/step_meaning.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
-#include "core/gray/step_meaning.h"
 
 #include <unistd.h>
 
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -27,14 +27,8 @@ std::string hint(const Parameter& p) {
     if (p.key == kLower) text += " A depth (0.5m), or with logarithmic gray levels a share of the range (5%), is turned into levels.";
     text += " [";
     if (p.choices.empty()) {
-        const auto number = [](double v) {
-            std::string s = std::to_string(v);
-            s.erase(s.find_last_not_of('0') + 1);
-            if (s.back() == '.') s.pop_back();
-            return s;
-        };
         if (*p.unit != '\0') text += std::string(p.unit) + ", ";
-        text += number(p.minimum) + " to " + number(p.maximum);
+        text += shortestText(p.minimum) + " to " + shortestText(p.maximum);
         if (p.canBeAutomatic) text += " or auto";
     } else {
         for (const Choice& choice : p.choices) text += (&choice == &p.choices.front() ? "" : "|") + std::string(choice.name);

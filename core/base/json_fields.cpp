@@ -1,6 +1,7 @@
 // Checks of JSON values.
 #include "core/base/json_fields.h"
 
+#include "core/base/number_text.h"
 #include "core/base/utc_time.h"
 
 #include <Eigen/Dense>
@@ -16,11 +17,6 @@ using PlainJson = nlohmann::json;
 constexpr double kLargest = 1e12;
 constexpr std::size_t kLargestText = 64U << 20U;
 constexpr int kDeepest = 12;
-
-std::string shortNumber(double value) {
-    std::string text = PlainJson(value).dump();
-    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
-}
 
 /// A key without its unit, for "did you mean".
 std::string withoutUnit(const std::string& key) {
@@ -53,10 +49,10 @@ double JsonFields::checked(const PlainJson& value, const std::string& key, Numbe
     const auto number = value.get<double>();
     if (!std::isfinite(number) || std::abs(number) > kLargest) return refuse(key, "holds a number out of all reason"), 0.0;
     if (number < limits.least || number > limits.most) {
-        const std::string range = std::isinf(limits.most)    ? shortNumber(limits.least) + " or more"
-                                  : std::isinf(limits.least) ? shortNumber(limits.most) + " or less"
-                                                             : "from " + shortNumber(limits.least) + " to " + shortNumber(limits.most);
-        return refuse(key, "is " + shortNumber(number) + " and must be " + range), limits.least;
+        const std::string range = std::isinf(limits.most)    ? shortestText(limits.least) + " or more"
+                                  : std::isinf(limits.least) ? shortestText(limits.most) + " or less"
+                                                             : "from " + shortestText(limits.least) + " to " + shortestText(limits.most);
+        return refuse(key, "is " + shortestText(number) + " and must be " + range), limits.least;
     }
     return number;
 }

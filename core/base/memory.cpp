@@ -1,10 +1,11 @@
 // Available memory, from /proc/meminfo and the control group (version 2, then 1).
 #include "core/base/memory.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -64,9 +65,7 @@ std::string sizeText(std::uint64_t bytes) {
         value /= 1000.0;
         ++unit;
     }
-    std::array<char, 32> text{};
-    const auto [end, problem] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
-    return std::string(text.data(), problem == std::errc{} ? end : text.data()) + " " + kUnits[unit];
+    return fixedText(value, 1) + " " + kUnits[unit];
 }
 
 Result<Done> checkMemory(std::uint64_t neededBytes, const std::string& where) {

@@ -1,4 +1,5 @@
 // The words of why a cell is an edge, or why it is none.
+#include "core/base/number_text.h"
 #include "core/depth/depth_settings.h"
 #include "core/explain/why.h"
 #include "core/gray/detector.h"
@@ -7,22 +8,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
 
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), std::abs(value) < 10 ? "%.2f" : "%.1f", value);
-    return text.data();
-}
+std::string number(double value) { return fixedText(value, std::abs(value) < 10 ? 2 : 1); }
 
-std::string whole(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), value < 10 ? "%.1f" : "%.0f", value);
-    return text.data();
-}
+std::string whole(double value) { return fixedText(value, value < 10 ? 1 : 0); }
 
 std::string place(int line, int beam) { return "line " + std::to_string(line) + ", beam " + std::to_string(beam); }
 std::string place(const CellStrength& cell) { return place(cell.line, cell.beam); }

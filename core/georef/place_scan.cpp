@@ -1,6 +1,7 @@
 // From calibration and readings to the place of a scan, and what is doubtful about it.
 #include "core/georef/poses.h"
 
+#include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/georef/chain.h"
@@ -9,9 +10,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -20,11 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double kMountingToleranceDeg = 10.0; // more between calibrated and ideal axis is another mounting, not a misalignment
 
-std::string shortNumber(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
-}
+std::string shortNumber(double value) { return significantText(value, 3); }
 
 Error refused(const PoseTrack& poses, std::string what, std::string todo) { return {std::move(what), poses.source, std::move(todo)}; }
 

@@ -1,6 +1,7 @@
 // What a threshold stands for.
 #include "core/gray/step_meaning.h"
 
+#include "core/base/number_text.h"
 #include "core/gray/detector.h"
 #include "core/gray/gradient.h"
 #include "core/gray/smooth.h"
@@ -9,10 +10,8 @@
 #include "core/settings/parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -54,10 +53,8 @@ double answer(const Grid<std::uint8_t>& picture, const Settings& settings) {
 bool hasGrayLevels(const Settings& settings) { return settings.method == Method::Canny || hasOneThreshold(settings.method); }
 
 std::string number(double value, int significant) {
-    std::array<char, 32> text{};
     const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
-    std::snprintf(text.data(), text.size(), "%.*f", std::clamp(significant - before, 0, 6), value);
-    return text.data();
+    return fixedText(value, std::clamp(significant - before, 0, 6));
 }
 
 std::string millimetres(double from, double to) {

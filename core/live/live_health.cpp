@@ -1,25 +1,19 @@
 // The health of a live scan in words.
 #include "core/live/live_health.h"
 
+#include "core/base/number_text.h"
 #include "core/scan/placement.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace edgescan {
 namespace {
 
-std::string number(double value, int decimals) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
 std::string ageText(double seconds) {
-    if (seconds < 120.0) return number(std::floor(seconds), 0) + " s";
-    if (seconds < 7200.0) return number(std::floor(seconds / 60.0), 0) + " min";
-    return number(std::floor(seconds / 3600.0), 0) + " h";
+    if (seconds < 120.0) return fixedText(std::floor(seconds), 0) + " s";
+    if (seconds < 7200.0) return fixedText(std::floor(seconds / 60.0), 0) + " min";
+    return fixedText(std::floor(seconds / 3600.0), 0) + " h";
 }
 
 Liveness livenessOf(const LiveStatus& status) {
@@ -52,7 +46,7 @@ std::string noReturnOf(const SweepProgress& sweep) {
     const std::size_t all = std::accumulate(sweep.cells.begin(), sweep.cells.end(), std::size_t{0});
     if (all == 0) return {};
     const auto none = static_cast<double>(sweep.cells[static_cast<std::size_t>(CellState::NoReturn)]);
-    return "no return " + number(100.0 * none / static_cast<double>(all), 1) + " %";
+    return "no return " + fixedText(100.0 * none / static_cast<double>(all), 1) + " %";
 }
 
 std::string endOf(const LiveStatus& status) {
@@ -79,7 +73,7 @@ void tellRecording(LiveHealth& health, const RecordingState& recording) {
         health.recording = (recording.ended ? "RECORDING ENDED: " : "RECORDING HAS GAPS: ") + recording.problem->sentence();
         return;
     }
-    health.recording = "recording " + number(static_cast<double>(recording.bytes) / 1e6, 1) + " MB";
+    health.recording = "recording " + fixedText(static_cast<double>(recording.bytes) / 1e6, 1) + " MB";
 }
 
 } // namespace

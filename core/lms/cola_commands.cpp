@@ -1,6 +1,7 @@
 // Requests to a scanner as bytes, and the form of its answers.
 #include "core/lms/cola_commands.h"
 
+#include "core/base/number_text.h"
 #include "core/lms/cola_fields.h"
 
 #include <algorithm>
@@ -22,11 +23,7 @@ struct Writing {
 };
 
 struct InWords {
-    std::string operator()(float value) const {
-        char text[32];
-        std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
-        return text;
-    }
+    std::string operator()(float value) const { return significantText(static_cast<double>(value), 6); }
     std::string operator()(const std::string& value) const { return value; }
     template <class Number>
     std::string operator()(Number value) const {

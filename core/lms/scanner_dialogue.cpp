@@ -1,7 +1,7 @@
 // Question and answer with a scanner, and finding out who it is.
 #include "core/lms/scanner_dialogue.h"
 
-#include <cstdio>
+#include "core/base/number_text.h"
 
 namespace edgescan {
 
@@ -12,11 +12,7 @@ std::string trimmed(std::string text) {
     return text;
 }
 
-std::string degrees(double tenThousandths) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", tenThousandths / 1e4);
-    return text;
-}
+std::string degrees(double tenThousandths) { return significantText(tenThousandths / 1e4, 4); }
 
 /// Asks for one variable and keeps what it says; a refusal or an answer nobody understands is noted and no error.
 template <class Value, class Parse>

@@ -1,6 +1,7 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/points/description.h"
 
+#include "core/base/number_text.h"
 #include "core/georef/placement_json.h"
 #include "core/points/acquisition_json.h"
 
@@ -63,7 +64,7 @@ public:
         const auto value = finite(at(key), key);
         if (!value) return 0;
         if (*value != std::floor(*value) || *value < least || *value > most) {
-            return refuse(key, "must be a whole number from " + shortText(least) + " to " + shortText(most)), 0;
+            return refuse(key, "must be a whole number from " + shortestText(least) + " to " + shortestText(most)), 0;
         }
         return static_cast<std::uint64_t>(*value);
     }
@@ -116,7 +117,6 @@ private:
         if (!std::isfinite(number) || std::abs(number) > 1e12) return refuse(key, "holds a number out of all reason"), std::nullopt;
         return number;
     }
-    static std::string shortText(double value) { return std::to_string(static_cast<long long>(value)); }
 
     const PlainJson* object_;
     std::string where_;

@@ -2,12 +2,12 @@
 #include "core/points/point_table.h"
 
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/points/description.h"
 #include "core/recognition/recognise_unit.h"
 #include "core/recognition/regrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,12 +17,6 @@ namespace {
 constexpr double kMetresPerMm = 0.001;
 constexpr double kLongestRangeMm = 1e9;
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
-
-std::string numberText(double value, const char* format = "%.3g") {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
 Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
@@ -221,7 +215,7 @@ std::string coarseStep(const PointTable& table) {
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
     return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
-           numberText(step);
+           significantText(step, 3);
 }
 
 std::string withCoarseStep(std::string what, const PointTable& table) {
@@ -299,7 +293,7 @@ std::string aboutSensor(const PointTable& table, const Source& source, double me
     std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ", ";
-        text += numberText(table.sensor[axis] * metres, "%.10g");
+        text += significantText(table.sensor[axis] * metres, 10);
     }
     return text += ") m";
 }
@@ -312,7 +306,7 @@ void tellProjection(Scan& scan, const Regridded& grid, const std::string& about,
     text += accountOf(grid);
     scan.warnings.push_back(text += ".");
     text = stepGiven ? "The cells have the given " : "The cells have ";
-    text += numberText(grid.beamStepDeg, "%.4g");
+    text += significantText(grid.beamStepDeg, 4);
     text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
     scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
 }

@@ -2,11 +2,11 @@
 #include "core/recognition/recognise_grid.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/recognition/recognise_parts.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <iterator>
 
 namespace edgescan {
@@ -218,11 +218,7 @@ struct Found {
     std::vector<AxisPoint> points;
 };
 
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.0f", std::floor(share * 100));
-    return text;
-}
+std::string percent(double share) { return fixedText(std::floor(share * 100), 0); }
 
 std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypothesis>& hypotheses, std::size_t returns) {
     std::string text = "the " + std::to_string(returns) + " points do not lie on beam x line angles about the origin:";
@@ -254,9 +250,8 @@ void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
     tell(grid.doubled, " points lay in a cell with a nearer one, which was taken.");
     const auto [least, most] = stepsIn(grid.geometry.lineDeg);
     if (most > 1.2 * least) {
-        char text[120];
-        std::snprintf(text, sizeof text, "The line angles are uneven: steps from %.4g to %.4g degrees, kept as they are.", least, most);
-        grid.remarks.emplace_back(text);
+        grid.remarks.push_back("The line angles are uneven: steps from " + significantText(least, 4) + " to " + significantText(most, 4) +
+                               " degrees, kept as they are.");
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/recognition/regrid_parts.h"
 
 #include <Eigen/Geometry>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace edgescan {
@@ -25,11 +25,7 @@ constexpr double kLeastFill = 0.01;
 constexpr double kMostCells = 3e8;
 constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
 
-std::string number(double value, const char* format = "%.3g") {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
+std::string number(double value) { return significantText(value, 3); }
 
 /// What the picture is upright to. Rows: forward, left, up.
 Eigen::Matrix3d viewOf(const std::vector<Eigen::Vector3d>& directions) {
@@ -183,7 +179,8 @@ Result<Regridded> onFan(const LooseCloud& cloud, const Fan& fan) {
     grid.fan = true;
     grid.returns = fan.sights.size();
     grid.beamStepDeg = step * kDegreesPerRadian;
-    grid.lineStepDeg = std::abs(fan.lineAngle.back() - fan.lineAngle.front()) * kDegreesPerRadian / static_cast<double>(fan.lineAngle.size() - 1);
+    grid.lineStepDeg =
+        std::abs(fan.lineAngle.back() - fan.lineAngle.front()) * kDegreesPerRadian / static_cast<double>(fan.lineAngle.size() - 1);
     grid.closed = coverOf(fan.sights, lines, step, 1.0, true).closed;
     fillCells(grid, fan.sights, *lattice);
     return grid;
@@ -195,7 +192,7 @@ Result<Regridded> onSphere(const LooseCloud& cloud, const Directions& seen) {
     if (std::max(window.width(), window.height()) * kDegreesPerRadian < kNarrowestDeg) {
         const auto [nearest, farthest] = std::minmax_element(seen.range.begin(), seen.range.end());
         return Error{"all " + std::to_string(sights.size()) + " points lie in one direction from there, within " + windowText(window) +
-                         " and " + number(*nearest, "%.6g") + " to " + number(*farthest, "%.6g") + " away",
+                         " and " + significantText(*nearest, 6) + " to " + significantText(*farthest, 6) + " away",
                      "", kGiveSensor};
     }
     const double step = cloud.stepDeg ? *cloud.stepDeg / kDegreesPerRadian : tidyStep(spacingOf(sights, window, 0.0));
@@ -215,8 +212,8 @@ std::string accountOf(const Regridded& grid) {
     const auto cells = std::to_string(grid.pointOf.lines) + " x " + std::to_string(grid.pointOf.beams);
     std::string text = std::to_string(grid.returns) + " points in, seen over " + number(grid.beamStepDeg * grid.pointOf.beams) + " x " +
                        number(grid.lineStepDeg * grid.pointOf.lines) + " degrees; " + std::to_string(grid.filled) + " of " + cells +
-                       " cells filled (fill ratio " + number(100 * grid.fillRatio(), "%.1f") + " %; of the cells around a filled one " +
-                       number(100 * grid.closed, "%.0f") + " %), " + std::to_string(grid.hidden.size()) +
+                       " cells filled (fill ratio " + fixedText(100 * grid.fillRatio(), 1) + " %; of the cells around a filled one " +
+                       fixedText(100 * grid.closed, 0) + " %), " + std::to_string(grid.hidden.size()) +
                        " points attached to a cell with a nearer one";
     if (grid.outside > 0) text += ", " + std::to_string(grid.outside) + " points far from all others left out";
     return text;

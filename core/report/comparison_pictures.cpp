@@ -1,13 +1,12 @@
 // A comparison as pictures.
 #include "core/report/comparison_pictures.h"
 
+#include "core/base/number_text.h"
 #include "core/gray/gray.h"
 #include "core/settings/parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -36,13 +35,6 @@ std::vector<SheetMark> truthLegend() {
             {"false: an edge that is none", kVermilion, MarkShape::Cross}};
 }
 
-template <class... Values>
-std::string captioned(const char* format, Values... values) {
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
-}
-
 std::string shapeOf(const Scan& scan) {
     return scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
 }
@@ -57,9 +49,9 @@ int tilePixels(std::size_t tiles, int beams) {
 
 std::string caption(const ComparedMethod& method) {
     if (!method.wasRun()) return "not run: see the table";
-    std::string text = captioned("%zu edge cells, %.1f ms", method.edges, method.steps.total());
+    std::string text = std::to_string(method.edges) + " edge cells, " + fixedText(method.steps.total(), 1) + " ms";
     if (method.share < 1.0) return text + " (not all points done)";
-    return method.score ? text + captioned(", F %.3f", method.score->score.all.f()) : text;
+    return method.score ? text + ", F " + fixedText(method.score->score.all.f(), 3) : text;
 }
 
 Grid<std::uint8_t> marksOf(const ComparedMethod& method) {
@@ -118,14 +110,15 @@ Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& method
         const bool best = method.best.has_value() && !isEdgeScanPlus(method);
         const EdgeCounts all = (best ? method.best->score : *method.score).score.all;
         std::string threshold = "as set";
-        if (best) threshold = "at its best threshold, " + method.best->parameter + captioned(" %.3g", method.best->value);
-        tiles.push_back({gray, truthMarks(best ? method.best->mask : method.mask, truth, tolerance), method.name + ", " + threshold,
-                         captioned("F %.3f, precision %.3f, recall %.3f", all.f(), all.precision(), all.recall())});
+        if (best) threshold = "at its best threshold, " + method.best->parameter + " " + significantText(method.best->value, 3);
+        tiles.push_back(
+            {gray, truthMarks(best ? method.best->mask : method.mask, truth, tolerance), method.name + ", " + threshold,
+             "F " + fixedText(all.f(), 3) + ", precision " + fixedText(all.precision(), 3) + ", recall " + fixedText(all.recall(), 3)});
     }
     if (tiles.empty()) return {};
     const std::size_t whole = tiles.size();
     SheetLook look{static_cast<int>(std::min(kColumns, whole)), tilePixels(whole, scan.beams()),
-                   shapeOf(scan) + captioned("; all edges, tolerance %.3g cells", tolerance), truthLegend()};
+                   shapeOf(scan) + "; all edges, tolerance " + significantText(tolerance, 3) + " cells", truthLegend()};
     if (whole <= kColumns && look.tilePixels < 3 * scan.beams()) {
         const int beams = look.tilePixels / kMagnified;
         for (std::size_t n = 0; n < whole; ++n)

@@ -1,13 +1,13 @@
 // A comparison as tables and as JSON.
 #include "core/report/comparison_report.h"
 
+#include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/settings/parameters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -24,15 +24,26 @@ constexpr std::array<PrintedStep, 4> kTable61{{{"conversion", 62, &ComparedSteps
                                                {"noise removal", 90, &ComparedSteps::noiseRemoval},
                                                {"edges", 16, &ComparedSteps::edges},
                                                {"merge", 129, &ComparedSteps::merge}}};
+constexpr std::size_t kNameWidth = 34;
 constexpr double kPrintedTotal = 297;
 constexpr double kPrintedBoundary = 1852880;
 constexpr double kPrintedRangeImage = 4510; // on 83,000 points
 
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
+/// Numbers of one row, each in a column so wide.
+struct Column {
+    double value;
+    std::size_t width;
+    int decimals = 1;
+};
+std::string columns(std::initializer_list<Column> row) {
+    std::string text;
+    for (const Column& column : row) text += rightAligned(fixedText(column.value, column.decimals), column.width);
+    return text;
+}
+
+std::string leftAligned(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
 }
 
 const ComparedMethod* find(const std::vector<ComparedMethod>& methods, const std::string& key) {
@@ -44,20 +55,22 @@ std::size_t validCells(const Scan& scan) { return countCells(scan)[static_cast<s
 
 std::string milliseconds(const ComparedMethod* method) {
     if (method == nullptr || !method->wasRun()) return "-";
-    return formatted(method->share < 1.0 ? "~%.0f" : "%.1f", method->steps.total());
+    return method->share < 1.0 ? "~" + fixedText(method->steps.total(), 0) : fixedText(method->steps.total(), 1);
 }
 
 std::string methodRow(const ComparedMethod& method) {
-    std::string row = formatted("%-34s", method.name.c_str());
+    std::string row = leftAligned(method.name, kNameWidth);
     if (!method.wasRun()) return row + "  not run\n";
     const ComparedSteps& s = method.steps;
-    row += formatted("%9.1f %9.1f %10.1f %8.1f %10.1f %9zu", s.conversion, s.noiseRemoval, s.edges, s.merge, s.total(), method.edges);
+    row += columns({{s.conversion, 9}, {s.noiseRemoval, 10}, {s.edges, 11}, {s.merge, 9}, {s.total(), 11}}) +
+           rightAligned(std::to_string(method.edges), 10);
     if (method.score) {
         const EdgeScore& score = method.score->score;
-        row += formatted("  %.3f  %.3f  %.3f  %.3f", score.occluding.f(), score.outline.f(), score.crease.f(), score.all.f());
+        for (const EdgeCounts& counts : {score.occluding, score.outline, score.crease, score.all}) row += "  " + fixedText(counts.f(), 3);
     }
     if (method.best)
-        row += formatted("  %.3f at %s %.3g", method.best->score.score.all.f(), method.best->parameter.c_str(), method.best->value);
+        row += "  " + fixedText(method.best->score.score.all.f(), 3) + " at " + method.best->parameter + " " +
+               significantText(method.best->value, 3);
     return row + "\n";
 }
 
@@ -81,9 +94,9 @@ Json printedReport(const std::vector<ComparedMethod>& methods) {
 std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& methods) {
     const bool scored = std::ranges::any_of(methods, [](const ComparedMethod& m) { return m.score.has_value(); });
     const bool best = std::ranges::any_of(methods, [](const ComparedMethod& m) { return m.best.has_value(); });
-    std::string text = formatted("%s: %d lines x %d beams, %zu points; milliseconds of thread CPU time\n\n", scan.name.c_str(),
-                                 scan.lines(), scan.beams(), validCells(scan));
-    text += formatted("%-34s%9s %9s %10s %8s %10s %9s", "", "convert", "denoise", "edges", "merge", "total", "cells");
+    std::string text = scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams, " +
+                       std::to_string(validCells(scan)) + " points; milliseconds of thread CPU time\n\n";
+    text += leftAligned("", kNameWidth) + "  convert   denoise      edges    merge      total     cells";
     if (scored) text += "  occl.  outl.  crease all  ";
     if (best) text += "  all, best threshold";
     text += "\n";
@@ -100,18 +113,21 @@ std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& 
     const ComparedMethod* thesis = find(methods, "thesis");
     const ComparedMethod* plus = find(methods, "edgescan+");
     if (thesis == nullptr || plus == nullptr) return text;
-    text += formatted("\nThesis, table 6.1      %12s %14s %12s\n", "as printed", "its recipe now", "EdgeScan+");
-    for (const PrintedStep& step : kTable61)
-        text += formatted("  %-20s %9.0f ms %11.1f ms %9.1f ms\n", step.name, step.milliseconds, thesis->steps.*step.step,
-                          plus->steps.*step.step);
-    text += formatted("  %-20s %9.0f ms %11.1f ms %9.1f ms\n", "total", kPrintedTotal, thesis->steps.total(), plus->steps.total());
-    const ComparedMethod* boundary = find(methods, peerName(Peer::BoundaryNeighbours));
-    const ComparedMethod* borders = find(methods, peerName(Peer::RangeImageBorder));
-    text += formatted("\nThesis, table 6.2      %12s %14s\n", "as printed", "now");
-    text += formatted("  %-20s %9.0f ms %11s ms\n", "PCL boundary", kPrintedBoundary, milliseconds(boundary).c_str());
-    text += formatted("  %-20s %9.0f ms %11s ms\n", "PCL range image", kPrintedRangeImage, milliseconds(borders).c_str());
-    text += formatted("  %-20s %9.0f ms %11s ms\n", "thesis", kPrintedTotal, milliseconds(thesis).c_str());
-    text += formatted("  %-20s %12s %11s ms\n", "EdgeScan+", "", milliseconds(plus).c_str());
+    text += "\nThesis, table 6.1        as printed its recipe now    EdgeScan+\n";
+    const auto step61 = [&](const char* name, double printed, double then, double now) {
+        text += "  " + leftAligned(name, 20) + columns({{printed, 10, 0}}) + " ms" + columns({{then, 12}}) + " ms" + columns({{now, 10}}) +
+                " ms\n";
+    };
+    for (const PrintedStep& step : kTable61) step61(step.name, step.milliseconds, thesis->steps.*step.step, plus->steps.*step.step);
+    step61("total", kPrintedTotal, thesis->steps.total(), plus->steps.total());
+    text += "\nThesis, table 6.2        as printed            now\n";
+    const auto row62 = [&](const char* name, const std::string& printed, const ComparedMethod* method) {
+        text += "  " + leftAligned(name, 20) + rightAligned(printed, 13) + rightAligned(milliseconds(method), 12) + " ms\n";
+    };
+    row62("PCL boundary", fixedText(kPrintedBoundary, 0) + " ms", find(methods, peerName(Peer::BoundaryNeighbours)));
+    row62("PCL range image", fixedText(kPrintedRangeImage, 0) + " ms", find(methods, peerName(Peer::RangeImageBorder)));
+    row62("thesis", fixedText(kPrintedTotal, 0) + " ms", thesis);
+    row62("EdgeScan+", "", plus);
     return text + "  as printed: the thesis's i7; its range image had 83,000 points. ~ = worked out from a part.\n";
 }
 

@@ -1,12 +1,12 @@
 // The one table of parameters. A new parameter is one entry here and one member of Settings.
 #include "core/settings/parameters.h"
 
+#include "core/base/number_text.h"
 #include "core/settings/method_traits.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -128,13 +128,6 @@ const std::vector<Parameter>& table() {
 }
 // clang-format on
 
-std::string shortest(double value) {
-    std::array<char, 64> buffer{}; // values are within the limits of the table
-    const auto format = std::abs(value) < 1e15 ? std::chars_format::fixed : std::chars_format::general;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
-    return {buffer.data(), end};
-}
-
 std::string choiceNames(const Parameter& parameter) {
     std::string names;
     for (const Choice& choice : parameter.choices) names += (names.empty() ? "" : ", ") + std::string(choice.name);
@@ -148,11 +141,11 @@ Result<double> withinLimits(const Parameter& parameter, double value) {
     Settings held;
     parameter.set(held, value);
     if (std::abs(value) < 1e9 && parameter.get(held) != value)
-        return Error{shortest(value) + " is not a whole number", flag(parameter),
-                     "give a whole number such as " + shortest(std::clamp(std::ceil(value), parameter.minimum, parameter.maximum))};
+        return Error{shortestText(value) + " is not a whole number", flag(parameter),
+                     "give a whole number such as " + shortestText(std::clamp(std::ceil(value), parameter.minimum, parameter.maximum))};
     if (value >= parameter.minimum && value <= parameter.maximum) return value;
     const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
-    return Error{shortest(value) + " is outside " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum) + unit,
+    return Error{shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum) + unit,
                  flag(parameter), "give a value within these limits"};
 }
 
@@ -241,7 +234,7 @@ std::string formatValue(const Parameter& parameter, double value) {
     for (const Choice& choice : parameter.choices) {
         if (choice.value == value) return choice.name;
     }
-    return shortest(value);
+    return shortestText(value);
 }
 
 double snapped(const Parameter& parameter, double value) {
@@ -257,7 +250,7 @@ double snapped(const Parameter& parameter, double value) {
 
 Result<Done> checkSettings(const Settings& s) {
     if (s.method == Method::Canny && s.scaling != Scaling::Thesis && !std::isnan(s.nearMm) && !std::isnan(s.farMm) && s.nearMm >= s.farMm) {
-        return Error{"near " + shortest(s.nearMm) + " mm is not smaller than far " + shortest(s.farMm) + " mm", "--near --far",
+        return Error{"near " + shortestText(s.nearMm) + " mm is not smaller than far " + shortestText(s.farMm) + " mm", "--near --far",
                      "give a near that is smaller than far"};
     }
     return Done{};
@@ -295,7 +288,7 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
         else if (value.is_boolean())
             text = value.get<bool>() ? "on" : "off";
         else if (value.is_number())
-            text = shortest(value.get<double>());
+            text = shortestText(value.get<double>());
         const Result<double> parsed = parseValue(*parameter, text);
         if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().todo};
         parameter->set(settings, *parsed);

@@ -1,6 +1,7 @@
 // One sweep: settings checked, scene built, lines cast on all cores.
 #include "core/sim/simulate.h"
 
+#include "core/base/number_text.h"
 #include "core/scan/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/caster.h"
@@ -66,15 +67,10 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                             {"slips", s.slips, 0, 1},
                             {"status codes", s.statusCodes, 0, 1},
                             {"threads", 1.0 * s.threads, 0, 1024}};
-    const auto text = [](double value) {
-        std::string digits = std::to_string(value);
-        digits.erase(digits.find_last_not_of('0') + 1);
-        if (digits.back() == '.') digits.pop_back();
-        return digits;
-    };
     for (const Limit& limit : limits) {
         if (limit.value >= limit.low && limit.value <= limit.high) continue;
-        return Error{std::string(limit.key) + " is " + text(limit.value), "simulate", "use " + text(limit.low) + " to " + text(limit.high)};
+        return Error{std::string(limit.key) + " is " + shortestText(limit.value), "simulate",
+                     "use " + shortestText(limit.low) + " to " + shortestText(limit.high)};
     }
     constexpr double kMostCells = 1e8;
     if (1.0 * s.lines * s.beams > kMostCells)

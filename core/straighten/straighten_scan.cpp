@@ -1,11 +1,11 @@
 // From displacements in index steps to angles.
 #include "core/straighten/straighten_scan.h"
 
+#include "core/base/number_text.h"
 #include "core/straighten/interlace.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -91,11 +91,7 @@ const PolarGeometry* anglesOf(const Scan& scan) {
     return polar != nullptr && polar->lineDeg.size() >= 2 ? polar : nullptr;
 }
 
-std::string degreesText(double deg) {
-    char text[40];
-    std::snprintf(text, sizeof text, deg < 0.1 ? "%.2g degrees" : "%.2f degrees", deg);
-    return text;
-}
+std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
 
 // "odd beams lie 0.12 degrees ahead of even ones"
 std::string interlaceText(double oddAheadDeg) {

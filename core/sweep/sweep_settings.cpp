@@ -1,6 +1,8 @@
 // Settings of a sweep as text and back.
 #include "core/sweep/sweep_settings.h"
 
+#include "core/base/number_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -11,9 +13,9 @@ namespace edgescan {
 namespace {
 
 std::string numberText(double value) {
-    std::array<char, 40> digits{};
-    const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return problem == std::errc{} ? std::string(digits.data(), end) : std::string();
+    std::string text;
+    appendShortest(text, value);
+    return text;
 }
 
 /// Takes values out of the record and notes those that make no sense.

@@ -1,14 +1,13 @@
 // Columns of a scan's cells.
 #include "core/writers/cloud_columns.h"
 
+#include "core/base/number_text.h"
 #include "core/georef/placed_points.h"
 #include "core/points/description.h"
 #include "core/scan/cartesian.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace edgescan {
 namespace {
@@ -165,13 +164,9 @@ std::string frameText(const CloudColumns& cloud) {
         break;
     case CoordinateFrame::Mine:
         return "EdgeScan, mine grid in metres: x Easting, y Northing, z Elevation";
-    case CoordinateFrame::MineLocal: {
-        std::array<char, 160> text{};
-        std::snprintf(text.data(), text.size(),
-                      "EdgeScan, metres from the mine grid origin: x east, y north, z up; origin E %.3f N %.3f El %.3f", cloud.originM.x(),
-                      cloud.originM.y(), cloud.originM.z());
-        return text.data();
-    }
+    case CoordinateFrame::MineLocal:
+        return "EdgeScan, metres from the mine grid origin: x east, y north, z up; origin E " + fixedText(cloud.originM.x(), 3) + " N " +
+               fixedText(cloud.originM.y(), 3) + " El " + fixedText(cloud.originM.z(), 3);
     }
     return "EdgeScan, coordinates in metres";
 }

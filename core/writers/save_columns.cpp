@@ -4,10 +4,10 @@
 #include "core/writers/column_rows.h"
 
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -16,36 +16,21 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
 
-template <class T>
-void appendNumber(std::string& text, T value) {
-    if constexpr (std::is_floating_point_v<T>) {
-        if (std::isnan(value)) {
-            text += "nan";
-            return;
-        }
-    }
-    std::array<char, 40> digits{};
-    const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    if (problem == std::errc{}) text.append(digits.data(), end);
-}
-
-/// Tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more.
-void appendMineNumber(std::string& text, double value) {
-    if (!std::isfinite(value)) return appendNumber(text, value);
-    std::array<char, 64> digits{};
-    const auto [end, problem] = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 4);
-    if (problem == std::errc{}) text.append(digits.data(), end);
-}
+constexpr int kMineDecimals = 4; // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
             const CloudColumn& column = cloud.columns[i];
             if (i > 0) text += separator;
-            if (i < 3 && cloud.frame == CoordinateFrame::Mine)
-                appendMineNumber(text, std::get<std::vector<double>>(column.values)[row]);
-            else
-                std::visit([&](const auto& values) { appendNumber(text, values[row]); }, column.values);
+            std::visit(
+                [&](const auto& values) {
+                    if (i < 3 && cloud.frame == CoordinateFrame::Mine && std::isfinite(static_cast<double>(values[row])))
+                        appendFixed(text, static_cast<double>(values[row]), kMineDecimals);
+                    else
+                        appendShortest(text, values[row]);
+                },
+                column.values);
         }
         text += '\n';
     }
@@ -124,7 +109,7 @@ Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where
     text += headerLine("COUNT", cloud, [](const CloudColumn&) { return "1"; });
     text += "WIDTH " + std::to_string(cloud.width) + "\nHEIGHT " + std::to_string(cloud.height) + "\nVIEWPOINT ";
     for (int axis = 0; axis < 3; ++axis) {
-        appendNumber(text, cloud.sensorM[axis]);
+        appendShortest(text, cloud.sensorM[axis]);
         text += ' ';
     }
     text += "1 0 0 0\nPOINTS " + std::to_string(rowsOf(cloud)) + "\nDATA " + (ascii ? "ascii" : "binary") + "\n";

@@ -1,6 +1,6 @@
 // DXF, release 12, text: every CAD program reads it. Points on layers, and edges as 3D polylines along the edge map.
-#include "core/base/decimal_text.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/writers/column_rows.h"
 #include "core/writers/edge_chains.h"
 #include "core/writers/save_formats.h"
@@ -30,7 +30,7 @@ void appendAt(std::string& text, const Eigen::Vector3d& point) {
     static constexpr std::array<const char*, 3> kCodes{"10\n", "20\n", "30\n"};
     for (int axis = 0; axis < 3; ++axis) {
         text += kCodes[static_cast<std::size_t>(axis)];
-        appendDecimal(text, point[axis], kDecimals);
+        appendFixed(text, point[axis], kDecimals);
         text += '\n';
     }
 }

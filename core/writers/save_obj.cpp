@@ -1,6 +1,6 @@
 // OBJ vertices; edges also as lines along the edge map would hide the points in many viewers, so they are points only.
-#include "core/base/decimal_text.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/writers/column_rows.h"
 #include "core/writers/save_formats.h"
 
@@ -19,7 +19,7 @@ Result<std::string> objBytes(const CloudColumns& cloud, const std::string& where
         const Eigen::Vector3d point = pointIn(cloud, row);
         for (int axis = 0; axis < 3; ++axis) {
             text += ' ';
-            appendDecimal(text, point[axis], decimals);
+            appendFixed(text, point[axis], decimals);
         }
         // Vertex colours are the common extension: edges green as on the screen.
         if (edge != nullptr) text += numberIn(*edge, row) != 0 ? " 0 1 0" : " 0.5 0.5 0.5";

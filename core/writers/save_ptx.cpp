@@ -1,6 +1,6 @@
 // PTX: the whole grid about its sensor, column by column; 0 0 0 where a cell has no point to save.
-#include "core/base/decimal_text.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/writers/column_rows.h"
 #include "core/writers/save_formats.h"
 
@@ -26,7 +26,7 @@ std::vector<std::size_t> rowOfCell(const CloudColumns& cloud) {
 void appendThree(std::string& text, const Eigen::Vector3d& v, int decimals) {
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ' ';
-        appendDecimal(text, v[axis], decimals);
+        appendFixed(text, v[axis], decimals);
     }
 }
 
