@@ -204,9 +204,9 @@ ComparedMethod peerMethod(Peer peer, const Scan& scan) {
     return method;
 }
 
-ComparedMethod runPeer(const PeerModule& module, Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
+ComparedMethod comparedPeer(Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
     ComparedMethod method = peerMethod(peer, scan);
-    const Result<PeerEdges> found = module.run(peer, seen, settings.peerLimits);
+    const Result<PeerEdges> found = runPeer(peer, seen, settings.peerLimits);
     if (!found) {
         method.note = found.error().sentence();
         return method;
@@ -258,18 +258,18 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
     for (std::size_t n = 0; n < own; ++n) medianSteps(methods[n], steps[n]);
 
     if (settings.peers) {
-        const Result<const PeerModule*> module = loadPeers();
-        const PeerScan seen = module ? peerScan(*scan) : PeerScan{};
+        const Result<Done> present = peersArePresent();
+        const PeerScan seen = present ? peerScan(*scan) : PeerScan{};
         for (int n = 0; n < kPeers; ++n) {
             const Peer peer = static_cast<Peer>(n);
             if (!goesOn(peerName(peer))) return {};
-            if (module) {
-                methods.push_back(runPeer(**module, peer, *scan, seen, settings));
+            if (present) {
+                methods.push_back(comparedPeer(peer, *scan, seen, settings));
                 continue;
             }
             methods.push_back(peerMethod(peer, *scan));
             methods.back().share = 0.0;
-            methods.back().note = module.error().sentence();
+            methods.back().note = present.error().sentence();
         }
     }
     for (ComparedMethod& method : methods) {

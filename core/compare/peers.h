@@ -5,7 +5,6 @@
 #include "core/method/detection.h"
 #include "core/scan/scan.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,13 +19,17 @@ enum class Peer : std::uint8_t {
 };
 inline constexpr int kPeers = 5;
 
-/// "BoundaryEstimation k=30" ...
-[[nodiscard]] const char* peerName(Peer peer);
+[[nodiscard]] constexpr const char* peerName(Peer peer) {
+    constexpr const char* kNames[]{"PCL BoundaryEstimation k=30", "PCL BoundaryEstimation radius", "PCL RangeImageBorderExtractor",
+                                   "PCL OrganizedEdgeFromNormals", "PCL OrganizedEdge, un-rolled"};
+    return kNames[static_cast<std::size_t>(peer)];
+}
 
 struct PeerLimits {
     double seconds = 10.0; ///< thread CPU time after which a peer that works point by point stops; infinite = never
     int neighbours = 30;
     double radiusM = 0.1;
+    std::uint64_t memoryBytes = 0; ///< of the peer's process; 0 = by the size of the scan
 };
 
 /// One kind of edge that a peer tells apart.
@@ -51,14 +54,12 @@ struct PeerScan {
 };
 [[nodiscard]] PeerScan peerScan(const Scan& scan);
 
-/// What the module with PCL inside offers.
-struct PeerModule {
-    Result<PeerEdges> (*run)(Peer peer, const PeerScan& scan, const PeerLimits& limits);
-    const char* version; ///< of PCL
-};
+/// Runs the detector in a process of its own (edgescan-peers, beside this program or in ../lib/edgescan): PCL may crash, hang or run out of
+/// memory, and starting with PCL linked would cost every command 40 ms. Its memory and time are limited by the size of the scan.
+/// Error: built without PCL, too few cells for this detector, or what ended it.
+[[nodiscard]] Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& limits);
 
-/// Loads edgescan_peers.so from beside the program (or ../lib/edgescan): starting with PCL linked would cost every command 40 ms.
-/// Error: it was built without PCL, or the module is not there.
-[[nodiscard]] Result<const PeerModule*> loadPeers();
+/// Error: why no peer can run here.
+[[nodiscard]] Result<Done> peersArePresent();
 
 } // namespace edgescan

@@ -10,7 +10,6 @@ namespace {
 using Detector = pcl::OrganizedEdgeFromNormals<pcl::PointXYZ, pcl::Normal, pcl::Label>;
 
 constexpr float kDepthStep = 0.02F; // of the depth: PCL's own
-constexpr float kSmoothing = 10.0F; // cells of the normals: PCL's own
 
 } // namespace
 
@@ -23,7 +22,7 @@ PeerEdges organizedEdges(const PeerScan& scan, bool unrolled) {
     pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     estimation.setNormalEstimationMethod(estimation.COVARIANCE_MATRIX);
     estimation.setMaxDepthChangeFactor(kDepthStep);
-    estimation.setNormalSmoothingSize(kSmoothing);
+    estimation.setNormalSmoothingSize(static_cast<float>(kNormalWindow));
     estimation.setInputCloud(cloud);
     estimation.compute(*normals);
     clock.ended("normals");

@@ -1,12 +1,7 @@
-// A scan as PCL sees it, and the door of the module.
+// A scan as PCL sees it.
 #include "core/compare/pcl/points.h"
 
-#include <pcl/console/print.h>
-#include <pcl/pcl_config.h>
-
-#include <algorithm>
 #include <ctime>
-#include <exception>
 #include <memory>
 
 namespace edgescan {
@@ -16,30 +11,6 @@ double threadSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& limits) {
-    const auto points = std::ranges::count_if(scan.pointsM.cells, [](const Eigen::Vector3f& p) { return p.allFinite(); });
-    if (points < 100 || scan.pointsM.lines < 8 || scan.pointsM.beams < 8)
-        return Error{"PCL needs a grid of 8 x 8 cells and 100 points at least", "", "choose a larger scan"};
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // it complains that a sweep is no camera
-    try {
-        switch (peer) {
-        case Peer::BoundaryNeighbours:
-            return boundaryEstimation(scan, limits, false);
-        case Peer::BoundaryRadius:
-            return boundaryEstimation(scan, limits, true);
-        case Peer::RangeImageBorder:
-            return rangeImageBorders(scan);
-        case Peer::OrganizedEdge:
-            return organizedEdges(scan, false);
-        case Peer::OrganizedEdgeUnrolled:
-            return organizedEdges(scan, true);
-        }
-    } catch (const std::exception& error) {
-        return Error{std::string("PCL gave up (") + error.what() + ")", "", "leave this peer out"};
-    }
-    return Error{"there is no such peer", "", ""};
 }
 
 } // namespace
@@ -62,8 +33,3 @@ void StepClock::ended(const char* step) {
 double StepClock::secondsSinceStart() const { return threadSeconds() - start_; }
 
 } // namespace edgescan
-
-extern "C" __attribute__((visibility("default"))) const edgescan::PeerModule* edgescanPeers() {
-    static const edgescan::PeerModule module{edgescan::runPeer, PCL_VERSION_PRETTY};
-    return &module;
-}

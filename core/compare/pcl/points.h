@@ -10,6 +10,8 @@
 
 namespace edgescan {
 
+inline constexpr int kNormalWindow = 10; ///< cells that OrganizedEdgeFromNormals averages normals over: PCL's own
+
 using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// An organised cloud, beams wide and lines high; NaN where there is no range.
@@ -29,7 +31,7 @@ private:
     std::vector<StageTime> steps_;
 };
 
-// The peers, one file each. None throws or refuses a scan that has a point.
+// The peers, one file each. They may throw, and PCL may crash in any of them.
 [[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
 [[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
 [[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);
