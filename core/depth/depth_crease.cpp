@@ -14,7 +14,7 @@ constexpr float kFewest = 3;
 constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is looked at
 constexpr float kWanted = 2;            // cells beyond the cell itself, on both sides
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
-constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (METHOD.md step 5)
+constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (docs/method.md, "Step 5")
 constexpr float kSlopesApart = 1.41F;   // two slopes with the noise of one each
 constexpr float kDegPerRad = 57.2957795F;
 

@@ -1,4 +1,4 @@
-// Creases: how far two planes fitted to both sides of a cell are folded against each other (METHOD.md step 5), line by line.
+// Creases: how far two planes fitted to both sides of a cell are folded against each other (docs/method.md, "Step 5"), line by line.
 #pragma once
 
 #include "core/depth/depth_field.h"

@@ -1,4 +1,4 @@
-// EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (METHOD.md, "EdgeScan+").
+// EdgeScan+: jumps and creases of the surface, measured against straight lines in inverse range (docs/method.md, "EdgeScan+").
 #pragma once
 
 #include "core/depth/depth_field.h"
@@ -7,7 +7,7 @@
 
 namespace edgescan {
 
-/// METHOD.md's sliders. Automatic values follow the noise of the scan (step 6).
+/// The sliders (docs/method.md, "Sliders"). Automatic values follow the noise of the scan (step 6).
 struct DepthEdgeSettings {
     double jumpMm = -1.0;       ///< J0; below 0: 30 mm x noise / that of an LMS511
     double jumpGrowth = 0.01;   ///< p: share of the range
@@ -21,7 +21,7 @@ struct DepthEdgeSettings {
     bool jumps = true;
     bool convex = true;
     bool concave = true;
-    bool border = false; ///< where the data end: nobody knows what is there, so it is no edge of a rock (OPERATOR.md S3)
+    bool border = false; ///< where the data end: nobody knows what is there, so it is no edge of a rock (docs/operator.md, "S3")
 };
 
 enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };

@@ -23,7 +23,7 @@ struct DepthField {
     [[nodiscard]] std::ptrdiff_t step(Along along) const { return stepOf(u, along); }
 };
 
-/// Thresholds of the stages, from sliders and noise (METHOD.md steps 3, 5 and 6).
+/// Thresholds of the stages, from sliders and noise (docs/method.md, "Step 3", "Step 5", "Step 6").
 struct DepthLimits {
     float jumpMm = 30;    ///< J0
     float growth = 0.01F; ///< p

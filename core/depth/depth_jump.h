@@ -1,4 +1,4 @@
-// Jumps between neighbouring cells, measured between straight lines in inverse range (METHOD.md steps 3 and 4), line by line.
+// Jumps between neighbouring cells, measured between straight lines in inverse range (docs/method.md, "Step 3", "Step 4"), line by line.
 #pragma once
 
 #include "core/depth/depth_field.h"
@@ -11,7 +11,8 @@ inline constexpr int kJumpLooksBack = 2;
 inline constexpr int kJumpLooksOn = 3;
 
 /// The next line of `jumps`: S_J of the crack between a cell and the next one, stored at the cell; over 1 is a break. 0 beside a void:
-/// where data end a rock may go on (OPERATOR.md S3). Beams from -1 to their count are written, and there are lines from -1 to their count.
+/// where data end a rock may go on (docs/operator.md, "S3"). Beams from -1 to their count are written, and there are lines from -1 to their
+/// count.
 /// `slips`: steps of the stepper that a slope explains.
 void crackJumps(const DepthField& field, Along along, int line, const float* angle, const SweepSlips& slips, const DepthLimits& limits,
                 Lines& jumps);

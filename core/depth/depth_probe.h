@@ -1,4 +1,5 @@
-// What EdgeScan+ measured at one cell: steps in depth, folds, their limits, and which neighbour is stronger (METHOD.md steps 2 to 7).
+// What EdgeScan+ measured at one cell: steps in depth, folds, their limits, and which neighbour is stronger
+// (docs/method.md, "Step 2" to "Step 7").
 #pragma once
 
 #include "core/depth/depth_edges.h"

@@ -1,4 +1,4 @@
-// Mixed pixels: the beam's spot lies on two surfaces, and the range is somewhere between them (METHOD.md step 2).
+// Mixed pixels: the beam's spot lies on two surfaces, and the range is somewhere between them (docs/method.md, "Step 2").
 #pragma once
 
 #include "core/depth/depth_field.h"

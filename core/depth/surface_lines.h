@@ -9,8 +9,8 @@
 
 namespace edgescan {
 
-/// The stages between a cleaned sweep and what is decided on (METHOD.md steps 2 to 5), and the lines between them. What they say of a line
-/// depends on no more than a few dozen lines round it, and no more are held.
+/// The stages between a cleaned sweep and what is decided on (docs/method.md, "Step 2" to "Step 5"), and the lines between them. What they
+/// say of a line depends on no more than a few dozen lines round it, and no more are held.
 class SurfaceLines {
 public:
     /// The references are kept.

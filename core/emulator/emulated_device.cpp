@@ -1,4 +1,4 @@
-// What an LMS511 answers to a request (SPEC 4).
+// What an LMS511 answers to a request (docs/protocol.md, "Requests and answers").
 #include "core/emulator/emulated_device.h"
 
 #include "core/lms/cola_fields.h"

@@ -21,7 +21,7 @@ struct TelegramStyle {
     bool remission = false;             ///< RSSI1, made up from the range: scans carry none
 };
 
-/// 1, or 2 when a range does not fit 16 bits of millimetres (SPEC 6.3).
+/// 1, or 2 when a range does not fit 16 bits of millimetres (docs/protocol.md, "Ranges").
 [[nodiscard]] float telegramScale(const Scan& scan);
 
 /// One line. Ranges are whole counts; NoReturn is 0, DeviceStatus its code. Error: beams that no fan of this scanner could be.

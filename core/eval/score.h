@@ -1,4 +1,4 @@
-// How well a mask finds the true edges (METHOD.md, "Truth and score").
+// How well a mask finds the true edges (docs/method.md, "Truth and score").
 #pragma once
 
 #include "core/eval/match.h"

@@ -1,4 +1,4 @@
-// Ground truth of edges from what the simulator knows (METHOD.md, "Truth and score").
+// Ground truth of edges from what the simulator knows (docs/method.md, "Truth and score").
 #pragma once
 
 #include "core/sim/simulate.h"

@@ -1,4 +1,4 @@
-// Ground truth as files (METHOD.md, "Truth and score").
+// Ground truth as files (docs/method.md, "Truth and score").
 #pragma once
 
 #include "core/eval/truth.h"

@@ -1,4 +1,4 @@
-// Why a cell is an edge, or why it is none (VIEWER.md, idea 6).
+// Why a cell is an edge, or why it is none.
 #pragma once
 
 #include "core/depth/depth_probe.h"

@@ -16,7 +16,7 @@ namespace edgescan {
 
 inline constexpr NumberLimits kAngle{-360, 360}; ///< degrees, of any angle in a file
 
-/// Which way the scanner looks in the inclinometer's frame (FRAMES.md step 2).
+/// Which way the scanner looks in the inclinometer's frame (docs/coordinates.md, "Step 2").
 enum class Viewing : std::uint8_t {
     Forward, ///< along the boom
     Up,      ///< straight up, underside to the front
@@ -38,7 +38,7 @@ struct Calibration {
     double degPerStep = 0.18;
     double zeroDeg = 0.0;           ///< phi0
     double direction = 1.0;         ///< +1 or -1
-    double mirrorIndexDeg = -144.0; ///< a0: beam angle at the time stamp of a line (SPEC 6.5)
+    double mirrorIndexDeg = -144.0; ///< a0: beam angle at the time stamp of a line (docs/protocol.md, "Time of a beam")
 
     Viewing viewing = Viewing::Forward;
     Eigen::Vector3d viewingRpyDeg = Eigen::Vector3d::Zero();     ///< for Viewing::Rpy

@@ -1,4 +1,4 @@
-// The steps of FRAMES.md.
+// The steps of the chain.
 #include "core/georef/chain.h"
 
 #include "core/georef/rotations.h"

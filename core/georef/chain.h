@@ -1,5 +1,5 @@
-// The frame chain of FRAMES.md, one function per step: sensor S, mover M, axis base A, inclinometer I, levelled L, robot R, TALIN
-// vehicle V, north-east-down, mine grid. Angles in degrees, metres. T_BA * p_A = p_B.
+// The frames of docs/coordinates.md, "The chain of frames", one function per step: scanner S, mover M, axis base A, inclinometer I,
+// levelled L, robot R, TALIN vehicle V, north-east-down, mine grid. Angles in degrees, metres. T_BA * p_A = p_B.
 #pragma once
 
 #include "core/base/result.h"
@@ -42,7 +42,7 @@ Result<PitchRoll> pitchRollOfElevations(double tiltXDeg, double tiltYDeg);
 /// Pitch and roll of the robot itself from R_NR = R_NV R_VR.
 [[nodiscard]] PitchRoll robotTilt(const Eigen::Matrix3d& nedFromRobot);
 /// R_RL = Lev(pR, rR)^T Rz(psiB). The levelled frame is level and the robot is not: leaving the robot's tilt out here applies it twice
-/// further on, 1.05 m at 12.3 m in the example of FRAMES.md.
+/// further on.
 [[nodiscard]] Eigen::Matrix3d robotFromLevelled(const PitchRoll& robot, double boomAzimuthDeg);
 /// psiB when the slew angle turns about the robot's Z axis and not about the vertical. `boomElevationDeg`: tilt of the head's X axis.
 /// Error: a boom that is slewed like that cannot point there.

@@ -39,7 +39,7 @@ Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, con
                    "open the scan with the right --axis or correct \"stepper.axis\" of the calibration");
 }
 
-/// One moment's readings to the transform of FRAMES.md. Angles that exclude each other are an Error.
+/// One moment's readings to the transform of the whole chain. Angles that exclude each other are an Error.
 Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, const InclinometerReading& tilt, const TalinReading& talin,
                               const Vector3d& originEnhM) {
     Result<PitchRoll> head = PitchRoll{tilt.tiltXDeg, tilt.tiltYDeg};

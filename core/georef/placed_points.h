@@ -49,11 +49,11 @@ struct MinePoint {
     return scan.placement ? scan.placement->warnings : std::vector<std::string>{};
 }
 
-/// What a name says of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin (OPERATOR.md S6).
+/// What a name says of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin (docs/operator.md, "S6").
 [[nodiscard]] const char* frameTail(CoordinateFrame frame);
 
 /// "boxes_edges.pcd"; without mine coordinates "boxes_edges_LOCAL.pcd", in local metres from an origin "boxes_edges_OFFSET.pcd"
-/// (OPERATOR.md S6). `extension` with the dot.
+/// (docs/operator.md, "S6"). `extension` with the dot.
 [[nodiscard]] std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension,
                                               CoordinateFrame frame);
 

@@ -1,4 +1,4 @@
-// Rotation matrices written out, so that they agree with FRAMES.md to the last bit that counts.
+// Rotation matrices written out, without library functions that round in other ways.
 #include "core/georef/rotations.h"
 
 #include <Eigen/Dense>

@@ -1,4 +1,4 @@
-// Rotations of FRAMES.md: right-handed, column vectors, angles in radians unless a name says degrees.
+// The rotations of docs/coordinates.md, "The chain of frames": right-handed, column vectors, angles in radians unless a name says degrees.
 #pragma once
 
 #include "core/base/angles.h"
@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 namespace edgescan {
-
 
 [[nodiscard]] Eigen::Matrix3d rotationX(double angle);
 [[nodiscard]] Eigen::Matrix3d rotationY(double angle);

@@ -1,4 +1,4 @@
-// Range to gray: the first stage of the method (thesis 5.4; formulas in CLI.md).
+// Range to gray: the first stage of the method (thesis 5.4; docs/method.md, "Gray levels and presets").
 #pragma once
 
 #include "core/scan/scan.h"

@@ -1,5 +1,5 @@
-// Canny on the logarithm of the range: a step counts in percent of its range, and nothing is rounded to 8 bits (METHOD.md, "Canny on log
-// range + fill").
+// Canny on the logarithm of the range: a step counts in percent of its range, and nothing is rounded to 8 bits
+// (docs/method.md, "Canny on log range").
 #pragma once
 
 #include "core/gray/gradient.h"

@@ -1,4 +1,4 @@
-// The highest threshold at which each cell is an edge: one map, after which any threshold is a compare (PERFORMANCE.md, "Threshold map").
+// The highest threshold at which each cell is an edge: one map, after which any threshold is a compare (docs/method.md, "Threshold map").
 #pragma once
 
 #include "core/base/grid.h"

@@ -19,7 +19,7 @@ namespace edgescan {
 enum class DepthEdge : std::uint8_t; // core/depth/depth_edges.h: 0 none, 1 jump, 2 convex, 3 concave
 
 enum class SaveFormat : std::uint8_t {
-    RawGrid,   ///< NAME.json + NAME.u16 (CLI.md); whole counts of unitMm up to 65535 only
+    RawGrid,   ///< NAME.json + NAME.u16 (docs/formats.md, "Raw grid"); whole counts of unitMm up to 65535 only
     Pcd,       ///< binary unless asked otherwise
     Ply,       ///< binary little endian unless asked otherwise
     Xyz,       ///< text, separated by spaces

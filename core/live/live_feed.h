@@ -13,7 +13,7 @@
 
 namespace edgescan {
 
-/// Everything the health of a live scan is told by (OPERATOR.md S2, S4, S5). A copy, true at the moment it was asked for.
+/// Everything the health of a live scan is told by (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked for.
 struct LiveStatus {
     SessionState session;
     std::optional<ScannerIdentity> scanner;

@@ -1,4 +1,5 @@
-// What the operator is told of a live scan, in words and states (OPERATOR.md S2, S4, S5; NE 107): a function of the status alone.
+// What the operator is told of a live scan, in words and states: a function of the status alone.
+// (docs/operator.md, "S2", "S4", "S5"; states as in NE 107.)
 #pragma once
 
 #include "core/live/live_feed.h"
@@ -7,7 +8,7 @@
 
 namespace edgescan {
 
-inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (S4)
+inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/operator.md, "S4")
 
 enum class Liveness : std::uint8_t {
     Connecting, ///< no line came yet

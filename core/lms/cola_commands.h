@@ -1,4 +1,4 @@
-// What is said to a scanner and what it answers (SPEC 4): requests as values, answers as values, alike for both dialects.
+// What is said to a scanner and what it answers, as values, alike for both dialects (docs/protocol.md, "Requests and answers").
 #pragma once
 
 #include "core/base/result.h"
@@ -32,7 +32,7 @@ struct ColaRequest {
 [[nodiscard]] ColaRequest readRequest(std::string name);
 [[nodiscard]] ColaRequest subscribeRequest(std::string name, bool on);
 
-/// Levels of SetAccessMode; the hashes are the factory's (SPEC 4.1).
+/// Levels of SetAccessMode; the hashes are the factory's.
 enum class AccessLevel : std::uint8_t { Maintenance = 2, AuthorisedClient = 3, Service = 4 };
 [[nodiscard]] std::uint32_t accessHash(AccessLevel level);
 [[nodiscard]] ColaRequest logInRequest(AccessLevel level = AccessLevel::AuthorisedClient);

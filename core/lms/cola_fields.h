@@ -1,4 +1,4 @@
-// The fields of a CoLa payload one after another, alike for both dialects: hexadecimal tokens in A, big endian in B (SPEC 3).
+// The fields of a CoLa payload one after another, alike for both dialects (docs/protocol.md, "Numbers").
 #pragma once
 
 #include "core/base/result.h"

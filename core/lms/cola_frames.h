@@ -1,4 +1,4 @@
-// CoLa A and B framing over a byte stream (SPEC 2): bytes in, whole frames out, resynchronising after anything.
+// CoLa A and B framing over a byte stream (docs/protocol.md, "Framing"): bytes in, whole frames out, resynchronising after anything.
 #pragma once
 
 #include "core/lms/host_time.h"
@@ -54,7 +54,7 @@ struct ColaCounts {
 /// the start of one frame (kLongestFrame) between pushes.
 class ColaStream {
 public:
-    /// Without a dialect each frame decides for itself: 02 02 02 02 is B, 02 's' is A (SPEC 2.3).
+    /// Without a dialect each frame decides for itself: 02 02 02 02 is B, 02 's' is A (docs/protocol.md, "Dialect").
     explicit ColaStream(std::optional<Dialect> only = std::nullopt) : only_(only) {}
 
     /// The frames that are complete now. `received`: host time right after these bytes were read.

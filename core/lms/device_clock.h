@@ -1,4 +1,4 @@
-// When something happened by the host's clock, from the device's own clock (SPEC 6.5).
+// When something happened by the host's clock, from the device's own clock (docs/protocol.md, "Time of a beam").
 #pragma once
 
 #include <cstdint>

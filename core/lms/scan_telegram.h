@@ -1,4 +1,4 @@
-// The scan telegram LMDscandata (SPEC 6): one line as the scanner sent it, every field, raw.
+// The scan telegram LMDscandata (docs/protocol.md, "Scan telegram"): one line as the scanner sent it, every field, raw.
 #pragma once
 
 #include "core/base/result.h"
@@ -67,7 +67,7 @@ struct ScanTelegram {
     std::array<std::uint8_t, 2> status{}; ///< see deviceFlags()
     std::uint16_t telegramCounter = 0;    ///< wraps; see LineCounter
     std::uint16_t scanCounter = 0;        ///< wraps; may start again with a measurement
-    std::uint32_t sinceStartUs = 0;       ///< device clock at the mirror's zero index before this line (SPEC 6.5); wraps
+    std::uint32_t sinceStartUs = 0;       ///< device clock at the line's stamp (docs/protocol.md, "Time of a beam"); wraps
     std::uint32_t transmittedUs = 0;      ///< device clock when the telegram was sent; wraps
     std::array<std::uint8_t, 2> digitalIn{};
     std::array<std::uint8_t, 2> digitalOut{};
@@ -96,7 +96,7 @@ struct ScanTelegram {
     return decodeScanTelegram(frame.payload(), frame.dialect);
 }
 
-/// The payload: the inverse of decoding, in the canonical text form (SPEC 3).
+/// The payload: the inverse of decoding, in the canonical text form (docs/protocol.md, "Numbers").
 [[nodiscard]] Bytes encodeScanTelegram(const ScanTelegram& telegram, Dialect dialect);
 
 /// The channel called `content`, or null.
@@ -110,7 +110,7 @@ struct ChannelRanges {
 [[nodiscard]] ChannelRanges rangesMm(const ScanChannel& channel);
 
 /// The beams of a channel with the scanner's rounding taken out: start and step lie on the 1/24-degree grid when they round to it
-/// (SPEC 6.4). Interlaced modes alternate between grids: compare them, never keep the first.
+/// (docs/protocol.md, "Beam angles"). Interlaced modes alternate between grids: compare them, never keep the first.
 struct BeamGrid {
     double startDeg = 0.0;
     double stepDeg = 0.0;
@@ -133,7 +133,7 @@ struct DeviceFlags {
 [[nodiscard]] DeviceFlags deviceFlags(const ScanTelegram& telegram);
 
 [[nodiscard]] double scanFrequencyHz(const ScanTelegram& telegram);
-/// Beams per second; firmwares that send a hundredfold are put right (SPEC 6.1).
+/// Beams per second; firmwares that send a hundredfold are put right (docs/protocol.md, "Scan telegram").
 [[nodiscard]] double measurementFrequencyHz(const ScanTelegram& telegram);
 
 } // namespace edgescan

@@ -1,4 +1,5 @@
-// Question and answer with a scanner, one at a time, and finding out who it is (SPEC 2.3, 4). Reads only unless writing is allowed.
+// Question and answer with a scanner, one at a time, and finding out who it is. Reads only unless writing is allowed.
+// (docs/protocol.md, "Dialect", "Requests and answers".)
 #pragma once
 
 #include "core/lms/cola_commands.h"
@@ -53,7 +54,7 @@ public:
     ScannerDialogue(ColaLink& link, const ScannerPatience& patience, std::function<void(const ColaFrame&)> onFrame)
         : link_(link), patience_(patience), onFrame_(std::move(onFrame)) {}
 
-    /// Which dialect the scanner answers in; `first` is tried first (SPEC 2.3). Its state is the answer.
+    /// Which dialect the scanner answers in; `first` is tried first (docs/protocol.md, "Dialect"). Its state is the answer.
     Result<int> detect(Dialect first, bool onlyThat);
     [[nodiscard]] Dialect dialect() const { return dialect_; }
 

@@ -11,7 +11,7 @@ TelegramContent wantedContent(const ScannerSetup& setup) {
     return content;
 }
 
-/// Whether the scanner says that it did it: 1 is success for some methods, 0 for others (SPEC 4.7).
+/// Whether the scanner says that it did it: 1 is success for some methods, 0 for others.
 std::string denial(const ColaRequest& request, const ColaAnswer& answer) {
     if (answer.kind == AnswerKind::Refused) return refusalText(answer.refusal);
     if (answer.kind != AnswerKind::Method) return {};
@@ -68,7 +68,7 @@ private:
             outcome_.problems.push_back(std::string(name).append(" reads back differently: ").append(answerText(*answer)).append("."));
     }
     void readBack() {
-        // The scan area is not set by LMPscancfg on this family (SPEC 4.2): only frequency and step count.
+        // The scan area is not set by LMPscancfg on this family (docs/protocol.md, "Interlaced lines"): only frequency and step count.
         compare("LMPscancfg", parseScanConfiguration, Same{setup_.scan});
         compare("LMPoutputRange", parseOutputRange, setup_.range);
         compare("LMDscandatacfg", parseTelegramContent, wantedContent(setup_));

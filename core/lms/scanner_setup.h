@@ -1,4 +1,4 @@
-// Setting a scanner up (SPEC 4.8): off unless asked for, every command and answer logged, everything read back.
+// Setting a scanner up: off unless asked for, every command and answer logged, everything read back.
 #pragma once
 
 #include "core/lms/scanner_dialogue.h"
@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// Encoder inputs that tag lines with the stepper's position (SPEC 4.6).
+/// Encoder inputs that tag lines with the stepper's position.
 struct EncoderInput {
     std::uint8_t mode = 3;   ///< 0 off, 1 single pulse, 2 quadrature, 3 pulse and direction
     float resolution = 1.0F; ///< LICencres

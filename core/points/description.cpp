@@ -19,7 +19,7 @@ using PlainJson = nlohmann::json;
 constexpr std::size_t kLargestJson = 64U << 20U; // angles of a million lines need 20 MB
 constexpr int kDeepest = 16;
 constexpr double kMostCells = 1 << 30; // along one side
-const char* const kSeeFormat = "compare it with the raw grid format in the user guide";
+const char* const kSeeFormat = "compare it with docs/formats.md, \"Raw grid\"";
 
 /// nlohmann's parser survives any depth, but what it builds is as deep as the file says.
 bool nestedDeeperThan(std::string_view json, int limit) {

@@ -15,7 +15,7 @@
 
 namespace edgescan {
 
-/// {"start","step"} of CLI.md.
+/// {"start","step"}: even angles.
 struct AngleSteps {
     double startDeg = 0.0;
     double stepDeg = 0.0;

@@ -1,4 +1,4 @@
-// Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts, unsigned 16 bit little endian, row-major (CLI.md).
+// Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts (docs/formats.md, "Raw grid").
 #pragma once
 
 #include "core/base/file_bytes.h"

@@ -1,4 +1,4 @@
-// What a recording says of the robot that carried the scanner (FORMAT.md "sweep/1"): where it stood, how it is built, who measured.
+// What a recording says of its robot: where it stood, how it is built, who measured (docs/recordings.md, "Metadata").
 #pragma once
 
 #include "core/georef/poses.h"

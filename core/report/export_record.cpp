@@ -1,4 +1,4 @@
-// The record of an export: everything OPERATOR.md S7 lists, or null and the reason.
+// The record of an export: everything docs/operator.md, "S7" lists, or null and the reason.
 #include "core/report/provenance.h"
 
 #include "core/base/sha256.h"

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (OPERATOR.md S9)
+constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (docs/operator.md, "S9")
 constexpr std::size_t kMostHeaderLines = 4096;
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }

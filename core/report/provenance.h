@@ -1,4 +1,5 @@
-// Provenance: every export says inside and beside itself what it was made of, so that anybody can make it again (OPERATOR.md S7, S8).
+// Provenance: every export says inside and beside itself what it was made of, so that anybody can make it again.
+// (docs/operator.md, "S7", "S8".)
 #pragma once
 
 #include "core/base/file_bytes.h"

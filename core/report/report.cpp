@@ -13,7 +13,7 @@
 namespace edgescan {
 namespace {
 
-using json = nlohmann::ordered_json; // keys in the order of CLI.md
+using json = nlohmann::ordered_json; // keys stay in the order in which they are set
 
 // Rounded for reading; the angles themselves stay as they are in the scan.
 double tidy(double value, double steps) { return std::round(value * steps) / steps; }

@@ -1,4 +1,4 @@
-// What a scan holds and what the method made of it, as JSON for scripts (CLI.md: `info` and `detect --json`).
+// What a scan holds and what the method made of it, as JSON (docs/command-line.md, "JSON of info", "JSON of detect").
 #pragma once
 
 #include "core/method/detection.h"

@@ -1,4 +1,4 @@
-// Who measured a scan, with what, and when: what a record of it needs (OPERATOR.md S7). Empty texts are not known.
+// Who measured a scan, with what, and when: what a record of it needs (docs/operator.md, "S7"). Empty texts are not known.
 #pragma once
 
 #include <string>

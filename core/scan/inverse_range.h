@@ -1,4 +1,4 @@
-// The sweep in inverse range u = 1 / r, in which a plane is a straight line along every scan line (METHOD.md, "EdgeScan+").
+// The sweep in inverse range u = 1 / r, in which a plane is a straight line along every scan line (docs/method.md, "EdgeScan+").
 #pragma once
 
 #include "core/scan/scan.h"
@@ -31,14 +31,14 @@ struct AngularSteps {
     [[nodiscard]] float lineAt(int i, int j) const { return line[static_cast<std::size_t>(i)] * fromAxis[static_cast<std::size_t>(j)]; }
 };
 
-/// Step 1 of METHOD.md: cells that stand alone are dropped, gaps of up to 4 cells with both sides present are filled.
+/// The first step (docs/method.md, "Step 1"): cells that stand alone are dropped, gaps of up to 4 cells with both sides present are filled.
 [[nodiscard]] InverseRange inverseRange(const Scan& scan);
 
 /// For an organised cloud the steps are the angles between neighbouring points as seen from the sensor, their median where missing.
 [[nodiscard]] AngularSteps angularSteps(const Scan& scan);
 
 /// Range noise sigma(r) = offsetMm + perMetreMm * r[m], from the 40 % quantile of |second differences of u| along the lines in range
-/// bins (METHOD.md step 6). Zero where there is too little to tell.
+/// bins (docs/method.md, "Step 6"). Zero where there is too little to tell.
 struct RangeNoise {
     double offsetMm = 0.0;
     double perMetreMm = 0.0;

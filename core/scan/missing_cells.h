@@ -12,7 +12,7 @@ namespace edgescan {
 /// lines x beams: 255 where the cell has no valid range, else 0.
 [[nodiscard]] Grid<std::uint8_t> missingCells(const Scan& scan);
 
-/// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (METHOD.md step 1).
+/// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (docs/method.md, "Step 1").
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
 /// Only the lines [firstLine, endLine).
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine);

@@ -28,7 +28,7 @@ struct RigidTransform {
     return {t.rotation.transpose(), -(t.rotation.transpose() * t.translationM)};
 }
 
-/// How the sensor sits on the stepper (FRAMES.md step 1). A scan's own points are those of the ideal mounting.
+/// How the sensor sits on the stepper (docs/coordinates.md, "Step 1"). A scan's own points are those of the ideal mounting.
 struct StepperMount {
     RigidTransform sensorInMover; ///< M from S
     Eigen::Vector3d axis{0, 0, 1};
@@ -50,7 +50,7 @@ struct Placement {
     StepperMount mount;
     std::vector<RigidTransform> poses{1};                 ///< axis base A -> metres from the origin; one, or one per line
     Eigen::Vector3d originEnhM = Eigen::Vector3d::Zero(); ///< Easting, Northing, Elevation of the local zero, whole metres
-    double gridScale = 1.0;                               ///< grid metres per metre, horizontally (FRAMES.md step 5)
+    double gridScale = 1.0;                               ///< grid metres per metre, horizontally (docs/coordinates.md, "Step 5")
     std::string grid;                                     ///< "UTM 17N, WGS84" as the pose says; may be empty
     std::string source;                                   ///< the files it was made from
     std::string timeUtc;                                  ///< of the (last) pose, ISO 8601; empty when unknown

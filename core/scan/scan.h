@@ -14,7 +14,7 @@
 
 namespace edgescan {
 
-/// What is known about a cell. Every cell has exactly one state; the counts add up to lines x beams (OPERATOR.md S1).
+/// What is known about a cell. Every cell has exactly one state; the counts add up to lines x beams (docs/operator.md, "S1").
 enum class CellState : std::uint8_t {
     Valid,        ///< rangeMm holds a measured range
     NoReturn,     ///< the beam came back empty
@@ -28,7 +28,7 @@ inline constexpr int kCellStates = 6;
 /// "valid", "no_return", "status", "out_of_window", "masked", "lost": the keys of `info` and `detect` JSON.
 [[nodiscard]] const char* cellStateName(CellState state);
 
-/// How the stepper turns the fan (FRAMES.md step 1).
+/// How the stepper turns the fan (docs/coordinates.md, "Step 1").
 enum class Axis : std::uint8_t {
     Spin,  ///< about the viewing direction z: x = r cos a cos p, y = r cos a sin p, z = r sin a
     Sweep, ///< about the 0/180 degree line x: Rx(p) (r cos a, 0, r sin a) = (r cos a, -r sin a sin p, r sin a cos p)
@@ -41,7 +41,7 @@ struct PolarGeometry {
     Axis axis = Axis::Spin;
     double lineDirection = 1.0; ///< +1: line angles turn right-handed about the axis; -1: the other way (3DTK files)
 
-    /// Beams degrees to add to the line angle: the stepper moves on while the mirror sweeps the fan (SPEC 6.5). Empty = none.
+    /// Beams degrees to add to the line angle: the stepper moves on while the mirror sweeps the fan. Empty = none.
     std::vector<double> lineSkewDeg = {};
 
     bool operator==(const PolarGeometry&) const = default;

@@ -1,4 +1,4 @@
-// Echoes of dust close to a surface: METHOD.md's step 1 sees only those that are far from it.
+// Echoes of dust close to a surface: step 1 of the cleaning (docs/method.md, "Step 1") sees only those that are far from it.
 #pragma once
 
 #include "core/scan/inverse_range.h"

@@ -19,7 +19,7 @@ struct Preset {
 /// Canny on gray levels, every other value as by default. What is read from files starts here: the first ones named no method.
 [[nodiscard]] Settings cannySettings();
 
-/// "default" first, then "log", "thesis" and "window" (CLI.md).
+/// "default" first, then "log", "thesis" and "window" (docs/method.md, "Gray levels and presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
 /// A built-in preset's name, or the path of a preset file. Error: neither, or the file is not a preset.

@@ -9,7 +9,7 @@ namespace edgescan {
 /// A number that is worked out from the scan unless somebody types one.
 inline constexpr double kAutomatic = std::numeric_limits<double>::quiet_NaN();
 
-/// How a range becomes a gray level (CLI.md, "Gray, no-return and thresholds").
+/// How a range becomes a gray level (docs/method.md, "Gray levels and presets").
 enum class Scaling : std::uint8_t {
     Thesis, ///< clamp(rint(S * 255 / (Smax - Smin))), saturating when Smin > 0; thesis as printed
     Window, ///< clamp(rint((S - near) * 255 / (far - near))), near/far = Smin/Smax unless typed
@@ -23,7 +23,7 @@ enum class Norm : std::uint8_t {
 
 /// How edges are found. The numbers are kept in no file; names are (parameters.cpp).
 enum class Method : std::uint8_t {
-    EdgeScanPlus, ///< jumps and creases of the surface in inverse range (METHOD.md)
+    EdgeScanPlus, ///< jumps and creases of the surface in inverse range (docs/method.md, "EdgeScan+")
     Outlines,     ///< of these, what runs round a rock: jumps and concave creases
     Jumps,        ///< of these, the jumps
     Canny,        ///< Canny on gray levels, the method of the thesis
@@ -50,7 +50,7 @@ enum EdgeClassBits : std::uint8_t { kClassJump = 1, kClassConvex = 2, kClassConc
 struct Settings {
     Method method = Method::EdgeScanPlus;
 
-    // EdgeScan+ and its parts (METHOD.md, table of sliders)
+    // EdgeScan+ and its parts (docs/method.md, "Sliders")
     double sensitivity = 1.0;        ///< high threshold of the hysteresis, x
     double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
     double growthPercent = 1.0;      ///< p: what is added to it, % of the range

@@ -6,7 +6,7 @@
 
 namespace edgescan::sim {
 
-/// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (METHOD.md "Scenes").
+/// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (docs/method.md, "Simulator").
 /// @param rocks in the arch; a fifth more lie on the muck
 /// @param rounding of the rocks, as in addRock
 [[nodiscard]] Scene hangupScene(std::uint64_t seed, int rocks, double rounding);

@@ -1,4 +1,4 @@
-// What lies between two rays that end beside each other: a jump in depth, a fold, or nothing (METHOD.md, "Truth and score").
+// What lies between two rays that end beside each other: a jump in depth, a fold, or nothing (docs/method.md, "Truth and score").
 #pragma once
 
 #include <Eigen/Core>

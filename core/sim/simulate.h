@@ -1,4 +1,4 @@
-// The synthetic draw-bell: a scene of convex rocks, swept by an LMS511 with its beam, noise and failings (METHOD.md "Simulator facts").
+// The synthetic draw-bell: a scene of convex rocks, swept by an LMS511 with its beam, noise and failings (docs/method.md, "Simulator").
 #pragma once
 
 #include "core/base/result.h"
@@ -25,7 +25,7 @@ enum class WallHole : std::uint8_t { None, Round, Square };
 /// away.
 inline constexpr std::array<double, 8> kStaircaseMm{20.0, 30.0, 50.0, 80.0, 120.0, 200.0, 300.0, 500.0};
 
-/// The defaults are the full grid of METHOD.md.
+/// The defaults are an LMS511's full grid (docs/method.md, "Simulator").
 struct SimulationSettings {
     std::string scene = "hangup"; ///< one of simulationScenes()
     std::uint64_t seed = 1;       ///< same seed, same bytes, whatever the number of threads

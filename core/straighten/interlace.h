@@ -1,5 +1,5 @@
 // Where lines and beams of a sweep are not where their angles say: beams interlaced from two passes, and lines at which the stepper
-// slipped (METHOD.md, "Known weak spots").
+// slipped (docs/method.md, "Interlaced beams and slips").
 #pragma once
 
 #include "core/straighten/line_slips.h"

@@ -1,4 +1,5 @@
-// Makes the scanner's wrapping counters and clocks run on, and says per line what was lost or came twice (SPEC 6.5, 6.6).
+// Makes the scanner's wrapping counters and clocks run on, and says per line what was lost or came twice.
+// (docs/protocol.md, "Counters and clocks".)
 #pragma once
 
 #include "core/lms/scan_telegram.h"

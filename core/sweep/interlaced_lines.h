@@ -1,4 +1,4 @@
-// Puts the beams of interlaced lines side by side: two lines of 571 and 570 beams make one of 1141 (SPEC 4.2).
+// Puts the beams of interlaced lines side by side: two lines of 571 and 570 beams make one of 1141 (docs/protocol.md, "Interlaced lines").
 #pragma once
 
 #include "core/lms/scan_telegram.h"

@@ -43,7 +43,8 @@ struct LineAngles {
 
 [[nodiscard]] LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& settings);
 
-/// Degrees to add to a line's angle per beam (SPEC 6.5); beam j is measured `turnsOf[j % parts]` mirror turns after the line's stamp.
+/// Degrees to add to a line's angle per beam; beam j is measured `turnsOf[j % parts]` mirror turns after the line's stamp
+/// (docs/protocol.md, "Time of a beam").
 [[nodiscard]] std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const int> turnsOf, double degPerTurn,
                                               double indexDeg);
 

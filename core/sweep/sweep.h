@@ -1,4 +1,4 @@
-// Makes sweeps out of scan telegrams: lines in, a growing scan out (SPEC 6, OPERATOR.md S1 S2 S5).
+// Makes sweeps out of scan telegrams: lines in, a growing scan out (docs/protocol.md, "Scan telegram", docs/operator.md, "S1", "S2", "S5").
 #pragma once
 
 #include "core/lms/device_clock.h"

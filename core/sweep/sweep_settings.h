@@ -24,8 +24,9 @@ struct SweepSettings {
     std::optional<double> degPerLine = 0.18;  ///< the stepper's step per line, signed; empty: lines are placed by time
     double degPerSecond = 4.5;                ///< only when placed by time
 
-    bool continuous = true;   ///< the stepper moves while the mirror turns: each beam gets a line angle of its own (SPEC 6.5)
-    double indexDeg = -144.0; ///< beam angle at which the mirror stands at a line's time stamp: calibration (SPEC 6.5)
+    bool continuous = true; ///< the stepper moves while the mirror turns: each beam gets a line angle of its own
+    /// Beam angle at which the mirror stands at a line's time stamp: calibration (docs/protocol.md, "Time of a beam").
+    double indexDeg = -144.0;
     int expectedLines = 0;    ///< lines of a whole sweep; 0: not known, a sweep ends with a reversal only
     double reversalDeg = 0.5; ///< a move back by more starts a new sweep; 0: never
     int longestGap = 2000;    ///< more lost lines in one go start a new sweep

@@ -34,7 +34,7 @@ namespace {
 // lie on, still behind rock that is really nearer.
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
-constexpr double kEdgeLarger = 2.0; // VIEWER.md 2.5
+constexpr double kEdgeLarger = 2.0; // times the size of a point
 constexpr double kAmbient = 0.5;    // of the cloud's colour where the surface is seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
@@ -78,7 +78,7 @@ CloudScene::Layer::Layer(vtkSmartPointer<vtkPolyDataMapper> with) : mapper(std::
     mapper->SetInputData(data);
     mapper->ScalarVisibilityOff();
     mapper->StaticOn(); // the data never comes from a pipeline
-    // Several layers share one vertex buffer, so none may shift it; the origin is ours (VIEWER.md complaint 1).
+    // Several layers share one vertex buffer, so none may shift it; the origin is ours.
     if (auto* gl = vtkOpenGLPolyDataMapper::SafeDownCast(mapper)) {
         gl->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     }

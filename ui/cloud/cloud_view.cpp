@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 constexpr double kGuessMsPerPoint = 2.5e-4; // llvmpipe on a busy machine; only until frames are measured
 constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full when nothing came for so long
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
-const QColor kCloudDimmed(121, 121, 121);   // contrast figures in VIEWER.md 2.5
+const QColor kCloudDimmed(121, 121, 121);   // dark enough for edges in front of it
 const QColor kCloudBright(230, 230, 230);
 
 } // namespace

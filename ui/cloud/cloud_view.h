@@ -1,4 +1,4 @@
-// The 3D view: the cloud once in the graphics memory, edges as a list of cells, mouse as in VIEWER.md 2.1.
+// The 3D view: the cloud once in the graphics memory, edges as a list of cells, mouse.
 #pragma once
 
 #include "ui/cloud/camera_motion.h"

@@ -1,4 +1,4 @@
-// The mouse of the 3D view (VIEWER.md 2.1): events in, camera motion and picks out.
+// The mouse of the 3D view: events in, camera motion and picks out.
 #include "ui/cloud/cloud_view.h"
 
 #include "ui/base/gestures.h"

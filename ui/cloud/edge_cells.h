@@ -20,7 +20,7 @@ struct EdgeCells {
 };
 
 /// Colours of the other classes beside that of a jump, which has the colour of every edge. Each has a contrast of 3 : 1 and
-/// more to the cloud's gray (VIEWER.md 2.5).
+/// more to the cloud's gray.
 inline const QColor kConvexColour{0, 255, 255};
 inline const QColor kConcaveColour{255, 205, 255};
 inline const QColor kBorderColour{255, 215, 150};

@@ -1,4 +1,4 @@
-// What a mouse button or wheel means in the cloud view (VIEWER.md 2.1).
+// What a mouse button or wheel means in the cloud view.
 #pragma once
 
 #include <Qt>

@@ -1,4 +1,4 @@
-// Shows one lines x beams image: linked zoom and pan, hover, crosshair, box. Mouse as in VIEWER.md 2.2.
+// Shows one lines x beams image: linked zoom and pan, hover, crosshair, box.
 #pragma once
 
 #include "ui/image/pyramid.h"

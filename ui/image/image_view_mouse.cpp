@@ -1,4 +1,4 @@
-// The mouse of an image view (VIEWER.md 2.2).
+// The mouse of an image view.
 #include "ui/image/image_view.h"
 
 #include "ui/base/gestures.h"

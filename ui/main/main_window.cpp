@@ -33,7 +33,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWideScreen = 1920; // VIEWER.md 2.4: three views in one row from here on
+constexpr int kWideScreen = 1920; // three views in one row from here on
 constexpr int kRememberAfterMs = 300;
 constexpr int kShowWorkAfterMs = 100;
 

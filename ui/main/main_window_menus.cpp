@@ -1,4 +1,4 @@
-// The window's menus and keys (VIEWER.md 2.3 and 2.4). The shortcut sheet is made from the same actions, so it cannot lie.
+// The window's menus and keys. The shortcut sheet is made from the same actions, so it cannot lie.
 #include "ui/main/main_window.h"
 
 #include "core/base/version.h"

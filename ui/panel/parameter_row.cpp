@@ -27,7 +27,7 @@ double bend(const Parameter& p) {
     return steps > 1000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;
 }
 
-// A wheel over a slider inside a scroll area does nothing until the slider has the focus (VIEWER.md 2.8).
+// A wheel over a slider inside a scroll area does nothing until the slider has the focus.
 class CalmSlider : public QSlider {
 public:
     using QSlider::QSlider;
@@ -274,7 +274,7 @@ void ParameterRow::tell(double value) {
     emit changed(value, slider_ != nullptr && slider_->isSliderDown());
 }
 
-// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth (VIEWER.md 2.3).
+// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth.
 bool ParameterRow::stepByKey(const QKeyEvent& event) {
     if (number_ == nullptr) return false;
     const bool up = event.key() == Qt::Key_Up || event.key() == Qt::Key_Right;

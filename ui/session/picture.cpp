@@ -9,7 +9,7 @@
 namespace edgescan::ui {
 namespace {
 
-// VIEWER.md 2.5: dark violet cannot be mistaken for 0 m or 40 m; the hatch tells it apart without colour.
+// Dark violet cannot be mistaken for 0 m or 40 m; the hatch tells it apart without colour.
 constexpr QRgb kMissing = qRgb(40, 20, 60);
 constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
 constexpr QRgb kStatus = qRgb(70, 20, 50);

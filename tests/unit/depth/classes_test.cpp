@@ -1,7 +1,7 @@
-// Classes of edges: what each switch takes away, and that the border of missing data is none of a rock (OPERATOR.md S3).
+// Classes of edges: what each switch takes away, and that the border of missing data is none of a rock (docs/operator.md, "S3").
 #include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/report/provenance.h"
+#include "core/settings/presets.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

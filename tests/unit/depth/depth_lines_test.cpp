@@ -2,9 +2,9 @@
 #include "core/base/order_statistic.h"
 #include "core/depth/depth_edges.h"
 #include "core/depth/depth_jump.h"
-#include "core/scan/missing_cells.h"
-#include "core/depth/surface_lines.h"
 #include "core/depth/mixed_pixels.h"
+#include "core/depth/surface_lines.h"
+#include "core/scan/missing_cells.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ Grid<float> solidOf(const InverseRange& inverse) {
     return solid;
 }
 
-// METHOD.md step 2 cell by cell, as veil.h says it.
+// docs/method.md, "Step 2" cell by cell, as mixed_pixels.h says it.
 struct PlainVeil {
     const Lines& u;
     const Lines& solid;

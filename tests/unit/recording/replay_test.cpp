@@ -121,7 +121,7 @@ TEST(Replay, TheDemoOpensWithItsAngles) {
     EXPECT_DOUBLE_EQ(polar.beamDeg.front(), -5.0);
     EXPECT_DOUBLE_EQ(polar.beamDeg.back(), 185.0);
     for (int row = 0; row < 24; ++row) EXPECT_NEAR(polar.lineDeg[std::size_t(row)], 0.18 * row, 1e-9);
-    // FORMAT.md: 0.095 degrees along the line, behind the 0.07 between stamp and first beam.
+    // 0.095 degrees along the line, behind the 0.07 between stamp and first beam.
     EXPECT_NEAR(polar.lineSkewDeg.front(), 0.0695, 1e-3);
     EXPECT_NEAR(polar.lineSkewDeg.back() - polar.lineSkewDeg.front(), 0.095, 1e-3);
     const Folder folder;

@@ -1,4 +1,4 @@
-// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts that METHOD.md states.
+// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
 #include "core/eval/truth.h"
 #include "core/scan/cartesian.h"
 #include "core/sim/beam.h"

@@ -1,0 +1,145 @@
+// What comments, messages and documents cite is there: the document, and the heading named behind it, as in docs/method.md, "Step 3".
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+const std::string kMark = ".md";
+
+bool isText(const fs::path& path) {
+    static const std::set<std::string> kinds{"", ".h", ".cpp", ".py", ".txt", ".cmake", ".md", ".in", ".json", ".yml"};
+    return kinds.contains(path.extension().string());
+}
+
+std::vector<fs::path> filesThatCite() {
+    std::vector<fs::path> files;
+    for (const char* folder : {"core", "ui", "app", "tests", "packaging", "docs"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+            const bool found = entry.path().string().find("/tests/fuzz/found/") != std::string::npos; // bytes, not sentences
+            if (entry.is_regular_file() && isText(entry.path()) && !found) files.push_back(entry.path());
+        }
+    }
+    for (const auto& entry : fs::directory_iterator(kRoot)) {
+        if (entry.is_regular_file() && isText(entry.path())) files.push_back(entry.path());
+    }
+    return files;
+}
+
+// One line, so that a citation may run on over the end of a comment line; quotes as a reader sees them.
+std::string sentencesOf(const fs::path& path) {
+    std::string text;
+    std::istringstream lines(test::fileText(path));
+    for (std::string line; std::getline(lines, line);) {
+        line.erase(0, std::min(line.find_first_not_of(" \t/#"), line.size()));
+        text += line + ' ';
+    }
+    for (std::size_t at = text.find("\\\""); at != std::string::npos; at = text.find("\\\"", at)) text.erase(at, 1);
+    return text;
+}
+
+std::vector<std::string> headingsOf(const fs::path& document) {
+    std::vector<std::string> headings;
+    std::istringstream lines(test::fileText(document));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('#')) headings.push_back(line.substr(line.find_first_not_of("# ")));
+    }
+    return headings;
+}
+
+// "Step 3" of "Step 3: jumps"; or the whole heading.
+bool hasHeading(const std::vector<std::string>& headings, const std::string& cited) {
+    return std::ranges::any_of(headings, [&](const std::string& h) { return h == cited || h.starts_with(cited + ":"); });
+}
+
+// The part of a link behind '#': small letters, blanks as hyphens, nothing but letters, digits and hyphens.
+std::string anchorOf(const std::string& heading) {
+    std::string anchor;
+    for (const char c : heading) {
+        if (c == ' ') anchor += '-';
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-')
+            anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return anchor;
+}
+
+// Headings in quotes behind a citation that ends at `at`: , "A", "B" and "C" or "A" to "B".
+std::vector<std::string> headingsCited(const std::string& text, std::size_t at) {
+    std::vector<std::string> cited;
+    for (bool more = true; more;) {
+        more = false;
+        for (const char* join : {", \"", " and \"", " to \""}) {
+            if (text.compare(at, std::string(join).size(), join) != 0 || (cited.empty() && *join != ',')) continue;
+            const std::size_t begin = at + std::string(join).size();
+            const std::size_t end = text.find('"', begin);
+            if (end == std::string::npos) return cited;
+            cited.push_back(text.substr(begin, end - begin));
+            at = end + 1;
+            more = true;
+        }
+    }
+    return cited;
+}
+
+// The file that a name means in a text: counted from the root or, in documents, from their own folder. Empty when there is none.
+fs::path documentNamed(const std::string& name, const fs::path& citing) {
+    if (fs::is_regular_file(kRoot / name)) return kRoot / name;
+    const fs::path beside = citing.parent_path() / name;
+    return citing.extension() == kMark && fs::is_regular_file(beside) ? beside : fs::path();
+}
+
+void checkCitations(const fs::path& file) {
+    const std::string text = sentencesOf(file);
+    const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+    for (std::size_t at = text.find(kMark); at != std::string::npos; at = text.find(kMark, at + 1)) {
+        const std::size_t end = at + kMark.size();
+        if (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])) != 0) continue;
+        const std::size_t before = text.find_last_not_of(letters, at);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+        const std::string name = text.substr(begin, end - begin);
+        if (begin >= at || name.starts_with('/')) continue; // no name, or somewhere in the web
+        const fs::path document = documentNamed(name, file);
+        if (document.empty()) {
+            ADD_FAILURE() << file << " cites " << name << ", which is not there";
+            continue;
+        }
+        const std::vector<std::string> headings = headingsOf(document);
+        for (const std::string& cited : headingsCited(text, end))
+            EXPECT_TRUE(hasHeading(headings, cited)) << file << " cites " << name << ", \"" << cited << "\", and it has no such heading";
+        if (end >= text.size() || text[end] != '#') continue;
+        const std::string anchor = text.substr(end + 1, text.find_first_not_of(letters, end + 1) - end - 1);
+        EXPECT_TRUE(std::ranges::any_of(headings, [&](const std::string& h) { return anchorOf(h) == anchor; }))
+            << file << " links to " << name << '#' << anchor << ", and it has no such heading";
+    }
+}
+
+TEST(Documents, WhatIsCitedIsThereWithItsHeading) {
+    const std::vector<fs::path> files = filesThatCite();
+    EXPECT_GT(files.size(), 300U);
+    for (const fs::path& file : files) checkCitations(file);
+}
+
+TEST(Documents, LinksLeadToFilesThatAreThere) {
+    for (const fs::path& file : filesThatCite()) {
+        if (file.extension() != kMark) continue;
+        const std::string text = test::fileText(file);
+        for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+            const std::string target = text.substr(at + 2, text.find_first_of("#)", at + 2) - at - 2);
+            if (target.empty() || target.find("://") != std::string::npos) continue;
+            EXPECT_TRUE(fs::exists(file.parent_path() / target)) << file << " links to " << target;
+        }
+    }
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,130 @@
+// The question before an export.
+#include "ui/main/export_dialog.h"
+
+#include "core/io/save_scan.h"
+#include "core/georef/placed_points.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+// Thousands apart, the same in every locale.
+QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
+
+} // namespace
+
+ExportDialog::ExportDialog(std::shared_ptr<const Frame> frame, ExportContent wanted, QWidget* parent)
+    : QDialog(parent), frame_(std::move(frame)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
+      attached_(new QCheckBox), count_(new QLabel), buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
+    setWindowTitle(tr("Export"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(contentBox());
+    coordinatesGroup_ = coordinatesBox();
+    column->addWidget(coordinatesGroup_);
+    const std::size_t hidden = frame_->scan->attached.size();
+    attached_->setObjectName("attached");
+    attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
+    attached_->setVisible(hidden > 0);
+    column->addWidget(attached_);
+    count_->setObjectName("count");
+    column->addWidget(count_);
+    column->addWidget(buttons_);
+    buttons_->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    for (QAbstractButton* button : contents_->buttons()) connect(button, &QAbstractButton::toggled, this, &ExportDialog::follow);
+    connect(attached_, &QCheckBox::toggled, this, &ExportDialog::follow);
+    contents_->button(static_cast<int>(wanted))->setChecked(true);
+    follow();
+}
+
+QGroupBox* ExportDialog::contentBox() {
+    auto* box = new QGroupBox(tr("What"));
+    auto* column = new QVBoxLayout(box);
+    const auto add = [&](ExportContent content, const QString& text, const char* name) {
+        auto* button = new QRadioButton(text);
+        button->setObjectName(name);
+        contents_->addButton(button, static_cast<int>(content));
+        column->addWidget(button);
+    };
+    const QString size = tr("%1 × %2 pixels").arg(frame_->scan->beams()).arg(frame_->scan->lines());
+    add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false))), "edges");
+    add(ExportContent::FullCloud, tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false))),
+        "all");
+    add(ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
+    add(ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
+    add(ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
+    return box;
+}
+
+QGroupBox* ExportDialog::coordinatesBox() {
+    auto* box = new QGroupBox(tr("Coordinates"));
+    auto* column = new QVBoxLayout(box);
+    const bool placed = frame_->scan->placement != nullptr;
+    const auto add = [&](CoordinateFrame frame, const QString& text, const char* name, bool possible) {
+        auto* button = new QRadioButton(text);
+        button->setObjectName(name);
+        button->setEnabled(possible);
+        coordinates_->addButton(button, static_cast<int>(frame));
+        column->addWidget(button);
+    };
+    add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
+    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
+    add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
+    coordinates_->button(static_cast<int>(usualFrame(*frame_->scan)))->setChecked(true);
+    if (const auto why = checkFrame(*frame_->scan, CoordinateFrame::Mine, ""); !why) {
+        const std::string& what = why.error().what;
+        auto* reason = new QLabel(tr("No mine grid: %1. Open it with --pose and --calibration.").arg(QString::fromStdString(what)));
+        reason->setObjectName("reason");
+        reason->setWordWrap(true);
+        column->addWidget(reason);
+    }
+    return box;
+}
+
+std::size_t ExportDialog::countOf(ExportContent content, bool withAttached) const {
+    const Scan& scan = *frame_->scan;
+    if (!isCloud(content)) return scan.cells();
+    const bool edges = content == ExportContent::EdgeCloud;
+    const auto wanted = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (!edges || (*frame_->mask)[k] != 0); };
+    std::size_t points = 0;
+    if (edges)
+        points = static_cast<std::size_t>(std::count_if(frame_->edges->begin(), frame_->edges->end(), wanted));
+    else
+        points = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
+    if (!withAttached) return points;
+    return points + static_cast<std::size_t>(std::count_if(scan.attached.begin(), scan.attached.end(),
+                                                           [&](const AttachedPoint& point) { return wanted(point.cell); }));
+}
+
+ExportContent ExportDialog::content() const { return static_cast<ExportContent>(contents_->checkedId()); }
+
+ExportOptions ExportDialog::options() const {
+    ExportOptions options;
+    options.frame = static_cast<CoordinateFrame>(coordinates_->checkedId());
+    options.includeAttached = isCloud(content()) && attached_->isChecked();
+    return options;
+}
+
+std::size_t ExportDialog::count() const { return countOf(content(), options().includeAttached); }
+
+void ExportDialog::follow() {
+    if (contents_->checkedId() < 0) return;
+    const bool cloud = isCloud(content());
+    coordinatesGroup_->setEnabled(cloud);
+    attached_->setEnabled(cloud);
+    count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
+}
+
+} // namespace edgescan::ui

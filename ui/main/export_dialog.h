@@ -1,0 +1,45 @@
+// Asks what of a scan to export and in which coordinates, with the count before anything is saved.
+#pragma once
+
+#include "core/method/detection.h"
+#include "core/report/provenance.h"
+
+#include <QDialog>
+
+#include <memory>
+
+class QButtonGroup;
+class QCheckBox;
+class QDialogButtonBox;
+class QGroupBox;
+class QLabel;
+
+namespace edgescan::ui {
+
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `wanted` is chosen at first. Mine coordinates can only be chosen when the scan has a place; the reason stands beside them.
+    ExportDialog(std::shared_ptr<const Frame> frame, ExportContent wanted, QWidget* parent = nullptr);
+
+    [[nodiscard]] ExportContent content() const;
+    [[nodiscard]] ExportOptions options() const;
+    /// Points, or cells of a picture, that would be saved.
+    [[nodiscard]] std::size_t count() const;
+
+private:
+    [[nodiscard]] QGroupBox* contentBox();
+    [[nodiscard]] QGroupBox* coordinatesBox();
+    [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached) const;
+    void follow();
+
+    std::shared_ptr<const Frame> frame_;
+    QButtonGroup* contents_;
+    QButtonGroup* coordinates_;
+    QGroupBox* coordinatesGroup_ = nullptr;
+    QCheckBox* attached_;
+    QLabel* count_;
+    QDialogButtonBox* buttons_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,76 @@
+// What survives a restart and a kill.
+#include "ui/main/memory.h"
+
+#include "core/settings/parameters.h"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kRecentFiles = 10;
+constexpr int kVersion = 1; // of the file; another one is not read
+
+} // namespace
+
+Memory::Memory(const QString& iniPath) {
+    if (iniPath.isEmpty()) return;
+    file_ = std::make_unique<QSettings>(iniPath, QSettings::IniFormat);
+    if (file_->value("version", kVersion).toInt() != kVersion) file_->clear();
+    file_->setValue("version", kVersion);
+}
+
+QString Memory::usualPath() { return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/edgescan/viewer.ini"; }
+
+QByteArray Memory::bytes(const QString& key) const { return file_ ? file_->value(key).toByteArray() : QByteArray(); }
+void Memory::keep(const QString& key, const QByteArray& value) {
+    if (file_) file_->setValue(key, value);
+}
+
+QString Memory::text(const QString& key, const QString& otherwise) const {
+    return file_ ? file_->value(key, otherwise).toString() : otherwise;
+}
+void Memory::keep(const QString& key, const QString& value) {
+    if (file_) file_->setValue(key, value);
+}
+
+bool Memory::flag(const QString& key, bool otherwise) const { return file_ ? file_->value(key, otherwise).toBool() : otherwise; }
+void Memory::keep(const QString& key, bool value) {
+    if (file_) file_->setValue(key, value);
+}
+
+QStringList Memory::recentFiles() const { return file_ ? file_->value("recent/files").toStringList() : QStringList(); }
+
+void Memory::keepRecentFile(const QString& path) {
+    if (!file_) return;
+    QStringList files = recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    file_->setValue("recent/files", QStringList(files.mid(0, kRecentFiles)));
+}
+
+void Memory::forgetRecentFiles() {
+    if (file_) file_->remove("recent/files");
+}
+
+QString Memory::folder(const QString& kind) const { return text("folder/" + kind); }
+void Memory::keepFolder(const QString& kind, const QString& path) { keep("folder/" + kind, QFileInfo(path).absolutePath()); }
+
+Settings Memory::settings(const Settings& otherwise) const {
+    const nlohmann::json json = nlohmann::json::parse(text("edges/settings").toStdString(), nullptr, false);
+    if (!json.is_object()) return otherwise;
+    const Result<Settings> read = settingsFromJson(json, otherwise, "viewer.ini");
+    return read && checkSettings(*read) ? *read : otherwise;
+}
+
+void Memory::keepSettings(const Settings& settings) { keep("edges/settings", QString::fromStdString(settingsToJson(settings).dump())); }
+
+void Memory::write() {
+    if (file_) file_->sync();
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,47 @@
+// What survives a restart and a kill: one readable file, written shortly after each change.
+#pragma once
+
+#include "core/settings/presets.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QStringList>
+
+#include <memory>
+
+namespace edgescan::ui {
+
+/// GUI thread only. With an empty path nothing is read or written (--no-settings).
+class Memory {
+public:
+    explicit Memory(const QString& iniPath);
+    /// In the user's configuration folder.
+    [[nodiscard]] static QString usualPath();
+
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void keep(const QString& key, const QByteArray& value);
+    [[nodiscard]] QString text(const QString& key, const QString& otherwise = {}) const;
+    void keep(const QString& key, const QString& value);
+    [[nodiscard]] bool flag(const QString& key, bool otherwise) const;
+    void keep(const QString& key, bool value);
+
+    /// Newest first, ten at most.
+    [[nodiscard]] QStringList recentFiles() const;
+    void keepRecentFile(const QString& path);
+    void forgetRecentFiles();
+
+    /// Last folder used for a kind of file: "scans", "exports", "presets", "images".
+    [[nodiscard]] QString folder(const QString& kind) const;
+    void keepFolder(const QString& kind, const QString& path);
+
+    [[nodiscard]] Settings settings(const Settings& otherwise) const;
+    void keepSettings(const Settings& settings);
+
+    /// Everything on the disk now.
+    void write();
+
+private:
+    std::unique_ptr<QSettings> file_; // null: nothing is remembered
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,60 @@
+// The bar above the views.
+#include "ui/main/notice_bar.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace edgescan::ui {
+
+NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_(new QLabel), action_(new QToolButton) {
+    setObjectName("notice-bar");
+    action_->setObjectName("notice-action");
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(10, 4, 6, 4);
+    QFont bold = sign_->font();
+    bold.setBold(true);
+    sign_->setFont(bold);
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setTextFormat(Qt::PlainText);
+    auto* copy = new QToolButton;
+    copy->setText(tr("Copy"));
+    connect(copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text_->text()); });
+    auto* close = new QToolButton;
+    close->setText(tr("Close"));
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(action_, &QToolButton::clicked, this, [this] {
+        if (onAction_) onAction_();
+    });
+    line->addWidget(sign_, 0, Qt::AlignTop);
+    line->addWidget(text_, 1);
+    line->addWidget(action_, 0, Qt::AlignTop);
+    line->addWidget(copy, 0, Qt::AlignTop);
+    line->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void NoticeBar::showNotice(Kind kind, const QString& text) {
+    kind_ = kind;
+    // The word tells the kind as well as the colour does.
+    const char* colour = kind == Kind::Error ? "#7a1f1f" : kind == Kind::Warning ? "#6b4e00" : "#1f4a2c";
+    sign_->setText(kind == Kind::Error ? tr("Error") : kind == Kind::Warning ? tr("Note") : tr("Done"));
+    setStyleSheet(QString("#notice-bar { background: %1; } #notice-bar QLabel { color: white; }").arg(colour));
+    text_->setText(text);
+    action_->hide();
+    onAction_ = {};
+    show();
+}
+
+void NoticeBar::offer(const QString& label, std::function<void()> action) {
+    action_->setText(label);
+    onAction_ = std::move(action);
+    action_->show();
+}
+
+QString NoticeBar::text() const { return text_->text(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,34 @@
+// The bar above the views: what went wrong or was assumed, where, what to do. Stays until it is closed or replaced.
+#pragma once
+
+#include <QFrame>
+
+#include <functional>
+
+class QLabel;
+class QToolButton;
+
+namespace edgescan::ui {
+
+class NoticeBar : public QFrame {
+    Q_OBJECT
+public:
+    enum class Kind { Error, Warning, Done };
+
+    explicit NoticeBar(QWidget* parent = nullptr);
+
+    void showNotice(Kind kind, const QString& text);
+    /// A button beside the text, until the next notice.
+    void offer(const QString& label, std::function<void()> action);
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] Kind kind() const { return kind_; }
+
+private:
+    Kind kind_ = Kind::Done;
+    QLabel* sign_;
+    QLabel* text_;
+    QToolButton* action_;
+    std::function<void()> onAction_;
+};
+
+} // namespace edgescan::ui
