@@ -26,9 +26,9 @@ int run(const Convert& convert) {
         complain(opened.error());
         return kRefused;
     }
-    Frame frame;
-    frame.scan = std::make_shared<const Scan>(std::move(*opened));
-    const Scan& scan = *frame.scan;
+    Detection detection;
+    detection.scan = std::make_shared<const Scan>(std::move(*opened));
+    const Scan& scan = *detection.scan;
     // In the scanner's frame a scan opens again as it was, its place beside it.
     const ExportOptions options = exportOptions(convert.write, CoordinateFrame::Scanner);
     const std::vector<std::string> lost =
@@ -36,7 +36,7 @@ int run(const Convert& convert) {
     for (const auto& sentences : {scan.warnings, lost}) {
         for (const std::string& sentence : sentences) std::cerr << "edgescan-cli: " << convert.in << ": " << sentence << '\n';
     }
-    const auto saved = exportWithProvenance(ExportContent::WholeScan, frame, convert.out, options);
+    const auto saved = exportWithProvenance(ExportContent::WholeScan, detection, convert.out, options);
     if (saved) return kDone;
     complain(saved.error());
     return kRefused;

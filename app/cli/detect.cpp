@@ -51,8 +51,8 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
     return out;
 }
 
-Result<Done> writeOutputs(const Outputs& out, const Frame& frame, const WriteFlags& write, double loadMs, bool several) {
-    const ExportOptions options = exportOptions(write, usualFrame(*frame.scan));
+Result<Done> writeOutputs(const Outputs& out, const Detection& detection, const WriteFlags& write, double loadMs, bool several) {
+    const ExportOptions options = exportOptions(write, usualFrame(*detection.scan));
     const std::vector<std::pair<ExportContent, std::string>> exports{{ExportContent::EdgeImage, out.mask},
                                                                      {ExportContent::GrayImage, out.gray},
                                                                      {ExportContent::RangeImage, out.range},
@@ -61,12 +61,12 @@ Result<Done> writeOutputs(const Outputs& out, const Frame& frame, const WriteFla
     std::optional<Error> failure; // the others are still written
     for (const auto& [content, path] : exports) {
         if (path.empty()) continue;
-        const auto written = exportWithProvenance(content, frame, path, options);
+        const auto written = exportWithProvenance(content, detection, path, options);
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
-    const nlohmann::ordered_json report = detectReport(frame, loadMs);
+    const nlohmann::ordered_json report = detectReport(detection, loadMs);
     if (out.json != "-") return writeWholeFile(out.json, reportText(report, true) + "\n");
     std::cout << reportText(report, !several) << '\n';
     return Done{};
@@ -83,14 +83,15 @@ Result<Done> detectOne(const Detect& detect, const std::string& file, bool sever
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const Result<Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
-    const Outputs out = outputsOf(detect, *frame->scan);
+    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const Outputs out = outputsOf(detect, *detection->scan);
     if (nothingAskedFor(out)) {
-        std::cout << file << ": " << frame->edges->size() << " edge cells of " << frame->scan->cells() << " (" << frame->scan->lines()
-                  << " lines x " << frame->scan->beams() << " beams), " << fixedText(frame->totalMs, 1) << " ms\n";
+        std::cout << file << ": " << detection->edges->size() << " edge cells of " << detection->scan->cells() << " ("
+                  << detection->scan->lines() << " lines x " << detection->scan->beams() << " beams), " << fixedText(detection->totalMs, 1)
+                  << " ms\n";
         return Done{};
     }
-    return writeOutputs(out, *frame, detect.write, loadMs, several);
+    return writeOutputs(out, *detection, detect.write, loadMs, several);
 }
 
 // One output file cannot hold the results of several scans.

@@ -81,8 +81,8 @@ int run(const ReplayWanted& wanted) {
         complain(placed.error());
         return kRefused;
     }
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(scan)), *settings);
-    std::cout << reportText({{"result", detectReport(*frame, 0.0)}}, false) << '\n';
+    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(scan)), *settings);
+    std::cout << reportText({{"result", detectReport(*detection, 0.0)}}, false) << '\n';
     return kDone;
 }
 

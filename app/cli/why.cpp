@@ -29,9 +29,9 @@ Result<Done> explain(const WhyFlags& flags) {
     }
     const Result<Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
-    const Why why = whyCell(*frame, frame->scan->rangeMm.index(flags.line, flags.beam));
-    std::cout << reportText(whyReport(*frame, why), true) << '\n';
+    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const Why why = whyCell(*detection, detection->scan->rangeMm.index(flags.line, flags.beam));
+    std::cout << reportText(whyReport(*detection, why), true) << '\n';
     return Done{};
 }
 

@@ -70,7 +70,7 @@ void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int li
         QApplication::exit(written ? 0 : 1);
     };
     QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, lines] {
-        if (window.session().picture()->frame->scan->lines() >= lines) QTimer::singleShot(kRestMs, &window, write);
+        if (window.session().picture()->detection->scan->lines() >= lines) QTimer::singleShot(kRestMs, &window, write);
     });
     QObject::connect(&window.session(), &ui::Session::failed, &window, [](const QString& sentence) {
         std::cerr << "edgescan: " << sentence.toStdString() << '\n';

@@ -29,14 +29,14 @@ std::string withoutUnit(const std::string& key) {
 
 } // namespace
 
-JsonFields::JsonFields(const PlainJson& object, std::string where, std::string todo)
-    : object_(object), where_(std::move(where)), todo_(std::move(todo)), problem_(std::make_shared<std::optional<Error>>()) {}
+JsonFields::JsonFields(const PlainJson& object, std::string where, std::string hint)
+    : object_(object), where_(std::move(where)), hint_(std::move(hint)), problem_(std::make_shared<std::optional<Error>>()) {}
 
 JsonFields::JsonFields(PlainJson object, std::string prefix, const JsonFields& parent)
-    : object_(std::move(object)), where_(parent.where_), todo_(parent.todo_), prefix_(std::move(prefix)), problem_(parent.problem_) {}
+    : object_(std::move(object)), where_(parent.where_), hint_(parent.hint_), prefix_(std::move(prefix)), problem_(parent.problem_) {}
 
 void JsonFields::refuse(const std::string& key, const std::string& what) {
-    if (!*problem_) *problem_ = Error{"\"" + prefix_ + key + "\" " + what, where_, todo_};
+    if (!*problem_) *problem_ = Error{"\"" + prefix_ + key + "\" " + what, where_, hint_};
 }
 
 bool JsonFields::has(const char* key) {
@@ -66,7 +66,7 @@ double JsonFields::neededNumber(const char* key, NumberLimits limits) {
     return checked(at(key), key, limits);
 }
 
-bool JsonFields::truth(const char* key, bool missing) {
+bool JsonFields::boolean(const char* key, bool missing) {
     if (!has(key)) return missing;
     if (!at(key).is_boolean()) return refuse(key, "must be true or false"), missing;
     return at(key).get<bool>();

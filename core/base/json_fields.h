@@ -23,13 +23,13 @@ struct NumberLimits {
 /// One object. A key that is asked for is a known key; done() refuses all others. Objects inside share the first error.
 class JsonFields {
 public:
-    /// `where` is the path of the file; `todo` what to do about any error.
-    JsonFields(const nlohmann::json& object, std::string where, std::string todo);
+    /// `where` is the path of the file; `hint` what to do about any error.
+    JsonFields(const nlohmann::json& object, std::string where, std::string hint);
 
     [[nodiscard]] bool has(const char* key);
     [[nodiscard]] double number(const char* key, double missing, NumberLimits limits = {});
     [[nodiscard]] double neededNumber(const char* key, NumberLimits limits = {});
-    [[nodiscard]] bool truth(const char* key, bool missing);
+    [[nodiscard]] bool boolean(const char* key, bool missing);
     [[nodiscard]] std::string text(const char* key, const std::string& missing = {});
     /// One of the words; the index of the first word when the key is missing.
     [[nodiscard]] std::size_t choice(const char* key, const std::vector<std::string>& words);
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] double checked(const nlohmann::json& value, const std::string& key, NumberLimits limits);
 
     nlohmann::json object_;
-    std::string where_, todo_, prefix_;
+    std::string where_, hint_, prefix_;
     std::vector<std::string> known_;
     std::shared_ptr<std::optional<Error>> problem_;
 };

@@ -11,12 +11,12 @@ namespace edgescan {
 struct Error {
     std::string what;  ///< what is wrong, without a final stop
     std::string where; ///< where it is wrong
-    std::string todo;  ///< what the person can do about it, without a final stop
+    std::string hint;  ///< what the person can do about it, without a final stop
 
-    /// "where: what; todo."
+    /// "where: what; hint."
     [[nodiscard]] std::string sentence() const {
         std::string text = where.empty() ? what : where + ": " + what;
-        if (!todo.empty()) text += "; " + todo;
+        if (!hint.empty()) text += "; " + hint;
         return text + ".";
     }
 };

@@ -129,7 +129,7 @@ inline std::string answerBytes(const Result<PeerEdges>& answer) {
     MessageWriter out;
     out.value(static_cast<bool>(answer));
     if (!answer) {
-        for (const std::string& text : {answer.error().what, answer.error().where, answer.error().todo}) out.text(text);
+        for (const std::string& text : {answer.error().what, answer.error().where, answer.error().hint}) out.text(text);
         return out.bytes();
     }
     out.grid(answer->mask);

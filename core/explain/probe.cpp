@@ -6,8 +6,8 @@
 
 namespace edgescan {
 
-Probe probeCell(const Frame& frame, std::size_t k) {
-    const Scan& scan = *frame.scan;
+Probe probeCell(const Detection& detection, std::size_t k) {
+    const Scan& scan = *detection.scan;
     const auto beams = static_cast<std::size_t>(scan.beams());
     Probe probe;
     probe.cell = static_cast<std::uint32_t>(k);
@@ -19,11 +19,11 @@ Probe probeCell(const Frame& frame, std::size_t k) {
     }
     probe.state = scan.state[k];
     probe.rangeMm = scan.rangeMm[k];
-    probe.gray = frame.gray->levels[k];
+    probe.gray = detection.gray->levels[k];
     probe.pointM = pointOfCell(scan, k);
     if (scan.placement && probe.state == CellState::Valid) probe.mineM = minePoint(scan, k).enhM;
-    probe.edge = (*frame.mask)[k] != 0;
-    if (frame.classes) probe.kind = (*frame.classes)[k];
+    probe.edge = (*detection.mask)[k] != 0;
+    if (detection.classes) probe.kind = (*detection.classes)[k];
     return probe;
 }
 

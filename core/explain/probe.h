@@ -22,7 +22,7 @@ struct Probe {
     DepthEdge kind = DepthEdge::None; ///< of an edge, where the method tells classes apart
 };
 
-/// `k` must be a cell of the frame's scan.
-[[nodiscard]] Probe probeCell(const Frame& frame, std::size_t k);
+/// `k` must be a cell of the detection's scan.
+[[nodiscard]] Probe probeCell(const Detection& detection, std::size_t k);
 
 } // namespace edgescan

@@ -71,9 +71,9 @@ Standing standingOf(double strength, const Why& why) {
 }
 
 // Canny on levels or log range. Returns the suppressed strengths.
-Grid<float> judgeGradient(Why& why, const Frame& frame) {
-    const Settings& settings = frame.settings;
-    const Gradient gradient = gradientOf(frame);
+Grid<float> judgeGradient(Why& why, const Detection& detection) {
+    const Settings& settings = detection.settings;
+    const Gradient gradient = gradientOf(detection);
     const bool logRange = settings.method == Method::LogRange;
     why.lower = logRange ? logRangeGradientOfStep(settings.stepPercent, settings) : settings.lower;
     why.upper = settings.ratio * why.lower;
@@ -94,8 +94,8 @@ Grid<float> judgeGradient(Why& why, const Frame& frame) {
     for (const int sign : {-1, 1}) {
         const int line = why.probe.line + sign * along.lineStep;
         const int beam = why.probe.beam + sign * along.beamStep;
-        if (why.suppressedBy || !frame.scan->rangeMm.contains(line, beam)) continue;
-        const double other = strengthAt(frame.scan->rangeMm.index(line, beam));
+        if (why.suppressedBy || !detection.scan->rangeMm.contains(line, beam)) continue;
+        const double other = strengthAt(detection.scan->rangeMm.index(line, beam));
         const bool outdone = sign > 0 && along.tieIsKept ? why.strength >= other : why.strength > other;
         if (!outdone && other > why.lower) why.suppressedBy = CellStrength{line, beam, other};
     }
@@ -105,10 +105,10 @@ Grid<float> judgeGradient(Why& why, const Frame& frame) {
     return strength;
 }
 
-void judgeResponse(Why& why, const Frame& frame) {
-    const Settings& settings = frame.settings;
-    const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
-    const Grid<std::uint8_t>& levels = frame.smoothed ? *frame.smoothed : frame.gray->levels;
+void judgeResponse(Why& why, const Detection& detection) {
+    const Settings& settings = detection.settings;
+    const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
+    const Grid<std::uint8_t>& levels = detection.smoothed ? *detection.smoothed : detection.gray->levels;
     const Grid<std::uint8_t>* missing = masked.size() > 0 ? &masked : nullptr;
     why.strength = detectorResponse(settings.method, levels, missing, settings)[why.probe.cell];
     const MaskDirection direction = maskDirection(settings.method, levels, missing, why.probe.line, why.probe.beam);
@@ -120,15 +120,15 @@ void judgeResponse(Why& why, const Frame& frame) {
 }
 
 // EdgeScan+ and its parts. Returns the suppressed strengths.
-Grid<float> judgeDepth(Why& why, const Frame& frame) {
-    const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
-    const DepthResponses own = frame.responses ? DepthResponses{} : depthResponses(*frame.scan, settings);
-    const DepthResponses& responses = frame.responses ? *frame.responses : own;
+Grid<float> judgeDepth(Why& why, const Detection& detection) {
+    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    const DepthResponses own = detection.responses ? DepthResponses{} : depthResponses(*detection.scan, settings);
+    const DepthResponses& responses = detection.responses ? *detection.responses : own;
     DepthEdges found = decideDepthEdges(responses, settings);
     const std::size_t k = why.probe.cell;
     why.upper = settings.sensitivity;
     why.lower = settings.sensitivity * settings.hysteresisLow;
-    why.depth = probeDepth(*frame.scan, settings, why.probe.line, why.probe.beam);
+    why.depth = probeDepth(*detection.scan, settings, why.probe.line, why.probe.beam);
     const ThinnedStrength& jump = why.depth->jump;
     const ThinnedStrength& crease = why.depth->crease;
     // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.
@@ -167,30 +167,30 @@ void tellInPercent(Why& why, const Settings& settings) {
 
 } // namespace
 
-Why whyCell(const Frame& frame, std::size_t k) {
-    const Settings& settings = frame.settings;
+Why whyCell(const Detection& detection, std::size_t k) {
+    const Settings& settings = detection.settings;
     Why why;
-    why.probe = probeCell(frame, k);
+    why.probe = probeCell(detection, k);
     why.parameter = sweptParameter(settings.method);
     why.unit = findParameter(why.parameter)->unit;
     const bool gray = settings.method == Method::Canny || hasOneThreshold(settings.method);
     if (gray) {
-        const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
+        const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
         why.takesPart = masked.size() == 0 || masked[k] == 0;
     } else {
-        why.takesPart = withoutOwnRange(*frame.scan)[k] == 0;
+        why.takesPart = withoutOwnRange(*detection.scan)[k] == 0;
     }
-    if (frame.smoothed) why.smoothed = (*frame.smoothed)[k];
+    if (detection.smoothed) why.smoothed = (*detection.smoothed)[k];
     if (hasOneThreshold(settings.method)) {
-        judgeResponse(why, frame);
+        judgeResponse(why, detection);
     } else {
         const bool gradient = gray || settings.method == Method::LogRange;
-        const Grid<float> strength = gradient ? judgeGradient(why, frame) : judgeDepth(why, frame);
+        const Grid<float> strength = gradient ? judgeGradient(why, detection) : judgeDepth(why, detection);
         why.standing = standingOf(strength[k], why);
         followChain(why, strength);
         if (settings.method == Method::LogRange) tellInPercent(why, settings);
     }
-    const double highest = thresholdMapOf(frame).highest[k];
+    const double highest = thresholdMapOf(detection).highest[k];
     const Parameter& parameter = *findParameter(why.parameter);
     if (highest >= 0) {
         const double limited = std::min(roundedDown(highest, parameter), parameter.maximum);

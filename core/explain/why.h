@@ -39,8 +39,8 @@ struct Why {
     std::string verdict;                      ///< one sentence, with the key of the parameter as typed on the command line
 };
 
-/// `k` must be a cell of the frame's scan. Runs the method's stages again: about as costly as the frame itself.
-[[nodiscard]] Why whyCell(const Frame& frame, std::size_t k);
+/// `k` must be a cell of the detection's scan. Runs the method's stages again: about as costly as the detection itself.
+[[nodiscard]] Why whyCell(const Detection& detection, std::size_t k);
 
 /// How parameters are called: by the flags of the command line, or by the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };

@@ -21,7 +21,7 @@ constexpr double kMountingToleranceDeg = 10.0; // more between calibrated and id
 
 std::string shortNumber(double value) { return significantText(value, 3); }
 
-Error refused(const PoseTrack& poses, std::string what, std::string todo) { return {std::move(what), poses.source, std::move(todo)}; }
+Error refused(const PoseTrack& poses, std::string what, std::string hint) { return {std::move(what), poses.source, std::move(hint)}; }
 
 Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, const PoseTrack& poses) {
     if (!poses.robot.empty() && !calibration.robot.empty() && poses.robot != calibration.robot) {
@@ -44,7 +44,7 @@ Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, cons
                               const Vector3d& originEnhM) {
     Result<PitchRoll> head = PitchRoll{tilt.tiltXDeg, tilt.tiltYDeg};
     if (c.tilt == TiltReading::Elevations) head = pitchRollOfElevations(tilt.tiltXDeg, tilt.tiltYDeg);
-    if (!head) return refused(poses, head.error().what, head.error().todo);
+    if (!head) return refused(poses, head.error().what, head.error().hint);
     const double heading = talin.trueNorth ? gridHeadingDeg(talin.headingDeg, c.convergenceDeg) : talin.headingDeg;
     MomentPose moment;
     moment.inclinometerFromAxisBase = inclinometerFromAxisBase(c);
@@ -58,7 +58,7 @@ Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, cons
     moment.nedFromVehicle = nedFromVehicle(heading, talin.pitchDeg, talin.rollDeg);
     moment.talinEnhM = talin.enhM;
     auto pose = localFromAxisBase(moment, originEnhM, c.gridScale);
-    if (!pose) return refused(poses, pose.error().what, pose.error().todo);
+    if (!pose) return refused(poses, pose.error().what, pose.error().hint);
     return pose;
 }
 
@@ -185,7 +185,7 @@ Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::pa
     const auto robotSource = sourceOf(calibration);
     if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();
     const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
-    if (!placed) return Error{placed.error().what, pose.string(), placed.error().todo};
+    if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
     auto named = std::make_shared<Placement>(**placed);
     named->source = *poseSource + " with " + *robotSource;
     return std::shared_ptr<const Placement>(named);

@@ -76,7 +76,7 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.source = fields.text("source");
     p.timeUtc = fields.text("time");
     p.ageSeconds = fields.number("age_s", std::numeric_limits<double>::quiet_NaN());
-    p.outOfSpec = fields.truth("out_of_spec", false);
+    p.outOfSpec = fields.boolean("out_of_spec", false);
     p.warnings = fields.texts("warnings");
     JsonFields stepper = fields.object("stepper");
     if (stepper.has("mover_from_sensor") && isTransform(object["stepper"]["mover_from_sensor"]))

@@ -51,7 +51,7 @@ Result<OpenOptions> parseOpenOptions(const std::string& json, const std::string&
     if (fields.has("sensor")) options.sensorM = fields.neededVector("sensor");
     const std::size_t projection = fields.choice("project", {"auto", "always", "never"});
     options.projection = projection == 0 ? Projection::Auto : projection == 1 ? Projection::Always : Projection::Never;
-    options.straighten = fields.truth("straighten", false);
+    options.straighten = fields.boolean("straighten", false);
     options.scanIndex = static_cast<std::size_t>(fields.number("scan", 0, {0, 1e6}));
     fields.done();
     if (fields.problem()) return *fields.problem();

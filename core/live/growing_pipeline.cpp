@@ -15,7 +15,8 @@ bool near(double a, double b) { return std::abs(a - b) <= kWindowShare * std::ma
 
 } // namespace
 
-std::shared_ptr<const Frame> GrowingPipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings, const Growth& growth) {
+std::shared_ptr<const Detection> GrowingPipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings,
+                                                      const Growth& growth) {
     try {
         if (growth.growing && growth.id != 0 && scan->cells() > 0) return grow(scan, settings, growth);
         last_ = nullptr;
@@ -28,8 +29,8 @@ std::shared_ptr<const Frame> GrowingPipeline::run(const std::shared_ptr<const Sc
     }
 }
 
-std::shared_ptr<const Frame> GrowingPipeline::grow(const std::shared_ptr<const Scan>& scan, const Settings& settings,
-                                                   const Growth& growth) {
+std::shared_ptr<const Detection> GrowingPipeline::grow(const std::shared_ptr<const Scan>& scan, const Settings& settings,
+                                                       const Growth& growth) {
     const Settings fixed = fixedWindow(*scan, settings, growth.id);
     if (last_ && last_->scan == scan && last_->settings == fixed) return last_;
     if (!edges_ || edgesOf_ != growth.id || !(edges_->settings() == fixed)) {
@@ -39,7 +40,7 @@ std::shared_ptr<const Frame> GrowingPipeline::grow(const std::shared_ptr<const S
     }
     if (!edges_) return last_ = pipeline_.run(scan, fixed);
     edges_->update(*scan);
-    return last_ = edges_->frame(scan);
+    return last_ = edges_->detection(scan);
 }
 
 Settings GrowingPipeline::fixedWindow(const Scan& scan, const Settings& settings, std::uint64_t id) {

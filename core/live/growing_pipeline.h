@@ -21,17 +21,17 @@ struct Growth {
 /// Not for several threads at once.
 class GrowingPipeline {
 public:
-    /// The result is that of detectEdges() with the settings that the frame names. While a scan grows, a window that depends on the
+    /// The result is that of detectEdges() with the settings that the detection names. While a scan grows, a window that depends on the
     /// ranges (automatic near and far, the scaling of the thesis) is fixed; it is looked at again only when the lines have doubled, and
     /// changes only when it is more than a tenth off. A scan that grows no more gets the settings as they are.
-    std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings, const Growth& growth = {});
+    std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings, const Growth& growth = {});
 
 private:
-    std::shared_ptr<const Frame> grow(const std::shared_ptr<const Scan>& scan, const Settings& settings, const Growth& growth);
+    std::shared_ptr<const Detection> grow(const std::shared_ptr<const Scan>& scan, const Settings& settings, const Growth& growth);
     Settings fixedWindow(const Scan& scan, const Settings& settings, std::uint64_t id);
 
     Pipeline pipeline_;
-    std::shared_ptr<const Frame> last_;
+    std::shared_ptr<const Detection> last_;
     std::optional<LiveEdges> edges_;
     std::uint64_t edgesOf_ = 0; // growth
 

@@ -123,17 +123,17 @@ void LiveEdges::takeMasked(const Scan& scan, int first) {
     for (std::size_t k = 0; k < alone.size(); ++k) masked_[from + k] |= alone[k];
 }
 
-std::shared_ptr<const Frame> LiveEdges::frame(const std::shared_ptr<const Scan>& scan) const {
+std::shared_ptr<const Detection> LiveEdges::detection(const std::shared_ptr<const Scan>& scan) const {
     const auto start = std::chrono::steady_clock::now();
-    Frame frame;
-    frame.scan = scan;
-    frame.settings = settings_;
-    frame.gray = std::make_shared<const GrayImage>(GrayImage{gray_, scale_, saturated_});
-    frame.smoothed = std::make_shared<const Grid<std::uint8_t>>(smoothed_);
-    frame.mask = std::make_shared<const Grid<std::uint8_t>>(mask());
-    frame.edges = std::make_shared<const std::vector<std::uint32_t>>(edgeCells(mask()));
-    frame.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return std::make_shared<const Frame>(std::move(frame));
+    Detection detection;
+    detection.scan = scan;
+    detection.settings = settings_;
+    detection.gray = std::make_shared<const GrayImage>(GrayImage{gray_, scale_, saturated_});
+    detection.smoothed = std::make_shared<const Grid<std::uint8_t>>(smoothed_);
+    detection.mask = std::make_shared<const Grid<std::uint8_t>>(mask());
+    detection.edges = std::make_shared<const std::vector<std::uint32_t>>(edgeCells(mask()));
+    detection.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return std::make_shared<const Detection>(std::move(detection));
 }
 
 } // namespace edgescan

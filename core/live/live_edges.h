@@ -33,7 +33,7 @@ public:
     [[nodiscard]] int unsettledRows() const;
 
     /// As detectEdges() gives it. `scan` must be the one of the last update.
-    [[nodiscard]] std::shared_ptr<const Frame> frame(const std::shared_ptr<const Scan>& scan) const;
+    [[nodiscard]] std::shared_ptr<const Detection> detection(const std::shared_ptr<const Scan>& scan) const;
 
 private:
     explicit LiveEdges(const Settings& settings);

@@ -138,7 +138,7 @@ Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Cloc
         pause(duration);
         return !s.stop;
     });
-    if (!addresses) return Error{addresses.error().what, s.where, addresses.error().todo};
+    if (!addresses) return Error{addresses.error().what, s.where, addresses.error().hint};
     Result<Done> outcome = Error{"the name has no address", s.where, "use the scanner's IP address"};
     for (const std::string& address : *addresses) {
         error_code problem;

@@ -18,7 +18,7 @@ struct StageTime {
     double milliseconds = 0.0;
 };
 
-struct Frame {
+struct Detection {
     std::shared_ptr<const Scan> scan;
     Settings settings;
     std::shared_ptr<const GrayImage> gray;
@@ -32,6 +32,6 @@ struct Frame {
 };
 
 /// Edge cells by DepthEdge; all 0 where the method tells no classes apart.
-[[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Frame& frame);
+[[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection);
 
 } // namespace edgescan

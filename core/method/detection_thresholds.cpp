@@ -26,24 +26,24 @@ bool sameThresholdMap(const Settings& a, const Settings& b) {
     return like == b;
 }
 
-Gradient gradientOf(const Frame& frame) {
-    const Settings& settings = frame.settings;
-    if (settings.method == Method::LogRange) return logRangeGradient(*frame.scan, settings);
-    const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
-    return sobelGradient(*frame.smoothed, masked.size() > 0 ? &masked : nullptr, settings.aperture);
+Gradient gradientOf(const Detection& detection) {
+    const Settings& settings = detection.settings;
+    if (settings.method == Method::LogRange) return logRangeGradient(*detection.scan, settings);
+    const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
+    return sobelGradient(*detection.smoothed, masked.size() > 0 ? &masked : nullptr, settings.aperture);
 }
 
-ThresholdMap thresholdMapOf(const Frame& frame) {
-    const Settings& settings = frame.settings;
-    if (settings.method == Method::LogRange) return logRangeThresholdMap(*frame.scan, settings);
-    if (settings.method == Method::Canny) return cannyThresholdMap(gradientOf(frame), settings);
+ThresholdMap thresholdMapOf(const Detection& detection) {
+    const Settings& settings = detection.settings;
+    if (settings.method == Method::LogRange) return logRangeThresholdMap(*detection.scan, settings);
+    if (settings.method == Method::Canny) return cannyThresholdMap(gradientOf(detection), settings);
     if (hasOneThreshold(settings.method)) {
-        const Grid<std::uint8_t> masked = maskedCells(*frame.scan, settings);
-        const Grid<std::uint8_t>& levels = frame.smoothed ? *frame.smoothed : frame.gray->levels;
+        const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
+        const Grid<std::uint8_t>& levels = detection.smoothed ? *detection.smoothed : detection.gray->levels;
         return responseThresholdMap(detectorResponse(settings.method, levels, masked.size() > 0 ? &masked : nullptr, settings));
     }
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    const DepthResponses responses = frame.responses ? *frame.responses : depthResponses(*frame.scan, depth);
+    const DepthResponses responses = detection.responses ? *detection.responses : depthResponses(*detection.scan, depth);
     ThresholdMap map = linkedThresholdMap(decideDepthEdges(responses, depth).strength, depth.hysteresisLow, depth.minimumLength);
     if (depth.border) {
         for (const std::uint32_t k : responses.border) map.highest[k] = std::numeric_limits<double>::infinity();

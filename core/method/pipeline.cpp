@@ -44,10 +44,10 @@ Grid<std::uint8_t> missingOrIsolated(const Scan& scan, const Grid<std::uint8_t>&
 
 // Runs one stage into `slot`, and notes its time.
 template <class T, class Stage>
-void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage stage) {
+void redo(Detection& detection, const char* name, std::shared_ptr<const T>& slot, Stage stage) {
     const auto start = Clock::now();
     slot = std::make_shared<const T>(stage());
-    frame.timings.push_back({name, millisecondsSince(start)});
+    detection.timings.push_back({name, millisecondsSince(start)});
 }
 
 } // namespace
@@ -55,71 +55,72 @@ void redo(Frame& frame, const char* name, std::shared_ptr<const T>& slot, Stage 
 Pipeline::Pipeline() { cv::setNumThreads(0); }
 
 // Cells that take no part; null when all do.
-const Grid<std::uint8_t>* Pipeline::masked(Frame& frame) {
-    if (!frame.settings.maskMissing) return nullptr;
-    if (!missing_) redo(frame, "missing", missing_, [&] { return missingCells(*frame.scan); });
-    if (!frame.settings.maskIsolated) return missing_.get();
-    if (!isolated_) redo(frame, "isolated", isolated_, [&] { return missingOrIsolated(*frame.scan, *missing_); });
+const Grid<std::uint8_t>* Pipeline::masked(Detection& detection) {
+    if (!detection.settings.maskMissing) return nullptr;
+    if (!missing_) redo(detection, "missing", missing_, [&] { return missingCells(*detection.scan); });
+    if (!detection.settings.maskIsolated) return missing_.get();
+    if (!isolated_) redo(detection, "isolated", isolated_, [&] { return missingOrIsolated(*detection.scan, *missing_); });
     return isolated_.get();
 }
 
-// Levels, smoothing, gradient: what holds from the last frame stays.
-void Pipeline::runGray(Frame& frame, bool smoothHolds) {
-    const Settings& settings = frame.settings;
-    const Grid<std::uint8_t>* missing = masked(frame);
-    const Grid<std::uint8_t>& levels = frame.gray->levels;
+// Levels, smoothing, gradient: what holds from the last detection stays.
+void Pipeline::runGray(Detection& detection, bool smoothHolds) {
+    const Settings& settings = detection.settings;
+    const Grid<std::uint8_t>* missing = masked(detection);
+    const Grid<std::uint8_t>& levels = detection.gray->levels;
     const bool smoothed = !smoothsItself(settings.method);
-    if (smoothed && smoothHolds && last_->smoothed) frame.smoothed = last_->smoothed;
-    if (smoothed && !frame.smoothed)
-        redo(frame, "smooth", frame.smoothed,
+    if (smoothed && smoothHolds && last_->smoothed) detection.smoothed = last_->smoothed;
+    if (smoothed && !detection.smoothed)
+        redo(detection, "smooth", detection.smoothed,
              [&] { return missing != nullptr ? smoothAroundHoles(levels, *missing, settings) : smooth(levels, settings); });
     if (settings.method == Method::Canny) {
-        redo(frame, "canny", frame.mask,
-             [&] { return missing != nullptr ? cannyAroundHoles(*frame.smoothed, *missing, settings) : canny(*frame.smoothed, settings); });
+        redo(detection, "canny", detection.mask, [&] {
+            return missing != nullptr ? cannyAroundHoles(*detection.smoothed, *missing, settings) : canny(*detection.smoothed, settings);
+        });
     } else {
-        redo(frame, "detector", frame.mask,
-             [&] { return detectorMask(settings.method, frame.smoothed ? *frame.smoothed : levels, missing, settings); });
+        redo(detection, "detector", detection.mask,
+             [&] { return detectorMask(settings.method, detection.smoothed ? *detection.smoothed : levels, missing, settings); });
     }
 }
 
-void Pipeline::runLogRange(Frame& frame) {
-    redo(frame, "log range", frame.mask, [&] { return logRangeEdges(*frame.scan, frame.settings); });
+void Pipeline::runLogRange(Detection& detection) {
+    redo(detection, "log range", detection.mask, [&] { return logRangeEdges(*detection.scan, detection.settings); });
 }
 
 // What was measured holds while only the decision is turned.
-void Pipeline::runDepth(Frame& frame) {
-    const DepthEdgeSettings settings = depthEdgeSettings(frame.settings);
-    if (!surface_ || measuredWith_.straighten != frame.settings.straighten)
-        redo(frame, "surface", surface_, [&] { return depthSurface(*frame.scan, settings.straighten); });
-    if (!responses_ || !sameResponses(measuredWith_, frame.settings))
-        redo(frame, "jumps and creases", responses_, [&] { return depthResponses(*surface_, settings); });
-    measuredWith_ = frame.settings;
+void Pipeline::runDepth(Detection& detection) {
+    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    if (!surface_ || measuredWith_.straighten != detection.settings.straighten)
+        redo(detection, "surface", surface_, [&] { return depthSurface(*detection.scan, settings.straighten); });
+    if (!responses_ || !sameResponses(measuredWith_, detection.settings))
+        redo(detection, "jumps and creases", responses_, [&] { return depthResponses(*surface_, settings); });
+    measuredWith_ = detection.settings;
     const auto start = Clock::now();
     DepthEdges found = decideDepthEdges(*responses_, settings);
-    frame.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
-    frame.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.kind));
-    frame.responses = responses_;
-    frame.timings.push_back({"decision", millisecondsSince(start)});
+    detection.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
+    detection.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.kind));
+    detection.responses = responses_;
+    detection.timings.push_back({"decision", millisecondsSince(start)});
 }
 
 // A hand on the threshold's slider: one map, and then a compare per cell.
-void Pipeline::runThreshold(Frame& frame) {
-    frame.smoothed = last_->smoothed;
-    if (!thresholds_) redo(frame, "threshold map", thresholds_, [&] { return thresholdMapOf(*last_); });
-    const Parameter& swept = *findParameter(sweptParameter(frame.settings.method));
-    redo(frame, "threshold", frame.mask, [&] { return edgesAt(*thresholds_, swept.get(frame.settings)); });
+void Pipeline::runThreshold(Detection& detection) {
+    detection.smoothed = last_->smoothed;
+    if (!thresholds_) redo(detection, "threshold map", thresholds_, [&] { return thresholdMapOf(*last_); });
+    const Parameter& swept = *findParameter(sweptParameter(detection.settings.method));
+    redo(detection, "threshold", detection.mask, [&] { return edgesAt(*thresholds_, swept.get(detection.settings)); });
 }
 
-std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+std::shared_ptr<const Detection> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const bool sameScan = last_ && last_->scan == scan;
     if (sameScan && last_->settings == settings) return last_;
     const auto start = Clock::now();
     const bool grayHolds = sameScan && sameGray(last_->settings, settings);
     const bool smoothHolds = grayHolds && sameSmoothing(last_->settings, settings);
-    Frame frame;
-    frame.scan = scan;
-    frame.settings = settings;
-    if (grayHolds) frame.gray = last_->gray;
+    Detection detection;
+    detection.scan = scan;
+    detection.settings = settings;
+    if (grayHolds) detection.gray = last_->gray;
     if (!sameScan) {
         missing_.reset();
         isolated_.reset();
@@ -127,32 +128,32 @@ std::shared_ptr<const Frame> Pipeline::run(const std::shared_ptr<const Scan>& sc
         responses_.reset();
     }
     // The gray image is what the edges are seen on, whatever the method.
-    if (!grayHolds) redo(frame, "gray", frame.gray, [&] { return grayImage(*scan, settings); });
+    if (!grayHolds) redo(detection, "gray", detection.gray, [&] { return grayImage(*scan, settings); });
     const bool gray = settings.method == Method::Canny || hasOneThreshold(settings.method);
     const bool onlyThreshold = sameScan && (gray || settings.method == Method::LogRange) && sameThresholdMap(last_->settings, settings);
     if (!onlyThreshold) thresholds_.reset();
     if (onlyThreshold)
-        runThreshold(frame);
+        runThreshold(detection);
     else if (gray)
-        runGray(frame, smoothHolds);
+        runGray(detection, smoothHolds);
     else if (settings.method == Method::LogRange)
-        runLogRange(frame);
+        runLogRange(detection);
     else
-        runDepth(frame);
-    redo(frame, "edge cells", frame.edges, [&] { return edgeCells(*frame.mask); });
-    frame.totalMs = millisecondsSince(start);
-    last_ = std::make_shared<const Frame>(std::move(frame));
+        runDepth(detection);
+    redo(detection, "edge cells", detection.edges, [&] { return edgeCells(*detection.mask); });
+    detection.totalMs = millisecondsSince(start);
+    last_ = std::make_shared<const Detection>(std::move(detection));
     return last_;
 }
 
-std::array<std::size_t, kDepthEdges> countClasses(const Frame& frame) {
+std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
     std::array<std::size_t, kDepthEdges> counts{};
-    if (!frame.classes) return counts;
-    for (const std::uint32_t k : *frame.edges) ++counts[static_cast<std::size_t>((*frame.classes)[k])];
+    if (!detection.classes) return counts;
+    for (const std::uint32_t k : *detection.edges) ++counts[static_cast<std::size_t>((*detection.classes)[k])];
     return counts;
 }
 
-std::shared_ptr<const Frame> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     return Pipeline().run(scan, settings);
 }
 

@@ -6,23 +6,23 @@
 
 namespace edgescan {
 
-/// Not for several threads at once; the frames it returns are.
+/// Not for several threads at once; the detections it returns are.
 class Pipeline {
 public:
     /// Switches OpenCV's thread pool off for the process: one worker thread is enough, and a pool makes its times jumpy.
     Pipeline();
 
-    /// The same scan pointer and settings give the last frame again. `scan` must not be null.
-    std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+    /// The same scan pointer and settings give the last detection again. `scan` must not be null.
+    std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 private:
-    void runGray(Frame& frame, bool smoothHolds);
-    static void runLogRange(Frame& frame);
-    void runDepth(Frame& frame);
-    void runThreshold(Frame& frame);
-    [[nodiscard]] const Grid<std::uint8_t>* masked(Frame& frame);
+    void runGray(Detection& detection, bool smoothHolds);
+    static void runLogRange(Detection& detection);
+    void runDepth(Detection& detection);
+    void runThreshold(Detection& detection);
+    [[nodiscard]] const Grid<std::uint8_t>* masked(Detection& detection);
 
-    std::shared_ptr<const Frame> last_;
+    std::shared_ptr<const Detection> last_;
     std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
     std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
     std::shared_ptr<const DepthSurface> surface_;        // of the scan of last_, null until wanted
@@ -32,6 +32,6 @@ private:
 };
 
 /// One run from nothing.
-[[nodiscard]] std::shared_ptr<const Frame> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+[[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 } // namespace edgescan

@@ -24,10 +24,9 @@ Worker::Run wholeMethod() {
 
 } // namespace
 
-Worker::Worker(std::function<void()> frameReady) : Worker(std::move(frameReady), wholeMethod()) {}
+Worker::Worker(std::function<void()> ready) : Worker(std::move(ready), wholeMethod()) {}
 
-Worker::Worker(std::function<void()> frameReady, Run run)
-    : frameReady_(std::move(frameReady)), run_(std::move(run)), thread_([this] { loop(); }) {}
+Worker::Worker(std::function<void()> ready, Run run) : ready_(std::move(ready)), run_(std::move(run)), thread_([this] { loop(); }) {}
 
 Worker::~Worker() {
     {
@@ -56,7 +55,7 @@ void Worker::post(const Settings& settings) {
     wake_.notify_one();
 }
 
-std::shared_ptr<const Frame> Worker::take() {
+std::shared_ptr<const Detection> Worker::take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(unread_, nullptr);
 }
@@ -81,21 +80,21 @@ void Worker::loop() {
         const std::shared_ptr<const Scan> scan = scan_;
         const Settings settings = settings_;
         lock.unlock();
-        std::shared_ptr<const Frame> frame;
+        std::shared_ptr<const Detection> detection;
         std::string failure;
         try {
-            if (scan) frame = run_(scan, settings);
+            if (scan) detection = run_(scan, settings);
         } catch (const std::exception& error) {
-            // The frame before stays on the screen; OpenCV reports a lack of memory in its own words.
+            // The detection before stays on the screen; OpenCV reports a lack of memory in its own words.
             failure = std::string("the edges could not be computed (") + error.what() + "); close other programs or open a smaller scan.";
         }
         lock.lock();
         running_ = false;
         failure_ = failure;
-        if (!frame && failure.empty()) continue;
-        if (frame) unread_ = std::move(frame);
+        if (!detection && failure.empty()) continue;
+        if (detection) unread_ = std::move(detection);
         lock.unlock();
-        frameReady_();
+        ready_();
         lock.lock();
     }
 }

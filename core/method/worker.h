@@ -1,4 +1,4 @@
-// The thread that runs the method. Newest wins, both ways: posting overwrites what waits, an unread frame is overwritten.
+// The thread that runs the method. Newest wins, both ways: posting overwrites what waits, an unread detection is overwritten.
 #pragma once
 
 #include "core/method/detection.h"
@@ -13,12 +13,12 @@ namespace edgescan {
 
 class Worker {
 public:
-    /// `frameReady` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it
+    /// `ready` is called on the worker's thread whenever take() or takeFailure() has something new; the next run waits until it
     /// returns.
-    explicit Worker(std::function<void()> frameReady);
+    explicit Worker(std::function<void()> ready);
     /// `run` is the method, called on the worker's thread; what it throws is told by takeFailure().
-    using Run = std::function<std::shared_ptr<const Frame>(const std::shared_ptr<const Scan>&, const Settings&)>;
-    Worker(std::function<void()> frameReady, Run run);
+    using Run = std::function<std::shared_ptr<const Detection>(const std::shared_ptr<const Scan>&, const Settings&)>;
+    Worker(std::function<void()> ready, Run run);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -27,19 +27,19 @@ public:
     void post(std::shared_ptr<const Scan> scan);
     void post(const Settings& settings);
 
-    /// The newest frame that nobody took yet, or null.
-    [[nodiscard]] std::shared_ptr<const Frame> take();
+    /// The newest detection that nobody took yet, or null.
+    [[nodiscard]] std::shared_ptr<const Detection> take();
 
-    /// Why the last run gave no frame (not enough memory ...); empty when it did. Asking clears it.
+    /// Why the last run gave no detection (not enough memory ...); empty when it did. Asking clears it.
     [[nodiscard]] std::string takeFailure();
 
-    /// Something was posted whose frame is not ready yet.
+    /// Something was posted whose detection is not ready yet.
     [[nodiscard]] bool busy() const;
 
 private:
     void loop();
 
-    std::function<void()> frameReady_;
+    std::function<void()> ready_;
     Run run_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
@@ -48,7 +48,7 @@ private:
     bool posted_ = false;
     bool running_ = false;
     bool stop_ = false;
-    std::shared_ptr<const Frame> unread_;
+    std::shared_ptr<const Detection> unread_;
     std::string failure_;
     std::thread thread_; // last: starts when all the rest is there
 };

@@ -33,9 +33,9 @@ nlohmann::ordered_json acquisitionToJson(const Acquisition& acquisition) {
 }
 
 Result<std::shared_ptr<const Acquisition>> acquisitionFromJson(const nlohmann::json& object, const std::string& where) {
-    const char* todo = "save the scan again, or remove \"acquisition\"";
-    if (!object.is_object()) return Error{"\"acquisition\" must be an object {...}", where, todo};
-    JsonFields fields(object, where, todo);
+    const char* hint = "save the scan again, or remove \"acquisition\"";
+    if (!object.is_object()) return Error{"\"acquisition\" must be an object {...}", where, hint};
+    JsonFields fields(object, where, hint);
     auto acquisition = std::make_shared<Acquisition>();
     for (const auto& [key, member] : kTexts) (*acquisition).*member = fields.text(key);
     acquisition->linesExpected = static_cast<int>(fields.number("lines_expected", 0, {0, 1e9}));

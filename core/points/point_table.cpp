@@ -330,7 +330,7 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
         text += about;
         text += ": ";
         text += grid.error().what;
-        return source.refused(withCoarseStep(text, table), grid.error().todo);
+        return source.refused(withCoarseStep(text, table), grid.error().hint);
     }
     Scan scan;
     scan.format = table.format;
@@ -357,7 +357,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     if (organised) return organisedScan(table, source);
     // Who names the axis knows of a grid; to project the points then would hide that it was not found.
     const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
-    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().todo);
+    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().hint);
     return projectedScan(table, source, grid.error());
 }
 

@@ -26,12 +26,12 @@ struct Source {
         return text;
     }
 
-    [[nodiscard]] Error refused(std::string what, std::string todo) const { return {std::move(what), path.string(), std::move(todo)}; }
-    [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string todo) const {
-        return {std::move(what), path.string() + ": line " + std::to_string(lineNumber), std::move(todo)};
+    [[nodiscard]] Error refused(std::string what, std::string hint) const { return {std::move(what), path.string(), std::move(hint)}; }
+    [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string hint) const {
+        return {std::move(what), path.string() + ": line " + std::to_string(lineNumber), std::move(hint)};
     }
-    [[nodiscard]] Error refusedAtByte(std::size_t byte, std::string what, std::string todo) const {
-        return {std::move(what), path.string() + ": byte " + std::to_string(byte), std::move(todo)};
+    [[nodiscard]] Error refusedAtByte(std::size_t byte, std::string what, std::string hint) const {
+        return {std::move(what), path.string() + ": byte " + std::to_string(byte), std::move(hint)};
     }
 
     /// False when the user has cancelled.

@@ -192,7 +192,7 @@ Result<Scan> readRawGridCounts(const Source& source) {
 Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const fs::path& path) {
     const Error refused{"", path.string(), "save it as PCD, which carries every scan"};
     if (!std::holds_alternative<PolarGeometry>(scan.geometry)) {
-        return Error{"a raw grid needs beam and line angles and this cloud has none", refused.where, refused.todo};
+        return Error{"a raw grid needs beam and line angles and this cloud has none", refused.where, refused.hint};
     }
     Counter counter(scan);
     std::string counts;
@@ -203,7 +203,7 @@ Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const fs::path& pa
             const std::string cell = "line " + std::to_string(k / static_cast<std::size_t>(scan.beams())) + ", beam " +
                                      std::to_string(k % static_cast<std::size_t>(scan.beams()));
             return Error{"a raw grid holds whole counts of its unit up to 65535, and the range at " + cell + " is none or means no return",
-                         refused.where, refused.todo};
+                         refused.where, refused.hint};
         }
         counts.push_back(static_cast<char>(*count & 255U));
         counts.push_back(static_cast<char>(*count >> 8U));

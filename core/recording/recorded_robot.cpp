@@ -196,8 +196,9 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
     for (const RecordedMessage& message : recording.messages()) {
         const bool talin = message.topic == RecordingTopic::Talin;
         if (!talin && message.topic != RecordingTopic::Inclinometer) continue;
-        const PlainJson reading =
-            message.payload.size() > kLongestReading ? PlainJson() : PlainJson::parse(message.payload.begin(), message.payload.end(), nullptr, false);
+        const PlainJson reading = message.payload.size() > kLongestReading
+                                      ? PlainJson()
+                                      : PlainJson::parse(message.payload.begin(), message.payload.end(), nullptr, false);
         if (!reading.is_object()) {
             ++unusable;
             continue;
@@ -289,7 +290,7 @@ Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const Op
     if (!asked) scan.warnings.insert(scan.warnings.end(), warnings.begin(), warnings.end());
     if (!known->poses || !known->calibration) return Done{};
     const auto placed = placeScan(scan, *known->calibration, *known->poses, times);
-    if (!placed && asked) return Error{placed.error().what, where, placed.error().todo};
+    if (!placed && asked) return Error{placed.error().what, where, placed.error().hint};
     if (!placed) {
         scan.warnings.push_back("The recording's pose cannot be used: " + placed.error().what + ".");
         return Done{};

@@ -167,8 +167,8 @@ std::string sealed(Json record) {
 
 bool recordIsWhole(const Json& record) { return record.is_object() && record.contains("record_sha256") && sealed(record) == ascii(record); }
 
-std::string exportRecord(ExportContent content, const Frame& frame, const ExportOptions& options) {
-    const Scan& scan = *frame.scan;
+std::string exportRecord(ExportContent content, const Detection& detection, const ExportOptions& options) {
+    const Scan& scan = *detection.scan;
     Json warnings = scan.warnings;
     if (scan.placement) {
         for (const std::string& warning : scan.placement->warnings) warnings.push_back(warning);
@@ -186,10 +186,10 @@ std::string exportRecord(ExportContent content, const Frame& frame, const Export
     if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (content != ExportContent::WholeScan) {
-        record["settings"] = settingsToJson(frame.settings);
-        record["edges"] = frame.edges->size();
-        record["classes"] = classesReport(frame);
-        record["edge_mask_sha256"] = maskSha256(*frame.mask);
+        record["settings"] = settingsToJson(detection.settings);
+        record["edges"] = detection.edges->size();
+        record["classes"] = classesReport(detection);
+        record["edge_mask_sha256"] = maskSha256(*detection.mask);
     }
     record["program"] = programOfRecords();
     record["warnings"] = warnings;

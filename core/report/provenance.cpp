@@ -41,10 +41,10 @@ struct Expected {
     std::optional<PointBounds> bounds;
 };
 
-Expected expectedOf(ExportContent content, const Frame& frame, const fs::path& path, const ExportOptions& options) {
+Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
     const bool points = isCloud(content) || (content == ExportContent::WholeScan && holdsPoints(saveFormatOf(path).value()));
-    if (!points) return Expected{frame.scan->cells(), std::nullopt};
-    const PointBounds bounds = pointsToWrite(content, frame, options);
+    if (!points) return Expected{detection.scan->cells(), std::nullopt};
+    const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
 }
 
@@ -95,23 +95,23 @@ Result<Done> readBack(const FileBytes& file, const Expected& expected) {
 
 } // namespace
 
-Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Frame& frame, const fs::path& path, const std::string& record,
-                                           const ExportOptions& options) {
-    const Scan& scan = *frame.scan;
-    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, frame.classes.get()};
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
+                                           const std::string& record, const ExportOptions& options) {
+    const Scan& scan = *detection.scan;
+    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get()};
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
         return std::vector<FileBytes>{{path, std::move(*bytes)}};
     };
     switch (content) {
     case ExportContent::EdgeCloud:
-        return one(edgeBytes(scan, *frame.mask, path, save));
+        return one(edgeBytes(scan, *detection.mask, path, save));
     case ExportContent::FullCloud:
-        return one(cloudBytes(scan, path, frame.mask.get(), save));
+        return one(cloudBytes(scan, path, detection.mask.get(), save));
     case ExportContent::EdgeImage:
-        return one(png8Bytes(*frame.mask, path.string(), record));
+        return one(png8Bytes(*detection.mask, path.string(), record));
     case ExportContent::GrayImage:
-        return one(png8Bytes(frame.gray->levels, path.string(), record));
+        return one(png8Bytes(detection.gray->levels, path.string(), record));
     case ExportContent::WholeScan:
         return scanFiles(scan, path, save);
     case ExportContent::RangeImage:
@@ -139,11 +139,12 @@ std::string embeddedRecord(std::string_view bytes) {
 
 fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }
 
-Result<std::size_t> exportWithProvenance(ExportContent content, const Frame& frame, const fs::path& path, const ExportOptions& options) {
-    const std::string record = exportRecord(content, frame, options);
-    const auto files = exportFiles(content, frame, path, record, options);
+Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const fs::path& path,
+                                         const ExportOptions& options) {
+    const std::string record = exportRecord(content, detection, options);
+    const auto files = exportFiles(content, detection, path, record, options);
     if (!files) return files.error();
-    const Expected expected = expectedOf(content, frame, path, options);
+    const Expected expected = expectedOf(content, detection, path, options);
     if (isDevice(path)) {
         if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
         if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();

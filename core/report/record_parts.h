@@ -35,7 +35,7 @@ struct PointBounds {
 };
 
 /// What a cloud should hold. The scan must have the place that the options ask for.
-[[nodiscard]] PointBounds pointsToWrite(ExportContent content, const Frame& frame, const ExportOptions& options);
+[[nodiscard]] PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options);
 
 /// What a file of points holds, by the reader of its format; empty when no reader gives the bare points of that format.
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path);

@@ -88,43 +88,45 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
     return report;
 }
 
-nlohmann::ordered_json detectReport(const Frame& frame, double loadMs) {
-    const Scan& scan = *frame.scan;
+nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
+    const Scan& scan = *detection.scan;
     json timings{{"load", tidy(loadMs, 1000)}};
-    for (const StageTime& time : frame.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
-    timings["total"] = tidy(loadMs + frame.totalMs, 1000);
-    const GrayScale& scale = frame.gray->scale;
+    for (const StageTime& time : detection.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
+    timings["total"] = tidy(loadMs + detection.totalMs, 1000);
+    const GrayScale& scale = detection.gray->scale;
     std::vector<std::string> warnings = scan.warnings;
-    if (scale.farMm <= scale.nearMm && frame.settings.method == Method::Canny)
+    if (scale.farMm <= scale.nearMm && detection.settings.method == Method::Canny)
         warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
-    json report{
-        {"input", scan.path},
-        {"sha256", scan.sha256},
-        {"lines", scan.lines()},
-        {"beams", scan.beams()},
-        {"cells", cellsReport(scan)},
-        {"range_mm", rangeReport(scan)},
-        {"settings", settingsToJson(frame.settings)},
-        {"upper", frame.settings.upper()},
-        {"gray",
-         {{"near_mm", scale.nearMm}, {"far_mm", scale.farMm}, {"logarithmic", scale.logarithmic}, {"saturated", frame.gray->saturated}}},
-        {"edges", frame.edges->size()},
-        {"classes", classesReport(frame)},
-        {"noise_mm_at_5_m", frame.responses ? json(tidy(frame.responses->noise.at(5.0), 1000)) : json()},
-        {"jump_mm", frame.responses ? json(tidy(frame.responses->jumpMm, 1000)) : json()},
-        {"edge_mask_sha256", maskSha256(*frame.mask)},
-        {"frame", scan.placement ? "mine grid" : "scanner"},
-        {"pose", poseReport(scan)},
-        {"attached_points", scan.attached.size()},
-        {"timings_ms", timings},
-        {"warnings", warnings},
-        {"version", version()}};
+    json report{{"input", scan.path},
+                {"sha256", scan.sha256},
+                {"lines", scan.lines()},
+                {"beams", scan.beams()},
+                {"cells", cellsReport(scan)},
+                {"range_mm", rangeReport(scan)},
+                {"settings", settingsToJson(detection.settings)},
+                {"upper", detection.settings.upper()},
+                {"gray",
+                 {{"near_mm", scale.nearMm},
+                  {"far_mm", scale.farMm},
+                  {"logarithmic", scale.logarithmic},
+                  {"saturated", detection.gray->saturated}}},
+                {"edges", detection.edges->size()},
+                {"classes", classesReport(detection)},
+                {"noise_mm_at_5_m", detection.responses ? json(tidy(detection.responses->noise.at(5.0), 1000)) : json()},
+                {"jump_mm", detection.responses ? json(tidy(detection.responses->jumpMm, 1000)) : json()},
+                {"edge_mask_sha256", maskSha256(*detection.mask)},
+                {"frame", scan.placement ? "mine grid" : "scanner"},
+                {"pose", poseReport(scan)},
+                {"attached_points", scan.attached.size()},
+                {"timings_ms", timings},
+                {"warnings", warnings},
+                {"version", version()}};
     return report;
 }
 
-nlohmann::ordered_json classesReport(const Frame& frame) {
-    if (!frame.classes) return nullptr;
-    const auto counts = countClasses(frame);
+nlohmann::ordered_json classesReport(const Detection& detection) {
+    if (!detection.classes) return nullptr;
+    const auto counts = countClasses(detection);
     return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}, {"border", counts[4]}};
 }
 

@@ -14,10 +14,10 @@ namespace edgescan {
 [[nodiscard]] nlohmann::ordered_json infoReport(const Scan& scan);
 
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
-[[nodiscard]] nlohmann::ordered_json detectReport(const Frame& frame, double loadMs);
+[[nodiscard]] nlohmann::ordered_json detectReport(const Detection& detection, double loadMs);
 
 /// {"jump": n, "convex": n, "concave": n, "border": n}, or null where the method tells no classes apart.
-[[nodiscard]] nlohmann::ordered_json classesReport(const Frame& frame);
+[[nodiscard]] nlohmann::ordered_json classesReport(const Detection& detection);
 
 /// The report as text, indented or on one line. A path that is not UTF-8 is told with replacement characters.
 [[nodiscard]] std::string reportText(const nlohmann::ordered_json& report, bool indented);

@@ -90,16 +90,16 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     return std::make_shared<const Scan>(std::move(*opened));
 }
 
-void compareResults(const Json& record, const Frame& frame, Verification& v) {
+void compareResults(const Json& record, const Detection& detection, Verification& v) {
     const std::string recorded = wordAt(record, "/edge_mask_sha256");
-    if (maskSha256(*frame.mask) != recorded) v.findings.emplace_back("The method finds other edges here than the record says.");
-    const Json cells = cellsReport(*frame.scan);
+    if (maskSha256(*detection.mask) != recorded) v.findings.emplace_back("The method finds other edges here than the record says.");
+    const Json cells = cellsReport(*detection.scan);
     if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
 }
 
 /// The scan and, unless it alone was exported, its edges.
-Result<std::shared_ptr<const Frame>> frameOf(const Json& record, ExportContent content, const std::optional<fs::path>& scansFolder,
-                                             Verification& v) {
+Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, ExportContent content, const std::optional<fs::path>& scansFolder,
+                                                     Verification& v) {
     const bool method = content != ExportContent::WholeScan;
     const auto settings = method ? settingsFromJson(nlohmann::json(at(record, "/settings")), cannySettings(), v.exported.string())
                                  : Result<Settings>(Settings{});
@@ -107,13 +107,13 @@ Result<std::shared_ptr<const Frame>> frameOf(const Json& record, ExportContent c
     const auto scan = scanOf(record, scansFolder, v);
     if (!scan) return scan.error();
     if (!method) {
-        auto bare = std::make_shared<Frame>();
+        auto bare = std::make_shared<Detection>();
         bare->scan = *scan;
-        return std::shared_ptr<const Frame>(bare);
+        return std::shared_ptr<const Detection>(bare);
     }
-    auto frame = detectEdges(*scan, *settings);
-    compareResults(record, *frame, v);
-    return frame;
+    auto detection = detectEdges(*scan, *settings);
+    compareResults(record, *detection, v);
+    return detection;
 }
 
 /// What may explain a difference.
@@ -198,9 +198,9 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
-    const auto frame = frameOf(*record, *content, scansFolder, v);
-    if (!frame) return frame.error();
-    const auto again = exportFiles(*content, **frame, exported, sealed(*record), options);
+    const auto detection = detectionOf(*record, *content, scansFolder, v);
+    if (!detection) return detection.error();
+    const auto again = exportFiles(*content, **detection, exported, sealed(*record), options);
     if (!again) return again.error();
     compareFiles(found, *again, *content, *record, v);
     v.identical = v.findings.empty();

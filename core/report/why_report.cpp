@@ -81,10 +81,10 @@ json linesOf(const std::string& text) {
 
 } // namespace
 
-nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
+nlohmann::ordered_json whyReport(const Detection& detection, const Why& why) {
     const Probe& probe = why.probe;
     const bool valid = probe.state == CellState::Valid;
-    json report{{"input", frame.scan->path},
+    json report{{"input", detection.scan->path},
                 {"line", probe.line},
                 {"beam", probe.beam},
                 {"state", cellStateName(probe.state)},
@@ -92,9 +92,9 @@ nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
                 {"gray", probe.gray},
                 {"smoothed", why.smoothed ? json(*why.smoothed) : json(nullptr)},
                 {"takes_part", why.takesPart},
-                {"method", formatValue(*findParameter("method"), static_cast<double>(frame.settings.method))},
+                {"method", formatValue(*findParameter("method"), static_cast<double>(detection.settings.method))},
                 {"edge", probe.edge},
-                {"class", probe.edge && frame.classes ? json(edgeClassName(probe.kind)) : json(nullptr)}};
+                {"class", probe.edge && detection.classes ? json(edgeClassName(probe.kind)) : json(nullptr)}};
     report["gradient"] = nullptr;
     if (why.alongBeams) {
         report["gradient"] = {{"along_beams", *why.alongBeams},
@@ -108,7 +108,7 @@ nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
     report["unit"] = why.unit;
     report["strength"] = why.strength;
     report["thresholds"] = {{"lower", why.lower}, {"upper", why.upper}};
-    const std::string meaning = thresholdText(frame.settings, frame.gray->scale);
+    const std::string meaning = thresholdText(detection.settings, detection.gray->scale);
     if (!meaning.empty()) report["thresholds"]["meaning"] = meaning;
     report["standing"] = standingName(why.standing);
     report["suppressed_by"] = why.suppressedBy ? cellReport(*why.suppressedBy) : json(nullptr);
@@ -118,7 +118,7 @@ nlohmann::ordered_json whyReport(const Frame& frame, const Why& why) {
     report["chain_strongest"] = why.chainTop ? cellReport(*why.chainTop) : json(nullptr);
     report["appears_at"] = why.appearsAt ? json{{why.parameter, *why.appearsAt}} : json(nullptr);
     report["verdict"] = why.verdict;
-    report["text"] = linesOf(whyText(why, frame.settings));
+    report["text"] = linesOf(whyText(why, detection.settings));
     return report;
 }
 

@@ -7,6 +7,6 @@
 
 namespace edgescan {
 
-[[nodiscard]] nlohmann::ordered_json whyReport(const Frame& frame, const Why& why);
+[[nodiscard]] nlohmann::ordered_json whyReport(const Detection& detection, const Why& why);
 
 } // namespace edgescan

@@ -51,10 +51,10 @@ Result<std::optional<PointBounds>> boundsOfPoints(const Result<std::vector<Eigen
 
 } // namespace
 
-PointBounds pointsToWrite(ExportContent content, const Frame& frame, const ExportOptions& options) {
+PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
-    return boundsOf(edges ? edgePoints(*frame.scan, *frame.mask, options.frame, options.includeAttached)
-                          : validPoints(*frame.scan, frame.mask.get(), options.frame, options.includeAttached));
+    return boundsOf(edges ? edgePoints(*detection.scan, *detection.mask, options.frame, options.includeAttached)
+                          : validPoints(*detection.scan, detection.mask.get(), options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {

@@ -290,7 +290,7 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
         else if (value.is_number())
             text = shortestText(value.get<double>());
         const Result<double> parsed = parseValue(*parameter, text);
-        if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().todo};
+        if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().hint};
         parameter->set(settings, *parsed);
     }
     return settings;

@@ -1,11 +1,11 @@
 // edgescan-cli from outside: exit codes, JSON, files, and what it says when something is wrong.
-#include "core/settings/command_text.h"
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/io/open_scan.h"
-#include "core/pictures/png.h"
 #include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
+#include "core/pictures/png.h"
 #include "core/report/report.h"
+#include "core/settings/command_text.h"
+#include "core/settings/presets.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -212,8 +212,8 @@ TEST_F(Cli, TheCopiedCommandComputesTheSameMask) {
     EXPECT_EQ(command.find("edgescan-cli detect "), 0U);
     const auto run = runCli(command.substr(std::string("edgescan-cli ").size()));
     ASSERT_EQ(run.code, 0) << command << run.err;
-    const auto frame = detectEdges(std::make_shared<const Scan>(*openScan(strange)), settings);
-    EXPECT_EQ(json::parse(run.out)["edge_mask_sha256"], maskSha256(*frame->mask)) << command;
+    const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(strange)), settings);
+    EXPECT_EQ(json::parse(run.out)["edge_mask_sha256"], maskSha256(*detection->mask)) << command;
 }
 
 TEST_F(Cli, NonAsciiPathsWork) {

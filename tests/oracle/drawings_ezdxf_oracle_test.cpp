@@ -1,7 +1,7 @@
 // ezdxf, a DXF library of its own, reads the drawings that we write: points, layers, polylines, and no complaint of its audit.
+#include "core/io/save_scan.h"
 #include "core/method/pipeline.h"
 #include "core/writers/cloud_columns.h"
-#include "core/io/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 
@@ -44,14 +44,14 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
     const Folder folder;
     Scan scan = makeScan({.lines = 24, .beams = 31});
     scan.placement = randomPlacement(3, 1, true);
-    const auto frame = detectEdges(std::make_shared<const Scan>(scan), Settings{});
-    ASSERT_GT(frame->edges->size(), 10U);
+    const auto detection = detectEdges(std::make_shared<const Scan>(scan), Settings{});
+    ASSERT_GT(detection->edges->size(), 10U);
     for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine}) {
-        ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", frame->mask.get(), {.frame = coordinates, .record = "{\"a\":1}"}));
+        ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", detection->mask.get(), {.frame = coordinates, .record = "{\"a\":1}"}));
         const json read = readByEzdxf(folder, "cloud.dxf");
         EXPECT_EQ(read["errors"], json::array());
         for (const char* layer : {"CLOUD", "EDGE_POINTS", "EDGE_LINES"}) EXPECT_NE(read["layers"].dump().find(layer), std::string::npos);
-        const CloudColumns expected = validPoints(scan, frame->mask.get(), coordinates);
+        const CloudColumns expected = validPoints(scan, detection->mask.get(), coordinates);
         ASSERT_EQ(read["points"].size(), expected.width);
         std::size_t edges = 0;
         for (std::size_t n = 0; n < expected.width; ++n) {
@@ -62,7 +62,7 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
             }
             edges += read["points"][n][0] == "EDGE_POINTS" ? 1 : 0;
         }
-        EXPECT_EQ(edges, frame->edges->size());
+        EXPECT_EQ(edges, detection->edges->size());
         EXPECT_GT(read["lines"].size(), 0U);
         for (const json& line : read["lines"]) {
             EXPECT_EQ(line[0], "EDGE_LINES");

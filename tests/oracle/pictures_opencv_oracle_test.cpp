@@ -1,6 +1,6 @@
 // OpenCV reads the pictures that we write, and we read those that it writes.
-#include "core/method/pipeline.h"
 #include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
 #include "core/pictures/png.h"
 #include "core/report/provenance.h"
 #include "core/scan/range_picture.h"
@@ -15,7 +15,7 @@ using namespace edgescan::test;
 
 namespace {
 
-std::shared_ptr<const Frame> frameOf(unsigned seed) {
+std::shared_ptr<const Detection> detectionOf(unsigned seed) {
     Scan scan = makeScan({.lines = 37, .beams = 53, .noReturns = 0.2, .seed = seed});
     return detectEdges(std::make_shared<const Scan>(std::move(scan)), Settings{});
 }
@@ -35,11 +35,11 @@ OpenOptions angles() {
 
 TEST(OpenCvOracle, ReadsOurMaskGrayAndRanges) {
     const Folder folder;
-    const auto frame = frameOf(3);
-    ASSERT_GT(frame->edges->size(), 0U);
-    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *frame, folder / "mask.png"));
-    ASSERT_TRUE(exportWithProvenance(ExportContent::GrayImage, *frame, folder / "gray.png"));
-    ASSERT_TRUE(exportWithProvenance(ExportContent::RangeImage, *frame, folder / "range.png"));
+    const auto detection = detectionOf(3);
+    ASSERT_GT(detection->edges->size(), 0U);
+    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *detection, folder / "mask.png"));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::GrayImage, *detection, folder / "gray.png"));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::RangeImage, *detection, folder / "range.png"));
     const cv::Mat mask = cv::imread((folder / "mask.png").string(), cv::IMREAD_UNCHANGED);
     const cv::Mat gray = cv::imread((folder / "gray.png").string(), cv::IMREAD_UNCHANGED);
     const cv::Mat range = cv::imread((folder / "range.png").string(), cv::IMREAD_UNCHANGED);
@@ -50,11 +50,11 @@ TEST(OpenCvOracle, ReadsOurMaskGrayAndRanges) {
         ASSERT_EQ(picture.rows, 37);
         ASSERT_EQ(picture.cols, 53);
     }
-    const auto expected = rangePicture(*frame->scan);
+    const auto expected = rangePicture(*detection->scan);
     for (int line = 0; line < 37; ++line) {
         for (int beam = 0; beam < 53; ++beam) {
-            EXPECT_EQ(mask.at<std::uint8_t>(line, beam), frame->mask->at(line, beam));
-            EXPECT_EQ(gray.at<std::uint8_t>(line, beam), frame->gray->levels.at(line, beam));
+            EXPECT_EQ(mask.at<std::uint8_t>(line, beam), detection->mask->at(line, beam));
+            EXPECT_EQ(gray.at<std::uint8_t>(line, beam), detection->gray->levels.at(line, beam));
             EXPECT_EQ(range.at<std::uint16_t>(line, beam), expected.at(line, beam));
         }
     }
@@ -62,8 +62,8 @@ TEST(OpenCvOracle, ReadsOurMaskGrayAndRanges) {
 
 TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
     const Folder folder;
-    const auto frame = frameOf(5);
-    const Scan& scan = *frame->scan;
+    const auto detection = detectionOf(5);
+    const Scan& scan = *detection->scan;
     cv::Mat whole(scan.lines(), scan.beams(), CV_16U), broken(scan.lines(), scan.beams(), CV_32F);
     for (int line = 0; line < scan.lines(); ++line) {
         for (int beam = 0; beam < scan.beams(); ++beam) {
@@ -84,9 +84,9 @@ TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
             EXPECT_EQ(opened->rangeMm[k], scan.rangeMm[k] + more);
         }
     }
-    const cv::Mat mask(frame->mask->lines, frame->mask->beams, CV_8U, const_cast<std::uint8_t*>(frame->mask->cells.data()));
+    const cv::Mat mask(detection->mask->lines, detection->mask->beams, CV_8U, const_cast<std::uint8_t*>(detection->mask->cells.data()));
     ASSERT_TRUE(cv::imwrite((folder / "mask.png").string(), mask));
-    EXPECT_EQ(*readPng8(folder / "mask.png"), *frame->mask);
+    EXPECT_EQ(*readPng8(folder / "mask.png"), *detection->mask);
 }
 
 TEST(OpenCvOracle, ReadsOurColours) {

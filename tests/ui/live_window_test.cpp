@@ -98,7 +98,7 @@ class LiveWindowTest : public QObject {
 
     static int linesShown(MainWindow& window) {
         const auto& picture = window.session().picture();
-        return picture ? picture->frame->scan->lines() : 0;
+        return picture ? picture->detection->scan->lines() : 0;
     }
     static bool waitForLines(MainWindow& window, int lines, int ms = 20000) {
         return QTest::qWaitFor([&] { return linesShown(window) >= lines; }, ms);
@@ -106,7 +106,7 @@ class LiveWindowTest : public QObject {
     static bool waitForBadge(MainWindow& window, StateBadge::Sign sign, int ms) {
         return QTest::qWaitFor([&] { return window.livePanel().strip().badge().sign() == sign; }, ms);
     }
-    static std::string shownMask(MainWindow& window) { return maskSha256(*window.session().picture()->frame->mask); }
+    static std::string shownMask(MainWindow& window) { return maskSha256(*window.session().picture()->detection->mask); }
     [[nodiscard]] static std::string maskOf(const std::string& file) {
         const auto run = test::runCli("detect " + file + " --json -");
         return run.code == 0 ? nlohmann::json::parse(run.out)["edge_mask_sha256"].get<std::string>() : run.err;
@@ -150,9 +150,9 @@ private slots:
         std::set<std::string> growingSizes;
         connect(&window, &MainWindow::pictureShown, this, [&] {
             const Picture& picture = *window.session().picture();
-            lines.insert(picture.frame->scan->lines());
+            lines.insert(picture.detection->scan->lines());
             if (!picture.source.growth.growing) return;
-            windows.insert({picture.frame->settings.nearMm, picture.frame->settings.farMm});
+            windows.insert({picture.detection->settings.nearMm, picture.detection->settings.farMm});
             growingSizes.insert(std::to_string(picture.gray->width()) + "x" + std::to_string(picture.gray->height()));
         });
         press(window, "live-connect");
@@ -165,7 +165,7 @@ private slots:
         // Every picture belongs together and equals the whole method with the settings that it names.
         const auto growing = window.session().picture();
         QVERIFY(growing->source.growth.growing);
-        QCOMPARE(*growing->frame->mask, *detectEdges(growing->frame->scan, growing->frame->settings)->mask);
+        QCOMPARE(*growing->detection->mask, *detectEdges(growing->detection->scan, growing->detection->settings)->mask);
         QCOMPARE(static_cast<int>(window.cloudView().geometryOfCloud()->cells()), static_cast<int>(window.cloudView().scan()->cells()));
 
         // A camera that was moved stays; so does the zoom of the images.
@@ -178,7 +178,7 @@ private slots:
         QSlider* slider = window.panel().row("lower")->slider();
         slider->setValue(slider->value() + 7);
         const double wanted = window.session().settings().lower;
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->settings.lower == wanted; }, 5000));
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->settings.lower == wanted; }, 5000));
         QVERIFY2(window.session().picture()->source.growth.growing, "the slider works while the sweep grows");
         QVERIFY(waitForLines(window, before + 30));
         QVERIFY(window.cloudView().camera() == pose);
@@ -271,7 +271,7 @@ private slots:
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 6000));
         QVERIFY(QTest::qWaitFor([&] { return !window.livePanel().strip().shown().lost.empty(); }, 3000));
         QVERIFY(QTest::qWaitFor(
-            [&] { return countCells(*window.session().picture()->frame->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; }, 3000));
+            [&] { return countCells(*window.session().picture()->detection->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; }, 3000));
         QCOMPARE(emulated->statistics().writes, 0ULL);
     }
 
@@ -333,7 +333,7 @@ private slots:
         QTest::keyClick(&window, Qt::Key_Left);
         QVERIFY(at(kLines - 11));
         const Picture& part = *window.session().picture();
-        QCOMPARE(*part.frame->mask, *detectEdges(part.frame->scan, part.frame->settings)->mask);
+        QCOMPARE(*part.detection->mask, *detectEdges(part.detection->scan, part.detection->settings)->mask);
         QTest::keyClick(&window, Qt::Key_Right);
         QVERIFY(at(kLines - 10));
         window.findChild<QSlider*>("timeline-slider")->setValue(40);
@@ -355,7 +355,7 @@ private slots:
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(QTest::qWaitFor([&] { return !timeline.playing() && !window.session().behind() && linesShown(window) == kLines; }, 20000));
         QCOMPARE(shownMask(window), live);
-        QCOMPARE(window.session().picture()->frame->scan->path, path.toStdString());
+        QCOMPARE(window.session().picture()->detection->scan->path, path.toStdString());
         window.openFile(QString::fromStdString(bell_));
         QVERIFY(QTest::qWaitFor([&] { return !timeline.active() && !timeline.isVisible(); }, 5000));
     }
@@ -388,11 +388,12 @@ private slots:
             fresh.seek(line);
             const auto expected = fresh.snapshot();
             QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.session().behind(); }, 5000));
-            QVERIFY(window.session().picture()->frame->scan->rangeMm == expected->rangeMm);
-            QVERIFY(window.session().picture()->frame->scan->state == expected->state);
+            QVERIFY(window.session().picture()->detection->scan->rangeMm == expected->rangeMm);
+            QVERIFY(window.session().picture()->detection->scan->state == expected->state);
         }
         timeline.goTo(timeline.home());
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->path == path && !window.session().behind(); }, 5000));
+        QVERIFY(
+            QTest::qWaitFor([&] { return window.session().picture()->detection->scan->path == path && !window.session().behind(); }, 5000));
         QCOMPARE(shownMask(window), opened);
     }
 

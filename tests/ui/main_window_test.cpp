@@ -86,20 +86,20 @@ class MainWindowTest : public QObject {
 
     // Everything on the screen tells of the same frame, and that frame is what edgescan-cli computes.
     void compareWithCommandLine(MainWindow& window) {
-        const Frame& frame = *window.session().picture()->frame;
+        const Detection& detection = *window.session().picture()->detection;
         QCOMPARE(window.edgeView().image(), window.session().picture()->edges);
-        QCOMPARE(whitePixels(*window.edgeView().image()), static_cast<int>(frame.edges->size()));
+        QCOMPARE(whitePixels(*window.edgeView().image()), static_cast<int>(detection.edges->size()));
         QVERIFY(window.statusLine().countsShown().contains(
-            QLocale(QLocale::English).toString(static_cast<qulonglong>(frame.edges->size())) + " edges"));
+            QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edges"));
         std::string flags;
-        const nlohmann::json settings = settingsToJson(frame.settings);
+        const nlohmann::json settings = settingsToJson(detection.settings);
         for (const auto& [key, value] : settings.items())
             flags += " --" + key + " " + (value.is_string() ? value.get<std::string>() : value.dump());
-        const auto run = test::runCli("detect '" + frame.scan->path + "' --json -" + flags);
+        const auto run = test::runCli("detect '" + detection.scan->path + "' --json -" + flags);
         QCOMPARE(run.code, 0);
         const auto report = nlohmann::json::parse(run.out);
-        QCOMPARE(report["edges"].get<std::size_t>(), frame.edges->size());
-        QCOMPARE(report["edge_mask_sha256"].get<std::string>(), maskSha256(*frame.mask));
+        QCOMPARE(report["edges"].get<std::size_t>(), detection.edges->size());
+        QCOMPARE(report["edge_mask_sha256"].get<std::string>(), maskSha256(*detection.mask));
     }
 
 private slots:
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(waitForPicture(window));
         QVERIFY2(pictures.count() > 5, "the views follow while the slider moves, not only at the end");
         QVERIFY(window.session().settings().lower > 20.0);
-        QCOMPARE(window.session().picture()->frame->settings.lower, window.panel().row("lower")->number()->value());
+        QCOMPARE(window.session().picture()->detection->settings.lower, window.panel().row("lower")->number()->value());
         QVERIFY(*window.edgeView().image() != edgesBefore);
         QVERIFY(greenPixels(window.cloudView().grabFrame(CloudView::Points::All)) < greenBefore);
         QVERIFY(window.statusLine().countsShown() != countsBefore);
@@ -178,7 +178,7 @@ private slots:
         const double last = sliderValue(window.panel().row("lower")->parameter(), slider->value());
         QVERIFY(waitForPicture(window));
         QCOMPARE(window.session().settings().lower, last);
-        QCOMPARE(window.session().picture()->frame->settings.lower, last);
+        QCOMPARE(window.session().picture()->detection->settings.lower, last);
         QCOMPARE(window.panel().row("lower")->number()->value(), last);
         compareWithCommandLine(window);
     }
@@ -190,9 +190,9 @@ private slots:
         window.openFile(QString::fromStdString(real_));
         QVERIFY(waitForPicture(window));
         QTest::qWait(200);
-        const Frame& frame = *window.session().picture()->frame;
-        const std::uint32_t k = (*frame.edges)[frame.edges->size() / 2];
-        const QPoint cell(static_cast<int>(k) % frame.scan->beams(), static_cast<int>(k) / frame.scan->beams());
+        const Detection& detection = *window.session().picture()->detection;
+        const std::uint32_t k = (*detection.edges)[detection.edges->size() / 2];
+        const QPoint cell(static_cast<int>(k) % detection.scan->beams(), static_cast<int>(k) / detection.scan->beams());
         ImageView& gray = window.grayView();
         const QPoint pixel = gray.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), gray.size()).toPoint();
         QTest::mouseMove(&gray, pixel - QPoint(20, 0));
@@ -204,7 +204,7 @@ private slots:
         QTRY_VERIFY(marks());
         const QPoint marked = *window.edgeView().markedCell();
         QTRY_VERIFY(window.cloudView().markedCell().has_value());
-        QCOMPARE(static_cast<int>(*window.cloudView().markedCell()), marked.y() * frame.scan->beams() + marked.x());
+        QCOMPARE(static_cast<int>(*window.cloudView().markedCell()), marked.y() * detection.scan->beams() + marked.x());
         const QString probe = window.statusLine().probeShown();
         QVERIFY2(probe.startsWith(QString("line %1  beam %2").arg(marked.y()).arg(marked.x())), qPrintable(probe));
         QVERIFY(probe.contains("gray"));
@@ -261,7 +261,7 @@ private slots:
         QTest::qWait(50);
         QCOMPARE(window.session().picture(), before);
         QCOMPARE(window.edgeView().image(), before->edges);
-        QCOMPARE(window.windowTitle(), QString::fromStdString(before->frame->scan->name) + " - EdgeScan");
+        QCOMPARE(window.windowTitle(), QString::fromStdString(before->detection->scan->name) + " - EdgeScan");
     }
 
     void settingsAndLayoutSurviveAKill() {
@@ -352,7 +352,7 @@ private slots:
         QVERIFY2(window.notice().text().contains("degrees ahead of even ones"), qPrintable(window.notice().text()));
         auto* straighten = window.findChild<QAction*>("straighten-beams");
         QVERIFY(straighten != nullptr && !straighten->isChecked());
-        const auto skew = [&] { return std::get<PolarGeometry>(window.session().picture()->frame->scan->geometry).lineSkewDeg; };
+        const auto skew = [&] { return std::get<PolarGeometry>(window.session().picture()->detection->scan->geometry).lineSkewDeg; };
         const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
         QVERIFY(!tilted());
         // The button in the note does it ...
@@ -419,7 +419,7 @@ private slots:
         emit window.grayView().clicked(1499, 1499);
         QVERIFY(!window.statusLine().probeShown().isEmpty());
         window.openFile(QString::fromStdString(small));
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->lines() == 4; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 4; }, 20000));
         QVERIFY(window.statusLine().probeShown().isEmpty());
     }
 
@@ -461,7 +461,7 @@ private slots:
         QTest::keyClick(&window, Qt::Key_PageDown);
         QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->frame->scan->lines() == 30; }, 10000));
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 30; }, 10000));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
@@ -513,7 +513,7 @@ private slots:
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&window, &drop);
         QVERIFY(waitForPicture(window));
-        QCOMPARE(QString::fromStdString(window.session().picture()->frame->scan->path), QString::fromStdString(real_));
+        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 
     void openingCanBeCancelledAndTheNewestWins() {
@@ -534,7 +534,7 @@ private slots:
         window.openDemo();
         window.openFile(QString::fromStdString(real_));
         QVERIFY(QTest::qWaitFor([&] { return window.session().picture() != before && !window.session().working(); }, 20000));
-        QCOMPARE(QString::fromStdString(window.session().picture()->frame->scan->path), QString::fromStdString(real_));
+        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 
     void aPresetIsOneClickAndItsChangesAreMarked() {
@@ -549,7 +549,7 @@ private slots:
         presets->setCurrentText("thesis");
         emit presets->activated(presets->currentIndex());
         QVERIFY(waitForPicture(window));
-        QVERIFY(window.session().picture()->frame->settings == findPreset("thesis")->settings);
+        QVERIFY(window.session().picture()->detection->settings == findPreset("thesis")->settings);
         QVERIFY(!window.panel().modified());
         compareWithCommandLine(window);
         window.panel().row("lower")->number()->setValue(33);

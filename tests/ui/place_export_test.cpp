@@ -27,7 +27,7 @@ namespace {
 
 QRadioButton& choice(ExportDialog& dialog, const char* name) { return *dialog.findChild<QRadioButton*>(name); }
 
-std::shared_ptr<const Frame> frameOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{}); }
+std::shared_ptr<const Detection> detectionOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{}); }
 
 } // namespace
 
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(window.statusLine().placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
         QVERIFY(window.notice().text().contains("The pose carries no time"));
         emit window.grayView().clicked(30, 40);
-        const Scan& scan = *window.session().picture()->frame->scan;
+        const Scan& scan = *window.session().picture()->detection->scan;
         const std::size_t k = scan.rangeMm.index(30, 40);
         QCOMPARE(scan.state[k], CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
@@ -73,8 +73,8 @@ private slots:
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {
-        const auto frame = frameOf(*openScan(bare_));
-        ExportDialog dialog(frame, ExportContent::EdgeCloud);
+        const auto detection = detectionOf(*openScan(bare_));
+        ExportDialog dialog(detection, ExportContent::EdgeCloud);
         QVERIFY(!choice(dialog, "mine").isEnabled());
         QVERIFY(!choice(dialog, "local").isEnabled());
         QVERIFY(choice(dialog, "scanner").isChecked());
@@ -84,15 +84,15 @@ private slots:
     }
 
     void theCountIsThatOfTheFile() {
-        const auto frame = frameOf(*openScan(placed_));
-        ExportDialog dialog(frame, ExportContent::EdgeCloud);
+        const auto detection = detectionOf(*openScan(placed_));
+        ExportDialog dialog(detection, ExportContent::EdgeCloud);
         QVERIFY(choice(dialog, "mine").isChecked());
         QVERIFY(dialog.findChild<QLabel*>("reason") == nullptr);
         auto* count = dialog.findChild<QLabel*>("count");
         const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"all", "a.csv"}, {"edgeImage", "i.png"}};
         for (const auto& [name, file] : contents) {
             choice(dialog, name).click();
-            const auto written = exportWithProvenance(dialog.content(), *frame, folder_ / file, dialog.options());
+            const auto written = exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
             QVERIFY2(bool(written), name);
             QCOMPARE(dialog.count(), *written);
             QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
@@ -109,7 +109,7 @@ private slots:
         const auto first = static_cast<std::uint32_t>(std::find(scan.state.cells.begin(), scan.state.cells.end(), CellState::Valid) -
                                                       scan.state.cells.begin());
         scan.attached = {{first, {1, 2, 4}}, {first, {1, 2, 5}}};
-        ExportDialog dialog(frameOf(scan), ExportContent::FullCloud);
+        ExportDialog dialog(detectionOf(scan), ExportContent::FullCloud);
         const std::size_t alone = dialog.count();
         auto* attached = dialog.findChild<QCheckBox*>("attached");
         QVERIFY(!attached->isHidden());

@@ -72,7 +72,7 @@ private slots:
         qInfo("%d pictures shown for 200 moves", pictures);
         QVERIFY(pictures > 0);
         QVERIFY(QTest::qWaitFor([&] { return !window.session().behind(); }, 20000));
-        QCOMPARE(window.session().picture()->frame->settings.lower, sliderValue(window.panel().row("lower")->parameter(), 299));
+        QCOMPARE(window.session().picture()->detection->settings.lower, sliderValue(window.panel().row("lower")->parameter(), 299));
         tell("at rest", gapsWhile([] { QTest::qWait(1500); }));
     }
 };

@@ -70,7 +70,7 @@ private slots:
 
     void theMeaningFollowsThresholdKernelAndWindow() {
         use(findPreset("window")->settings);
-        const GrayScale scale = window_->session().picture()->frame->gray->scale;
+        const GrayScale scale = window_->session().picture()->detection->gray->scale;
         QCOMPARE(meaning(), QString::fromStdString(thresholdText(window_->session().settings(), scale)));
         QVERIFY(meaning().startsWith("weak edge from a step of "));
         const QString before = meaning();
@@ -149,7 +149,7 @@ private slots:
         window_->openFile(QString::fromStdString(path));
         QVERIFY(waitForPicture());
         QDoubleSpinBox* box = window_->panel().row("noise")->number();
-        const double measured = window_->session().picture()->frame->responses->noise.at(5.0);
+        const double measured = window_->session().picture()->detection->responses->noise.at(5.0);
         QVERIFY(measured > 35); // beyond what can be typed
         QVERIFY(std::abs(box->value() - measured) < 0.006);
         QVERIFY(std::isnan(window_->session().settings().noiseMm));
@@ -185,7 +185,7 @@ private slots:
             Settings at = window_->session().settings();
             at.lower = counts.thresholds[n];
             use(at);
-            QCOMPARE(window_->session().picture()->frame->edges->size(), counts.edges[n]);
+            QCOMPARE(window_->session().picture()->detection->edges->size(), counts.edges[n]);
             QVERIFY(curve->curve().has_value()); // another threshold of the same curve
         }
         Settings other = window_->session().settings();
@@ -202,7 +202,7 @@ private slots:
         use(between);
         CountCurve* curve = window_->panel().curve("lower");
         QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
-        const auto edges = static_cast<qulonglong>(window_->session().picture()->frame->edges->size());
+        const auto edges = static_cast<qulonglong>(window_->session().picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
         Settings share = cannySettings();
@@ -214,7 +214,7 @@ private slots:
 
     void whyAnswersForTheCellClicked() {
         use(cannySettings());
-        const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
+        const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
         const QString text = window_->whyCard()->text();
@@ -224,7 +224,7 @@ private slots:
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {
         use(Settings{});
-        const std::uint32_t cell = window_->session().picture()->frame->edges->at(5);
+        const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
         const QString text = window_->whyCard()->text();

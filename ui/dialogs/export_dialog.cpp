@@ -24,15 +24,15 @@ QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::United
 
 } // namespace
 
-ExportDialog::ExportDialog(std::shared_ptr<const Frame> frame, ExportContent wanted, QWidget* parent)
-    : QDialog(parent), frame_(std::move(frame)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
+ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, QWidget* parent)
+    : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
       attached_(new QCheckBox), count_(new QLabel), buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(contentBox());
     coordinatesGroup_ = coordinatesBox();
     column->addWidget(coordinatesGroup_);
-    const std::size_t hidden = frame_->scan->attached.size();
+    const std::size_t hidden = detection_->scan->attached.size();
     attached_->setObjectName("attached");
     attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
     attached_->setVisible(hidden > 0);
@@ -58,7 +58,7 @@ QGroupBox* ExportDialog::contentBox() {
         contents_->addButton(button, static_cast<int>(content));
         column->addWidget(button);
     };
-    const QString size = tr("%1 × %2 pixels").arg(frame_->scan->beams()).arg(frame_->scan->lines());
+    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
     add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false))), "edges");
     add(ExportContent::FullCloud, tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false))),
         "all");
@@ -71,7 +71,7 @@ QGroupBox* ExportDialog::contentBox() {
 QGroupBox* ExportDialog::coordinatesBox() {
     auto* box = new QGroupBox(tr("Coordinates"));
     auto* column = new QVBoxLayout(box);
-    const bool placed = frame_->scan->placement != nullptr;
+    const bool placed = detection_->scan->placement != nullptr;
     const auto add = [&](CoordinateFrame frame, const QString& text, const char* name, bool possible) {
         auto* button = new QRadioButton(text);
         button->setObjectName(name);
@@ -82,8 +82,8 @@ QGroupBox* ExportDialog::coordinatesBox() {
     add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
     add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
-    coordinates_->button(static_cast<int>(usualFrame(*frame_->scan)))->setChecked(true);
-    if (const auto why = checkFrame(*frame_->scan, CoordinateFrame::Mine, ""); !why) {
+    coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
+    if (const auto why = checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
         auto* reason = new QLabel(tr("No mine grid: %1. Open it with --pose and --calibration.").arg(QString::fromStdString(what)));
         reason->setObjectName("reason");
@@ -94,13 +94,13 @@ QGroupBox* ExportDialog::coordinatesBox() {
 }
 
 std::size_t ExportDialog::countOf(ExportContent content, bool withAttached) const {
-    const Scan& scan = *frame_->scan;
+    const Scan& scan = *detection_->scan;
     if (!isCloud(content)) return scan.cells();
     const bool edges = content == ExportContent::EdgeCloud;
-    const auto wanted = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (!edges || (*frame_->mask)[k] != 0); };
+    const auto wanted = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0); };
     std::size_t points = 0;
     if (edges)
-        points = static_cast<std::size_t>(std::count_if(frame_->edges->begin(), frame_->edges->end(), wanted));
+        points = static_cast<std::size_t>(std::count_if(detection_->edges->begin(), detection_->edges->end(), wanted));
     else
         points = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
     if (!withAttached) return points;

@@ -20,7 +20,7 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 public:
     /// `wanted` is chosen at first. Mine coordinates can only be chosen when the scan has a place; the reason stands beside them.
-    ExportDialog(std::shared_ptr<const Frame> frame, ExportContent wanted, QWidget* parent = nullptr);
+    ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, QWidget* parent = nullptr);
 
     [[nodiscard]] ExportContent content() const;
     [[nodiscard]] ExportOptions options() const;
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached) const;
     void follow();
 
-    std::shared_ptr<const Frame> frame_;
+    std::shared_ptr<const Detection> detection_;
     QButtonGroup* contents_;
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;

@@ -105,7 +105,7 @@ void ScannerLink::tick() {
     noticeTroubles(status);
     const auto& picture = session_.picture();
     const bool shown = picture && picture->source.stream == stream_;
-    LiveHealth now = healthOf(status, shown ? picture->frame->scan->placement.get() : nullptr);
+    LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr);
     const bool changed = !(now == health_);
     health_ = std::move(now);
     for (const FinishedSweep& sweep : feed_->takeFinished()) {

@@ -150,11 +150,11 @@ void MainWindow::connectSession() {
 void MainWindow::linkViews() {
     for (ImageView* view : {gray_, edges_}) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (shown_ && line < shown_->frame->scan->lines()) showHover(shown_->frame->scan->rangeMm.index(line, beam), view);
+            if (shown_ && line < shown_->detection->scan->lines()) showHover(shown_->detection->scan->rangeMm.index(line, beam), view);
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { showHover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (shown_ && line < shown_->frame->scan->lines()) stick(shown_->frame->scan->rangeMm.index(line, beam));
+            if (shown_ && line < shown_->detection->scan->lines()) stick(shown_->detection->scan->rangeMm.index(line, beam));
         });
         connect(view, &ImageView::cleared, this, [this] { stick(std::nullopt); });
         connect(view, &ImageView::windowLevelDragged, this, &MainWindow::changeDisplayLevels);

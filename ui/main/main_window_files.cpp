@@ -116,17 +116,17 @@ void MainWindow::askExport(Session::Export what) {
         notice_->showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
     }
-    ExportDialog dialog(shown_->frame, contentOf(what), this);
+    ExportDialog dialog(shown_->detection, contentOf(what), this);
     if (dialog.exec() != QDialog::Accepted) return;
     what = exportOf(dialog.content());
-    const Frame& frame = *shown_->frame;
+    const Detection& detection = *shown_->detection;
     const QString kind = isImage(what) ? "images" : "exports";
     const QString extension = isImage(what) ? ".png" : memory_.text("export/extension", ".pcd");
     const QString name =
         QString("%1_%2_L%3_K%4_%5%6%7")
-            .arg(QString::fromStdString(frame.scan->name).replace(' ', '-'), nameTail(what))
-            .arg(frame.settings.lower)
-            .arg(frame.settings.kernel)
+            .arg(QString::fromStdString(detection.scan->name).replace(' ', '-'), nameTail(what))
+            .arg(detection.settings.lower)
+            .arg(detection.settings.kernel)
             .arg(QDate::currentDate().toString(Qt::ISODate), isImage(what) ? "" : frameTail(dialog.options().frame), extension);
     QStringList filters;
     QString usual;
@@ -202,13 +202,13 @@ Result<Done> MainWindow::saveScreenshotTo(const QString& path) {
 void MainWindow::copyProbe() { QGuiApplication::clipboard()->setText(status_->probeShown()); }
 
 void MainWindow::copyCommand() {
-    if (!shown_ || shown_->frame->scan->path.empty()) return;
-    const QString path = QFileInfo(QString::fromStdString(shown_->frame->scan->path)).absoluteFilePath();
+    if (!shown_ || shown_->detection->scan->path.empty()) return;
+    const QString path = QFileInfo(QString::fromStdString(shown_->detection->scan->path)).absoluteFilePath();
     // Beside this program where it is not on the PATH.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
-    QGuiApplication::clipboard()->setText(
-        QString::fromStdString(detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->frame->settings)));
+    QGuiApplication::clipboard()->setText(QString::fromStdString(
+        detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->detection->settings)));
     notice_->showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

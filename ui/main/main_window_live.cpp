@@ -124,7 +124,8 @@ void MainWindow::showLiveHealth() {
     // A strip that says LIVE beside a picture that stands still would be misleading.
     const bool held = scanner_->connected() && !scanner_->following() && shown_ && shown_->source.stream == scanner_->stream();
     const QString note =
-        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(QString::fromStdString(shown_->frame->scan->name)) : QString();
+        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(QString::fromStdString(shown_->detection->scan->name))
+             : QString();
     if (note == heldNote_) return;
     heldNote_ = note;
     for (ImageView* view : {gray_, edges_}) view->setNote(note);
@@ -134,10 +135,10 @@ void MainWindow::showLiveHealth() {
 void MainWindow::tellSweepEnded() {
     if (shown_->source.stream != scanner_->stream()) return;
     QStringList warnings;
-    for (const std::string& warning : shown_->frame->scan->warnings) warnings << QString::fromStdString(warning);
-    const QString name = QString::fromStdString(shown_->frame->scan->name);
+    for (const std::string& warning : shown_->detection->scan->warnings) warnings << QString::fromStdString(warning);
+    const QString name = QString::fromStdString(shown_->detection->scan->name);
     if (warnings.isEmpty())
-        notice_->showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(shown_->frame->scan->lines()));
+        notice_->showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(shown_->detection->scan->lines()));
     else
         notice_->showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
 }
@@ -146,7 +147,7 @@ void MainWindow::tellSweepEnded() {
 void MainWindow::showReplayed(const ReplayedSweep& at) {
     const auto& picture = session_.picture();
     if (!picture || !at.sweep.scan) return;
-    if (!fileScan_ && picture->source.growth.id == 0) fileScan_ = picture->frame->scan;
+    if (!fileScan_ && picture->source.growth.id == 0) fileScan_ = picture->detection->scan;
     const std::uint64_t stream = picture->source.stream;
     const SweepProgress& progress = at.sweep.progress;
     if (fileScan_ && at.position == timeline_->home())

@@ -267,7 +267,7 @@ void MainWindow::showScanProperties() {
     QDialog dialog(this);
     dialog.setWindowTitle(tr("Scan"));
     auto* text = new QTextBrowser;
-    text->setPlainText(QString::fromStdString(infoReport(*shown_->frame->scan).dump(2)));
+    text->setPlainText(QString::fromStdString(infoReport(*shown_->detection->scan).dump(2)));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     auto* column = new QVBoxLayout(&dialog);

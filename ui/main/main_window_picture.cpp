@@ -34,9 +34,9 @@ void MainWindow::showPicture() {
     const std::shared_ptr<const Picture> last = shown_;
     shown_ = session_.picture();
     if (shown_ != last) forgetTrail();
-    const Frame& frame = *shown_->frame;
+    const Detection& detection = *shown_->detection;
     const bool newStream = !last || last->source.stream != shown_->source.stream;
-    const bool newScan = newStream || last->frame->scan != frame.scan;
+    const bool newScan = newStream || last->detection->scan != detection.scan;
     if (newStream)
         showNewScan();
     else if (newScan)
@@ -44,20 +44,20 @@ void MainWindow::showPicture() {
     const bool newGray = newScan || last->gray != shown_->gray;
     if (newGray) {
         const bool asIs = levels_ == DisplayLevels{};
-        gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(frame, levels_, shown_->gray->height())));
+        gray_->setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(detection, levels_, shown_->gray->height())));
     }
     gray_->setOverlay(overlay_ ? shown_->overlay : nullptr, 1.0);
     showEdgeMap();
     cloud_->setEdges(shown_->edgeCells);
-    status_->showCounts(frame);
-    status_->showPlace(*frame.scan);
-    status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : frame.totalMs);
-    panel_->showResult(frame);
+    status_->showCounts(detection);
+    status_->showPlace(*detection.scan);
+    status_->showTime(sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : detection.totalMs);
+    panel_->showResult(detection);
     panel_->setBehind(session_.behind());
     if (shown_->source.growth.growing)
         panel_->forgetCounts();
     else
-        counts_->want(shown_->frame);
+        counts_->want(shown_->detection);
     showHover(hovered_, nullptr);
     const bool ended = last && last->source.growth.growing && !shown_->source.growth.growing;
     if (!newStream && ended) tellSweepEnded();
@@ -66,13 +66,13 @@ void MainWindow::showPicture() {
 
 void MainWindow::showEdgeMap() {
     if (!shown_) return;
-    const bool coloured = cloud_->edgesByClass() && shown_->frame->classes;
+    const bool coloured = cloud_->edgesByClass() && shown_->detection->classes;
     edges_->setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_->edgeColour())) : shown_->edges,
                      Shrink::KeepBrightest);
 }
 
 void MainWindow::showNewScan() {
-    const Frame& frame = *shown_->frame;
+    const Detection& detection = *shown_->detection;
     // Cells of the old scan are none of the new one.
     hovered_.reset();
     stick(std::nullopt);
@@ -82,33 +82,33 @@ void MainWindow::showNewScan() {
         viewPort_->setImageSize(shown_->gray->size());
         viewPort_->fit();
     }
-    cloud_->setCloud(frame.scan, shown_->cloud);
+    cloud_->setCloud(detection.scan, shown_->cloud);
     cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
     fitCloud();
     for (ImageView* view : {gray_, edges_}) view->setNote(QString());
     const QString ofSeries = series_.size() > 1 ? tr(" (%1 of %2)").arg(seriesPlace_ + 1).arg(series_.size()) : QString();
-    setWindowTitle(QString::fromStdString(frame.scan->name) + ofSeries + " - EdgeScan");
+    setWindowTitle(QString::fromStdString(detection.scan->name) + ofSeries + " - EdgeScan");
     QStringList warnings;
-    for (const std::string& warning : frame.scan->warnings) warnings << QString::fromStdString(warning);
-    for (const std::string& warning : placeWarnings(*frame.scan)) warnings << QString::fromStdString(warning);
+    for (const std::string& warning : detection.scan->warnings) warnings << QString::fromStdString(warning);
+    for (const std::string& warning : placeWarnings(*detection.scan)) warnings << QString::fromStdString(warning);
     // Of a live scan the health strip tells.
     if (warnings.isEmpty() || shown_->source.growth.growing) return;
     notice_->showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
-    const bool crooked = std::ranges::any_of(frame.scan->warnings, tellsOfDisplacement);
+    const bool crooked = std::ranges::any_of(detection.scan->warnings, tellsOfDisplacement);
     if (crooked && !openedPath_.isEmpty()) notice_->offer(tr("Straighten beams"), [this] { straightenBeams(true); });
 }
 
 /// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
 void MainWindow::showMoreLines(const Picture& last) {
-    const Scan& scan = *shown_->frame->scan;
+    const Scan& scan = *shown_->detection->scan;
     const auto gone = [&](const std::optional<std::size_t>& cell) {
-        return cell && (*cell >= scan.cells() || scan.beams() != last.frame->scan->beams());
+        return cell && (*cell >= scan.cells() || scan.beams() != last.detection->scan->beams());
     };
     if (gone(hovered_)) hovered_.reset();
     if (gone(sticky_)) stick(std::nullopt);
     const bool untouched = cloud_->camera() == fittedCamera_;
     const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown_->source.growth.growing;
-    cloud_->setCloud(shown_->frame->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
+    cloud_->setCloud(shown_->detection->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
     if (!doubled) return;
     if (cloud_->pointSize() == fittedPointSize_) cloud_->setPointSize(pointSizeFor(*cloud_, *shown_->cloud));
     if (untouched) fitCloud();
@@ -117,12 +117,12 @@ void MainWindow::showMoreLines(const Picture& last) {
 void MainWindow::fitCloud() {
     fittedCamera_ = cloud_->camera();
     fittedPointSize_ = cloud_->pointSize();
-    fittedLines_ = shown_->frame->scan->lines();
+    fittedLines_ = shown_->detection->scan->lines();
 }
 
 std::optional<QPoint> MainWindow::asPoint(std::optional<std::size_t> cell) const {
     if (!cell || !shown_) return std::nullopt;
-    const auto beams = static_cast<std::size_t>(shown_->frame->scan->beams());
+    const auto beams = static_cast<std::size_t>(shown_->detection->scan->beams());
     return QPoint(static_cast<int>(*cell % beams), static_cast<int>(*cell / beams));
 }
 
@@ -134,7 +134,7 @@ void MainWindow::showHover(std::optional<std::size_t> cell, const QObject* from)
         cloud_->setMarkedCell(static_cast<std::uint32_t>(*marked));
     else
         cloud_->setMarkedCell(std::nullopt);
-    status_->showProbe(marked && shown_ ? std::optional<Probe>(probeCell(*shown_->frame, *marked)) : std::nullopt);
+    status_->showProbe(marked && shown_ ? std::optional<Probe>(probeCell(*shown_->detection, *marked)) : std::nullopt);
 }
 
 void MainWindow::stick(std::optional<std::size_t> cell) {
@@ -149,7 +149,7 @@ void MainWindow::changeDisplayLevels(int window, int level) {
     const int centre = (levels_.black + levels_.white) / 2 + level;
     const int half = std::clamp((levels_.white - levels_.black + window) / 2, 2, 255);
     levels_ = {centre - half, centre + half};
-    gray_->setImage(std::make_shared<const QImage>(grayPicture(*shown_->frame, levels_, shown_->gray->height())));
+    gray_->setImage(std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
     grayPane_->setRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
 }
 
@@ -161,7 +161,7 @@ void MainWindow::resetDisplayLevels() {
 
 // Square pixels, or as wide and high as the angles between beams and lines are.
 void MainWindow::applyAspect() {
-    const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->frame->scan->geometry) : nullptr;
+    const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->detection->scan->geometry) : nullptr;
     if (!trueAngles_ || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
         viewPort_->setSquarePixels();
         return;

@@ -19,8 +19,8 @@ void MainWindow::connectThresholds() {
     connect(counts_, &EdgeCounts::counted, panel_, &EdgesPanel::showCounts);
     for (ImageView* view : {gray_, edges_}) {
         connect(view, &ImageView::menuWanted, this, [this](int line, int beam, const QPoint& position) {
-            if (!shown_ || line >= shown_->frame->scan->lines()) return;
-            const std::size_t cell = shown_->frame->scan->rangeMm.index(line, beam);
+            if (!shown_ || line >= shown_->detection->scan->lines()) return;
+            const std::size_t cell = shown_->detection->scan->rangeMm.index(line, beam);
             QMenu menu;
             menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
                 stick(cell);
@@ -36,13 +36,13 @@ void MainWindow::explain(std::size_t cell) {
     if (!picture || explaining_ != nullptr) return; // the answer to the last question comes first
     explaining_ = new BackgroundJob(
         [this, picture, cell](const BackgroundJob::Progress&) -> std::function<void()> {
-            const auto why = std::make_shared<const Why>(whyCell(*picture->frame, cell));
+            const auto why = std::make_shared<const Why>(whyCell(*picture->detection, cell));
             return [this, picture, why] {
                 if (why_ == nullptr) {
                     why_ = new WhyCard(this);
                     connect(why_, &QDialog::finished, this, &MainWindow::forgetTrail);
                 }
-                QString text = QString::fromStdString(whyText(*why, picture->frame->settings));
+                QString text = QString::fromStdString(whyText(*why, picture->detection->settings));
                 if (picture == shown_ && !why->chainMembers.empty())
                     text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
                 why_->tell(text);

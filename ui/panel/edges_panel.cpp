@@ -2,11 +2,11 @@
 #include "ui/panel/edges_panel.h"
 
 #include "core/gray/detector.h"
-#include "core/settings/method_traits.h"
+#include "core/gray/step_meaning.h"
 #include "core/gray/zero_crossings.h"
 #include "core/method/detection_thresholds.h"
+#include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
-#include "core/gray/step_meaning.h"
 #include "ui/cloud/edge_cells.h"
 #include "ui/panel/count_curve.h"
 #include "ui/panel/parameter_row.h"
@@ -239,14 +239,14 @@ void EdgesPanel::show(const Settings& settings) {
     showPresetName();
 }
 
-void EdgesPanel::showResult(const Frame& frame) {
-    scale_ = frame.gray->scale;
-    noiseMm_ = frame.responses ? frame.responses->noise.at(5.0) : kAutomatic;
-    jumpMm_ = frame.responses ? frame.responses->jumpMm : kAutomatic;
-    classesKnown_ = frame.classes != nullptr;
-    classCounts_ = countClasses(frame);
-    if (CountCurve* below = curve(sweptParameter(frame.settings.method)); below != nullptr && frame.edges)
-        below->showFound(findParameter(sweptParameter(frame.settings.method))->get(frame.settings), frame.edges->size());
+void EdgesPanel::showResult(const Detection& detection) {
+    scale_ = detection.gray->scale;
+    noiseMm_ = detection.responses ? detection.responses->noise.at(5.0) : kAutomatic;
+    jumpMm_ = detection.responses ? detection.responses->jumpMm : kAutomatic;
+    classesKnown_ = detection.classes != nullptr;
+    classCounts_ = countClasses(detection);
+    if (CountCurve* below = curve(sweptParameter(detection.settings.method)); below != nullptr && detection.edges)
+        below->showFound(findParameter(sweptParameter(detection.settings.method))->get(detection.settings), detection.edges->size());
     showInUse();
     showMeaning();
     showClasses();

@@ -1,9 +1,9 @@
 // The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
 #pragma once
 
+#include "core/gray/threshold_map.h"
 #include "core/method/detection.h"
 #include "core/settings/presets.h"
-#include "core/gray/threshold_map.h"
 
 #include <QColor>
 #include <QWidget>
@@ -34,7 +34,7 @@ public:
 
     void show(const Settings& settings);
     /// What automatic values came out as, and how many edges there are of each class.
-    void showResult(const Frame& frame);
+    void showResult(const Detection& detection);
     /// How many edges each value of this parameter would give.
     void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
     void forgetCounts();

@@ -152,7 +152,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     box->onRefusal([this](const Error& why) {
         const QString sentence =
             tr("%1: %2; %3. The value stays as it was.")
-                .arg(QString::fromUtf8(parameter_.label), QString::fromStdString(why.what), QString::fromStdString(why.todo));
+                .arg(QString::fromUtf8(parameter_.label), QString::fromStdString(why.what), QString::fromStdString(why.hint));
         // The box is still at it.
         QMetaObject::invokeMethod(
             this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);

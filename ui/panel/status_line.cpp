@@ -94,11 +94,11 @@ void StatusLine::showPlace(const Scan& scan) {
     place_->setToolTip(about.join("\n"));
 }
 
-void StatusLine::showCounts(const Frame& frame) {
-    const auto cells = countCells(*frame.scan);
+void StatusLine::showCounts(const Detection& detection) {
+    const auto cells = countCells(*detection.scan);
     const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
     QString text = tr("%1 points · %2 edges · %3 no return")
-                       .arg(count(of(CellState::Valid)), count(frame.edges->size()), count(of(CellState::NoReturn)));
+                       .arg(count(of(CellState::Valid)), count(detection.edges->size()), count(of(CellState::NoReturn)));
     if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(count(of(CellState::DeviceStatus)));
     for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
         if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));

@@ -23,7 +23,7 @@ public:
     explicit StatusLine(QWidget* parent = nullptr);
 
     void showProbe(const std::optional<Probe>& probe);
-    void showCounts(const Frame& frame);
+    void showCounts(const Detection& detection);
     /// Which frame the scan stands in, with the origin of local coordinates.
     void showPlace(const Scan& scan);
     /// Milliseconds from the change of a setting to its result.

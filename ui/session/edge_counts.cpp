@@ -18,10 +18,10 @@ EdgeCounts::EdgeCounts(QObject* parent) : QObject(parent) {
     connect(&quiet_, &QTimer::timeout, this, &EdgeCounts::start);
 }
 
-void EdgeCounts::want(const std::shared_ptr<const Frame>& frame) {
-    if (counted_ && counted_->scan == frame->scan && sameThresholdMap(counted_->settings, frame->settings)) return;
+void EdgeCounts::want(const std::shared_ptr<const Detection>& detection) {
+    if (counted_ && counted_->scan == detection->scan && sameThresholdMap(counted_->settings, detection->settings)) return;
     counted_.reset();
-    wanted_ = frame;
+    wanted_ = detection;
     emit outdated();
     quiet_.start();
 }
@@ -30,13 +30,13 @@ void EdgeCounts::start() {
     if (!wanted_ || job_ != nullptr) return;
     counted_ = std::move(wanted_);
     wanted_.reset();
-    const std::shared_ptr<const Frame> frame = counted_;
+    const std::shared_ptr<const Detection> detection = counted_;
     job_ = new BackgroundJob(
-        [this, frame](const BackgroundJob::Progress&) -> std::function<void()> {
-            const char* key = sweptParameter(frame->settings.method);
-            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*frame), curveThresholds(*findParameter(key)));
-            return [this, frame, key, curve = std::move(curve)] {
-                if (counted_ == frame) emit counted(QString::fromUtf8(key), curve);
+        [this, detection](const BackgroundJob::Progress&) -> std::function<void()> {
+            const char* key = sweptParameter(detection->settings.method);
+            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*detection), curveThresholds(*findParameter(key)));
+            return [this, detection, key, curve = std::move(curve)] {
+                if (counted_ == detection) emit counted(QString::fromUtf8(key), curve);
             };
         },
         this);

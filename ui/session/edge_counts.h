@@ -1,8 +1,8 @@
 // Works out, while nobody turns anything, how many edges every threshold would give.
 #pragma once
 
-#include "core/method/detection.h"
 #include "core/gray/threshold_map.h"
+#include "core/method/detection.h"
 #include "ui/session/background_job.h"
 
 #include <QObject>
@@ -12,18 +12,18 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only; the counting runs on a thread of its own, newest frame wins.
+/// GUI thread only; the counting runs on a thread of its own, newest detection wins.
 class EdgeCounts : public QObject {
     Q_OBJECT
 public:
     explicit EdgeCounts(QObject* parent = nullptr);
 
-    /// A new frame is on the screen. Nothing is counted while further frames follow quickly, and nothing again where only the threshold
-    /// that is swept changed.
-    void want(const std::shared_ptr<const Frame>& frame);
+    /// A new detection is on the screen. Nothing is counted while further detections follow quickly, and nothing again where only the
+    /// threshold that is swept changed.
+    void want(const std::shared_ptr<const Detection>& detection);
 
 signals:
-    /// What was counted no longer belongs to the frame.
+    /// What was counted no longer belongs to the detection.
     void outdated();
     /// `parameter`: key of the threshold.
     void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
@@ -31,9 +31,9 @@ signals:
 private:
     void start();
 
-    std::shared_ptr<const Frame> wanted_;  // not counted yet
-    std::shared_ptr<const Frame> counted_; // or being counted
-    BackgroundJob* job_ = nullptr;         // child
+    std::shared_ptr<const Detection> wanted_;  // not counted yet
+    std::shared_ptr<const Detection> counted_; // or being counted
+    BackgroundJob* job_ = nullptr;             // child
     QTimer quiet_;
 };
 

@@ -47,18 +47,18 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
 
 // The pixels of the edge cells, each in the colour of its cell; all others stay.
 template <class EdgeColour>
-void paintEdges(QImage& image, const Frame& frame, EdgeColour edgeColour) {
-    const auto beams = static_cast<std::size_t>(frame.scan->beams());
-    for (const std::uint32_t k : *frame.edges)
+void paintEdges(QImage& image, const Detection& detection, EdgeColour edgeColour) {
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    for (const std::uint32_t k : *detection.edges)
         reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
 }
 
-EdgeCells edgeCellsOf(const Frame& frame) {
-    EdgeCells cells{frame.edges, {}};
-    if (!frame.classes) return cells;
+EdgeCells edgeCellsOf(const Detection& detection) {
+    EdgeCells cells{detection.edges, {}};
+    if (!detection.classes) return cells;
     std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
-    for (const std::uint32_t k : *frame.edges) {
-        const DepthEdge kind = (*frame.classes)[k];
+    for (const std::uint32_t k : *detection.edges) {
+        const DepthEdge kind = (*detection.classes)[k];
         if (kind != DepthEdge::None) lists[static_cast<std::size_t>(kind) - 1].push_back(k);
     }
     for (std::size_t n = 0; n < lists.size(); ++n)
@@ -76,53 +76,55 @@ int shownLines(const Scan& scan, const Growth& growth) {
     return room;
 }
 
-QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows) {
+QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows) {
     std::array<QRgb, 256> table{};
     const double span = std::max(1, levels.white - levels.black);
     for (int level = 0; level < 256; ++level) {
         const int shown = static_cast<int>(std::clamp((level - levels.black) * 255.0 / span, 0.0, 255.0));
         table[static_cast<std::size_t>(level)] = qRgb(shown, shown, shown);
     }
-    return paintCells(*frame.scan, rows, [&](std::size_t k) { return table[frame.gray->levels[k]]; });
+    return paintCells(*detection.scan, rows, [&](std::size_t k) { return table[detection.gray->levels[k]]; });
 }
 
-QImage edgePicture(const Frame& frame, int rows) {
-    QImage image = paintCells(*frame.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
+QImage edgePicture(const Detection& detection, int rows) {
+    QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
     // Edges last: without masking they also lie on cells without a range.
-    paintEdges(image, frame, [](std::size_t) { return qRgb(255, 255, 255); });
+    paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
     return image;
 }
 
 QImage classPicture(const Picture& picture, const QColor& jump) {
     QImage image = *picture.edges;
-    const Frame& frame = *picture.frame;
-    if (!frame.classes) return image;
+    const Detection& detection = *picture.detection;
+    if (!detection.classes) return image;
     const std::array<QRgb, kEdgeClasses + 1> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb(),
                                                      kBorderColour.rgb()};
-    paintEdges(image, frame, [&](std::size_t k) { return colours[static_cast<std::size_t>((*frame.classes)[k])]; });
+    paintEdges(image, detection, [&](std::size_t k) { return colours[static_cast<std::size_t>((*detection.classes)[k])]; });
     return image;
 }
 
-QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows) {
-    QImage image(frame.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
+QImage edgeOverlay(const Detection& detection, const QColor& colour, int rows) {
+    QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    paintEdges(image, frame, [&](std::size_t) { return colour.rgba(); });
+    paintEdges(image, detection, [&](std::size_t) { return colour.rgba(); });
     return image;
 }
 
-std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const PictureSource& source, const Settings& asked,
-                                           const std::shared_ptr<const CloudGeometry>& cloud, const std::shared_ptr<const Picture>& last) {
+std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
+                                           const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
+                                           const std::shared_ptr<const Picture>& last) {
     auto picture = std::make_shared<Picture>();
     picture->source = source;
     picture->asked = asked;
-    picture->frame = frame;
+    picture->detection = detection;
     picture->cloud = cloud;
-    const int rows = shownLines(*frame->scan, source.growth);
-    const bool grayHolds = last && last->frame->gray == frame->gray && last->frame->scan == frame->scan && last->gray->height() == rows;
-    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*frame, {}, rows));
-    picture->edges = std::make_shared<const QImage>(edgePicture(*frame, rows));
-    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*frame, QColor(0, 255, 0), rows));
-    picture->edgeCells = edgeCellsOf(*frame);
+    const int rows = shownLines(*detection->scan, source.growth);
+    const bool grayHolds =
+        last && last->detection->gray == detection->gray && last->detection->scan == detection->scan && last->gray->height() == rows;
+    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, {}, rows));
+    picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
+    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, QColor(0, 255, 0), rows));
+    picture->edgeCells = edgeCellsOf(*detection);
     return picture;
 }
 

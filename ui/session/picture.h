@@ -1,8 +1,8 @@
-// What the window shows of one frame: the frame itself and the images made of it off the GUI thread.
+// What the window shows of one detection: the detection itself and the images made of it off the GUI thread.
 #pragma once
 
-#include "core/method/detection.h"
 #include "core/live/growing_pipeline.h"
+#include "core/method/detection.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/edge_cells.h"
 
@@ -31,8 +31,8 @@ struct PictureSource {
 /// Never changed after it is made. All members change together in the window.
 struct Picture {
     PictureSource source;
-    Settings asked; ///< what the frame was wanted with; the frame's own settings fix what must stay while a scan grows
-    std::shared_ptr<const Frame> frame;
+    Settings asked; ///< what the detection was wanted with; the detection's own settings fix what must stay while a scan grows
+    std::shared_ptr<const Detection> detection;
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage> gray;    ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue
     std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
@@ -44,14 +44,14 @@ struct Picture {
 [[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
 
 // beams x `rows` pixels; rows that the scan does not have yet are plain dark.
-[[nodiscard]] QImage grayPicture(const Frame& frame, DisplayLevels levels, int rows);
-[[nodiscard]] QImage edgePicture(const Frame& frame, int rows);
+[[nodiscard]] QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows);
+[[nodiscard]] QImage edgePicture(const Detection& detection, int rows);
 /// The picture's edge map with the colours of the classes, where the method tells classes apart; else the map as it is.
 [[nodiscard]] QImage classPicture(const Picture& picture, const QColor& jump);
-[[nodiscard]] QImage edgeOverlay(const Frame& frame, const QColor& colour, int rows);
+[[nodiscard]] QImage edgeOverlay(const Detection& detection, const QColor& colour, int rows);
 
-/// Images of `frame`; what did not change since `last` (may be null) is taken from it.
-[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Frame>& frame, const PictureSource& source,
+/// Images of `detection`; what did not change since `last` (may be null) is taken from it.
+[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
                                                          const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                                          const std::shared_ptr<const Picture>& last);
 

@@ -35,8 +35,8 @@ struct Saving {
     std::size_t count = 0;
 };
 
-Saving write(Session::Export what, const Frame& frame, const std::string& path, const ExportOptions& options) {
-    const Result<std::size_t> written = exportWithProvenance(contentOf(what), frame, path, options);
+Saving write(Session::Export what, const Detection& detection, const std::string& path, const ExportOptions& options) {
+    const Result<std::size_t> written = exportWithProvenance(contentOf(what), detection, path, options);
     if (!written) return {written.error(), 0};
     return {Done{}, *written};
 }
@@ -121,20 +121,20 @@ void Session::setSettings(const Settings& settings) {
 
 bool Session::behind() const {
     if (posted_ == nullptr) return false;
-    return picture_ == nullptr || picture_->frame->scan != posted_ || !(picture_->asked == settings_) ||
+    return picture_ == nullptr || picture_->detection->scan != posted_ || !(picture_->asked == settings_) ||
            !(picture_->source == postedSource_); // only this thread changes it
 }
 
 void Session::save(Export what, const QString& path, const std::optional<ExportOptions>& options) {
     if (picture_ == nullptr) return;
-    const auto frame = picture_->frame;
+    const auto detection = picture_->detection;
     ExportOptions how = options.value_or(ExportOptions{});
-    if (!options) how.frame = usualFrame(*frame->scan);
-    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, frame, path, how](const BackgroundJob::Progress& progress) {
+    if (!options) how.frame = usualFrame(*detection->scan);
+    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, detection, path, how](const BackgroundJob::Progress& progress) {
         progress("writing", 0.0);
         Saving saving{Done{}, 0};
         try {
-            saving = write(what, *frame, path.toStdString(), how);
+            saving = write(what, *detection, path.toStdString(), how);
         } catch (const std::bad_alloc&) {
             saving.result = outOfMemory(path);
         }
@@ -181,13 +181,13 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
     return job;
 }
 
-std::shared_ptr<const Frame> Session::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+std::shared_ptr<const Detection> Session::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     PictureSource source;
     std::vector<std::shared_ptr<const Picture>> retired;
     {
         const std::lock_guard lock(slotMutex_);
         retired.swap(retired_);
-        if (postedScan_ != scan) return nullptr; // a newer scan was posted; its own frame follows
+        if (postedScan_ != scan) return nullptr; // a newer scan was posted; its own detection follows
         source = postedSource_;
     }
     if (cloudScan_ != scan) {
@@ -206,9 +206,9 @@ void Session::present() {
         QMetaObject::invokeMethod(
             this, [this, text = QString::fromStdString(failure)] { emit failed(text); }, Qt::QueuedConnection);
     }
-    const std::shared_ptr<const Frame> frame = worker_.take();
-    if (!frame) return;
-    lastMade_ = makePicture(frame, source_, asked_, cloud_, lastMade_);
+    const std::shared_ptr<const Detection> detection = worker_.take();
+    if (!detection) return;
+    lastMade_ = makePicture(detection, source_, asked_, cloud_, lastMade_);
     bool unread = false;
     {
         const std::lock_guard lock(slotMutex_);

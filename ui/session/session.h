@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/settings/settings.h"
-#include "core/method/worker.h"
 #include "core/io/open_scan.h"
+#include "core/method/worker.h"
 #include "core/report/provenance.h"
+#include "core/settings/settings.h"
 #include "ui/session/background_job.h"
 #include "ui/session/picture.h"
 
@@ -71,8 +71,9 @@ private:
     void startOpening(const QString& title, const QString& path, OpenWork work);
     BackgroundJob* startJob(const QString& title, BackgroundJob::Work work);
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    [[nodiscard]] std::shared_ptr<const Frame> run(const std::shared_ptr<const Scan>& scan, const Settings& settings); // worker's thread
-    void present();                                                                                                    // worker's thread
+    [[nodiscard]] std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan,
+                                                       const Settings& settings); // worker's thread
+    void present();                                                               // worker's thread
     void takePicture();
 
     Settings settings_;

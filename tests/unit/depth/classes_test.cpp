@@ -28,10 +28,10 @@ TEST(EdgeClasses, TheBorderOfAHoleIsAClassOfItsOwnAndOffUnlessWanted) {
     Settings settings;
     EXPECT_TRUE(detectEdges(wall, settings)->edges->empty());
     settings.classes = kClassRock | kClassBorder;
-    const auto frame = detectEdges(wall, settings);
-    EXPECT_EQ(frame->edges->size(), 2U * (20 + 40)); // the cells that share a side with the hole
-    EXPECT_EQ(countClasses(*frame)[static_cast<std::size_t>(DepthEdge::Border)], frame->edges->size());
-    for (const std::uint32_t k : *frame->edges) EXPECT_EQ(wall->state[k], CellState::Valid);
+    const auto detection = detectEdges(wall, settings);
+    EXPECT_EQ(detection->edges->size(), 2U * (20 + 40)); // the cells that share a side with the hole
+    EXPECT_EQ(countClasses(*detection)[static_cast<std::size_t>(DepthEdge::Border)], detection->edges->size());
+    for (const std::uint32_t k : *detection->edges) EXPECT_EQ(wall->state[k], CellState::Valid);
 }
 
 TEST(EdgeClasses, EachSwitchTakesItsOwnClassAway) {
@@ -41,9 +41,9 @@ TEST(EdgeClasses, EachSwitchTakesItsOwnClassAway) {
     EXPECT_GT(all[1], 100U);
     for (const auto& [bit, kind] : {std::pair{kClassJump, 1U}, {kClassConvex, 2U}, {kClassConcave, 3U}}) {
         settings.classes = bit;
-        const auto frame = detectEdges(boxes, settings);
-        const auto counts = countClasses(*frame);
-        EXPECT_EQ(counts[kind], frame->edges->size());
+        const auto detection = detectEdges(boxes, settings);
+        const auto counts = countClasses(*detection);
+        EXPECT_EQ(counts[kind], detection->edges->size());
         settings.classes = kClassRock & ~bit;
         EXPECT_EQ(countClasses(*detectEdges(boxes, settings))[kind], 0U);
     }
@@ -63,9 +63,9 @@ TEST(EdgeClasses, OutlinesAndJumpsAreClassesOfTheSameEdges) {
 
 TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
     const auto boxes = std::make_shared<const Scan>(test::boxesScan(60, 80, 4));
-    const auto frame = detectEdges(boxes, Settings{});
+    const auto detection = detectEdges(boxes, Settings{});
     for (const ExportContent content : {ExportContent::EdgeCloud, ExportContent::FullCloud}) {
-        const auto files = exportFiles(content, *frame, "cloud.csv", "", {});
+        const auto files = exportFiles(content, *detection, "cloud.csv", "", {});
         ASSERT_TRUE(files) << files.error().sentence();
         std::istringstream rows(files->front().bytes);
         std::string header;
@@ -79,10 +79,10 @@ TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
             std::istringstream cut(row);
             for (std::string field; std::getline(cut, field, ',');) fields.push_back(field);
             const auto k = boxes->rangeMm.index(std::stoi(fields[3]), std::stoi(fields[4]));
-            ASSERT_EQ(std::stoi(fields.back()), static_cast<int>((*frame->classes)[k])) << row;
+            ASSERT_EQ(std::stoi(fields.back()), static_cast<int>((*detection->classes)[k])) << row;
             if (hasEdge) ASSERT_EQ(fields[6] == "255", fields.back() != "0") << row;
         }
-        EXPECT_EQ(points, content == ExportContent::EdgeCloud ? frame->edges->size()
+        EXPECT_EQ(points, content == ExportContent::EdgeCloud ? detection->edges->size()
                                                               : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);
     }
     const auto gray = exportFiles(ExportContent::EdgeCloud, *detectEdges(boxes, cannySettings()), "cloud.csv", "", {});

@@ -1,9 +1,9 @@
 // What is said to have been measured at a cell is what the whole scan was judged by.
 #include "core/depth/depth_probe.h"
 
-#include "core/method/pipeline.h"
 #include "core/explain/why.h"
 #include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
 #include "core/report/why_report.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
@@ -133,15 +133,15 @@ TEST(DepthProbe, AStepAndACornerHaveTheirSizes) {
 
 TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
     const auto scan = std::make_shared<const Scan>(smallBell());
-    const auto frame = detectEdges(scan, Settings{});
+    const auto detection = detectEdges(scan, Settings{});
     std::mt19937 random(3);
     int told = 0;
     for (int n = 0; n < 4000 && told < 12; ++n) {
-        const std::uint32_t k = (*frame->edges)[random() % frame->edges->size()];
+        const std::uint32_t k = (*detection->edges)[random() % detection->edges->size()];
         const int line = static_cast<int>(k) / scan->beams();
         const int beam = static_cast<int>(k) % scan->beams() + (n % 2 == 0 ? 1 : -1);
-        if (!scan->rangeMm.contains(line, beam) || frame->mask->at(line, beam) != 0) continue;
-        const Why why = whyCell(*frame, scan->rangeMm.index(line, beam));
+        if (!scan->rangeMm.contains(line, beam) || detection->mask->at(line, beam) != 0) continue;
+        const Why why = whyCell(*detection, scan->rangeMm.index(line, beam));
         if (!why.suppressedBy || why.strength <= why.lower || !why.takesPart) continue;
         ++told;
         const ThinnedStrength& channel = why.kind == DepthEdge::Jump ? why.depth->jump : why.depth->crease;
@@ -156,16 +156,16 @@ TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
 
 TEST(DepthProbe, TextAndReportNameStepFoldNoiseClassAndChain) {
     const auto scan = std::make_shared<const Scan>(smallBell());
-    const auto frame = detectEdges(scan, Settings{});
+    const auto detection = detectEdges(scan, Settings{});
     bool jump = false;
     bool fold = false;
-    for (std::size_t n = 0; n < frame->edges->size() && !(jump && fold); n += 7) {
-        const std::uint32_t k = (*frame->edges)[n];
-        const bool isJump = (*frame->classes)[k] == DepthEdge::Jump;
+    for (std::size_t n = 0; n < detection->edges->size() && !(jump && fold); n += 7) {
+        const std::uint32_t k = (*detection->edges)[n];
+        const bool isJump = (*detection->classes)[k] == DepthEdge::Jump;
         if (isJump ? jump : fold) continue;
         (isJump ? jump : fold) = true;
-        const Why why = whyCell(*frame, k);
-        const std::string text = whyText(why, frame->settings);
+        const Why why = whyCell(*detection, k);
+        const std::string text = whyText(why, detection->settings);
         EXPECT_NE(text.find(isJump ? "Step in depth: " : "Fold: "), std::string::npos) << text;
         EXPECT_NE(text.find("Range noise used: sigma "), std::string::npos) << text;
         EXPECT_NE(text.find("Edge strength"), std::string::npos) << text;
@@ -175,7 +175,7 @@ TEST(DepthProbe, TextAndReportNameStepFoldNoiseClassAndChain) {
         ASSERT_TRUE(why.chainTop);
         EXPECT_EQ(why.chainMembers.size(), why.chainCells);
         EXPECT_GE(why.chainTop->strength, why.strength);
-        const nlohmann::ordered_json report = whyReport(*frame, why);
+        const nlohmann::ordered_json report = whyReport(*detection, why);
         const auto& measured = report["measured"];
         EXPECT_GT(measured["noise_mm"].get<double>(), 0);
         EXPECT_FALSE(measured[isJump ? "steps" : "folds"].empty());
@@ -196,8 +196,8 @@ TEST(DepthProbe, OtherMethodsSayUnitAndDirection) {
          {Method::Roberts, Method::Sobel, Method::Prewitt, Method::Kirsch, Method::Robinson, Method::Canny, Method::LogRange}) {
         Settings settings;
         settings.method = method;
-        const auto frame = detectEdges(scan, settings);
-        const Why why = whyCell(*frame, scan->rangeMm.index(15, 15));
+        const auto detection = detectEdges(scan, settings);
+        const Why why = whyCell(*detection, scan->rangeMm.index(15, 15));
         ASSERT_TRUE(why.directionDeg) << static_cast<int>(method);
         EXPECT_NEAR(*why.directionDeg, 0, 1) << static_cast<int>(method);
         const std::string unit = method == Method::LogRange ? "% of range" : "levels";

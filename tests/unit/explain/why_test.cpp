@@ -1,9 +1,9 @@
 // Why a cell is an edge: what is said must be what the method does.
-#include "core/settings/parameters.h"
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/explain/why.h"
+#include "core/method/pipeline.h"
 #include "core/report/why_report.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -33,14 +33,14 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
     std::mt19937 random(5);
     for (const Settings& settings : everyMethod()) {
-        const auto frame = detectEdges(scan, settings);
+        const auto detection = detectEdges(scan, settings);
         for (int n = 0; n < 12; ++n) {
             // Half of the cells from the edges, half from anywhere.
-            const std::size_t k =
-                n % 2 == 0 && !frame->edges->empty() ? (*frame->edges)[random() % frame->edges->size()] : random() % scan->cells();
-            const Why why = whyCell(*frame, k);
+            const std::size_t k = n % 2 == 0 && !detection->edges->empty() ? (*detection->edges)[random() % detection->edges->size()]
+                                                                           : random() % scan->cells();
+            const Why why = whyCell(*detection, k);
             const Parameter& parameter = *findParameter(why.parameter);
-            EXPECT_EQ(why.probe.edge, (*frame->mask)[k] != 0);
+            EXPECT_EQ(why.probe.edge, (*detection->mask)[k] != 0);
             EXPECT_TRUE(!why.probe.edge || (why.appearsAt && *why.appearsAt >= parameter.get(settings))) << why.verdict;
             if (!why.appearsAt) continue;
             Settings at = settings;
@@ -62,9 +62,9 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     s.nearMm = 0;
     s.farMm = 25500;
     s.lower = 9; // 3 levels of 100 mm; strong from 9 levels
-    const auto frame = detectEdges(std::make_shared<Scan>(scan), s);
-    const int beam = frame->mask->at(15, 9) != 0 ? 9 : 10;
-    const Why why = whyCell(*frame, frame->mask->index(15, beam));
+    const auto detection = detectEdges(std::make_shared<Scan>(scan), s);
+    const int beam = detection->mask->at(15, 9) != 0 ? 9 : 10;
+    const Why why = whyCell(*detection, detection->mask->index(15, beam));
     ASSERT_TRUE(why.probe.edge);
     EXPECT_EQ(why.standing, Standing::Between);
     ASSERT_GT(why.chain.size(), 2U);
@@ -78,7 +78,7 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     EXPECT_NE(why.verdict.find("its chain reaches"), std::string::npos) << why.verdict;
     EXPECT_NEAR(std::abs(*why.directionDeg), 0, 10);
     // Beside it the same step is seen a little weaker: lost to the edge.
-    const Why beside = whyCell(*frame, frame->mask->index(5, beam == 9 ? 10 : 9));
+    const Why beside = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
     EXPECT_FALSE(beside.probe.edge);
     ASSERT_TRUE(beside.suppressedBy) << beside.verdict;
     EXPECT_EQ(beside.suppressedBy->beam, beam);
@@ -98,8 +98,8 @@ TEST(Why, AHoleSaysThatItHasNoRange) {
 
 TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3));
-    const auto frame = detectEdges(scan, cannySettings());
-    const nlohmann::ordered_json report = whyReport(*frame, whyCell(*frame, (*frame->edges)[3]));
+    const auto detection = detectEdges(scan, cannySettings());
+    const nlohmann::ordered_json report = whyReport(*detection, whyCell(*detection, (*detection->edges)[3]));
     for (const char* key :
          {"line", "beam", "range_mm", "gray", "smoothed", "gradient", "suppressed_by", "thresholds", "chain", "appears_at", "verdict"})
         EXPECT_TRUE(report.contains(key)) << key;

@@ -1,11 +1,11 @@
 // The stages of the method against OpenCV, against direct sums, and against what a hole must not do.
 #include "core/gray/canny.h"
 #include "core/gray/gray.h"
+#include "core/gray/smooth.h"
+#include "core/method/pipeline.h"
 #include "core/scan/missing_cells.h"
 #include "core/settings/parameters.h"
-#include "core/method/pipeline.h"
 #include "core/settings/presets.h"
-#include "core/gray/smooth.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -76,8 +76,8 @@ TEST(Gray, OneSingleRangeHasNoDepthInAnyScaling) {
     for (const Scaling scaling : {Scaling::Thesis, Scaling::Window, Scaling::Log}) {
         Settings s = cannySettings();
         s.scaling = scaling;
-        const auto frame = detectEdges(std::make_shared<Scan>(scan), s);
-        EXPECT_TRUE(frame->edges->empty());
+        const auto detection = detectEdges(std::make_shared<Scan>(scan), s);
+        EXPECT_TRUE(detection->edges->empty());
     }
 }
 
@@ -271,9 +271,9 @@ TEST(Methods, EdgesLieOnValidCellsOnlyWhenMissingDataIsMasked) {
         std::size_t found = 0;
         for (std::uint32_t seed = 0; seed < 20; ++seed) {
             const auto scan = std::make_shared<Scan>(test::boxesScan(50, 70, seed, 0.1));
-            const auto frame = detectEdges(scan, settings);
-            found += frame->edges->size();
-            for (const std::uint32_t k : *frame->edges) EXPECT_EQ(scan->state[k], CellState::Valid) << choice.name;
+            const auto detection = detectEdges(scan, settings);
+            found += detection->edges->size();
+            for (const std::uint32_t k : *detection->edges) EXPECT_EQ(scan->state[k], CellState::Valid) << choice.name;
         }
         EXPECT_GT(found, 1000U) << choice.name;
     }

@@ -1,10 +1,10 @@
 // What thresholds stand for, against scans of steps of known depth.
 #include "core/gray/detector.h"
-#include "core/settings/method_traits.h"
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/gray/smooth.h"
 #include "core/gray/step_meaning.h"
+#include "core/method/pipeline.h"
+#include "core/settings/method_traits.h"
+#include "core/settings/presets.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -33,11 +33,11 @@ Settings linear(Method method, int kernel = 3) {
 std::size_t edgesOfStep(double stepMm, bool diagonal, const Settings& settings) {
     const Scan scan =
         test::makeScan(60, 60, [&](int i, int j) { return static_cast<float>((diagonal ? j > i : j > 29) ? 5000.0 + stepMm : 5000.0); });
-    const auto frame = detectEdges(std::make_shared<Scan>(scan), settings);
+    const auto detection = detectEdges(std::make_shared<Scan>(scan), settings);
     std::size_t count = 0;
     // Where a step leaves the picture the repeated border bends it.
     for (int i = 20; i < 40; ++i) {
-        for (int j = 20; j < 40; ++j) count += frame->mask->at(i, j) != 0 ? 1 : 0;
+        for (int j = 20; j < 40; ++j) count += detection->mask->at(i, j) != 0 ? 1 : 0;
     }
     return count;
 }

@@ -1,9 +1,9 @@
 // Scans that grow: which of them continue which, the window that stays meanwhile, and what the operator is told of them.
 #include "core/gray/canny.h"
-#include "core/settings/presets.h"
 #include "core/live/growing_pipeline.h"
 #include "core/live/live_health.h"
 #include "core/scan/placement.h"
+#include "core/settings/presets.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
@@ -36,11 +36,11 @@ TEST(GrowingPipeline, EveryFrameIsThatOfItsOwnSettingsAndTheWindowRarelyMoves) {
             const int step = method == Method::Canny ? 3 : 17;
             for (int lines = 1; lines <= 200; lines += step) {
                 const auto part = firstLines(whole, lines);
-                const auto frame = pipeline.run(part, settings, {77, true, 200});
-                ASSERT_EQ(*frame->mask, *detectEdges(part, frame->settings)->mask) << lines;
-                ASSERT_FALSE(std::isnan(frame->settings.nearMm));
-                EXPECT_EQ(frame->settings.lower, settings.lower);
-                windows.insert({frame->settings.nearMm, frame->settings.farMm});
+                const auto detection = pipeline.run(part, settings, {77, true, 200});
+                ASSERT_EQ(*detection->mask, *detectEdges(part, detection->settings)->mask) << lines;
+                ASSERT_FALSE(std::isnan(detection->settings.nearMm));
+                EXPECT_EQ(detection->settings.lower, settings.lower);
+                windows.insert({detection->settings.nearMm, detection->settings.farMm});
             }
             EXPECT_LE(windows.size(), 8U) << "once per doubling at most";
             const auto all = firstLines(whole, 200);
@@ -81,9 +81,9 @@ TEST(GrowingPipeline, AnotherSweepIsNeverTakenForTheSame) {
     const Settings settings = cannySettings();
     static_cast<void>(pipeline.run(firstLines(one, 39), settings, {1, true, 0}));
     const auto other = firstLines(two, 40);
-    const auto frame = pipeline.run(other, settings, {2, true, 0});
-    EXPECT_EQ(*frame->mask, *detectEdges(other, frame->settings)->mask);
-    EXPECT_FALSE(edgeCells(*frame->mask).empty());
+    const auto detection = pipeline.run(other, settings, {2, true, 0});
+    EXPECT_EQ(*detection->mask, *detectEdges(other, detection->settings)->mask);
+    EXPECT_FALSE(edgeCells(*detection->mask).empty());
 }
 
 // What the number promises: as long as it is the same, rows that were there stay as they are.

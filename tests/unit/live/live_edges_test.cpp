@@ -1,7 +1,7 @@
 // Edges of a growing scan, line by line, against the whole method on the lines so far.
+#include "core/live/live_edges.h"
 #include "core/method/pipeline.h"
 #include "core/settings/presets.h"
-#include "core/live/live_edges.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ void expectExact(const Scan& scan, const Settings& settings, int stride) {
         ASSERT_EQ(live->smoothed(), *expected->smoothed) << lines;
         ASSERT_EQ(live->mask(), *expected->mask) << lines;
         if (lines % 16 != 0) continue;
-        const auto frame = live->frame(part);
-        ASSERT_EQ(*frame->edges, *expected->edges);
-        ASSERT_EQ(frame->gray->saturated, expected->gray->saturated);
+        const auto detection = live->detection(part);
+        ASSERT_EQ(*detection->edges, *expected->edges);
+        ASSERT_EQ(detection->gray->saturated, expected->gray->saturated);
     }
 }
 

@@ -1,9 +1,9 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
 #include "core/depth/depth_settings.h"
-#include "core/settings/parameters.h"
 #include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/method/worker.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -39,16 +39,16 @@ TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
         settings = randomlyTurned(settings, random);
         methods.insert(static_cast<int>(settings.method));
         const auto& scan = scans[random() % 10 == 0 ? random() % 3 : 0];
-        const auto frame = pipeline.run(scan, settings);
+        const auto detection = pipeline.run(scan, settings);
         const auto fresh = detectEdges(scan, settings);
-        ASSERT_EQ(frame->gray->levels, fresh->gray->levels) << step;
-        ASSERT_EQ(frame->smoothed == nullptr, fresh->smoothed == nullptr) << step;
-        if (frame->smoothed) ASSERT_EQ(*frame->smoothed, *fresh->smoothed) << step;
-        ASSERT_EQ(frame->classes == nullptr, fresh->classes == nullptr) << step;
-        if (frame->classes) ASSERT_EQ(frame->classes->cells, fresh->classes->cells) << step;
-        ASSERT_EQ(*frame->mask, *fresh->mask) << step;
-        ASSERT_EQ(*frame->edges, *fresh->edges) << step;
-        EXPECT_EQ(frame->scan, scan);
+        ASSERT_EQ(detection->gray->levels, fresh->gray->levels) << step;
+        ASSERT_EQ(detection->smoothed == nullptr, fresh->smoothed == nullptr) << step;
+        if (detection->smoothed) ASSERT_EQ(*detection->smoothed, *fresh->smoothed) << step;
+        ASSERT_EQ(detection->classes == nullptr, fresh->classes == nullptr) << step;
+        if (detection->classes) ASSERT_EQ(detection->classes->cells, fresh->classes->cells) << step;
+        ASSERT_EQ(*detection->mask, *fresh->mask) << step;
+        ASSERT_EQ(*detection->edges, *fresh->edges) << step;
+        EXPECT_EQ(detection->scan, scan);
     }
     EXPECT_EQ(methods.size(), findParameter("method")->choices.size());
 }
@@ -82,10 +82,10 @@ TEST(Pipeline, AHandOnAThresholdBuildsOneMapAndGetsWhatTheMethodGives) {
             settings.lower = settings.stepPercent = threshold;
             if (method != Method::LogRange) settings.stepPercent = Settings{}.stepPercent;
             if (method == Method::LogRange) settings.lower = cannySettings().lower;
-            const auto frame = pipeline.run(scan, settings);
-            ASSERT_EQ(*frame->mask, *detectEdges(scan, settings)->mask) << threshold;
-            maps += static_cast<int>(std::ranges::count(frame->timings, "threshold map", &StageTime::stage));
-            EXPECT_EQ(std::ranges::count(frame->timings, "canny", &StageTime::stage), 0);
+            const auto detection = pipeline.run(scan, settings);
+            ASSERT_EQ(*detection->mask, *detectEdges(scan, settings)->mask) << threshold;
+            maps += static_cast<int>(std::ranges::count(detection->timings, "threshold map", &StageTime::stage));
+            EXPECT_EQ(std::ranges::count(detection->timings, "canny", &StageTime::stage), 0);
         }
         EXPECT_EQ(maps, 1);
         settings.kernel = 5; // another map
@@ -142,10 +142,10 @@ TEST(Worker, ManyPostingsEndWithTheLastOne) {
         worker.post(settings);
     }
     while (worker.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const auto frame = worker.take();
-    ASSERT_NE(frame, nullptr);
-    EXPECT_EQ(frame->settings.lower, 204);
-    EXPECT_EQ(*frame->mask, *detectEdges(scan, settings)->mask);
+    const auto detection = worker.take();
+    ASSERT_NE(detection, nullptr);
+    EXPECT_EQ(detection->settings.lower, 204);
+    EXPECT_EQ(*detection->mask, *detectEdges(scan, settings)->mask);
     EXPECT_EQ(worker.take(), nullptr);
     EXPECT_GE(ready.load(), 1);
     EXPECT_LE(ready.load(), 201);

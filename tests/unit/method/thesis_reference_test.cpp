@@ -1,8 +1,8 @@
 // The presets `thesis` and `window` against results computed independently with OpenCV on two real scans.
 #include "core/base/sha256.h"
+#include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
 #include "core/settings/presets.h"
-#include "core/io/open_scan.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -35,9 +35,9 @@ TEST_P(Reference, EveryMaskIsIdentical) {
         Settings settings = findPreset(expected["gray"].get<std::string>())->settings;
         settings.kernel = expected["kernel"];
         settings.lower = expected["lower"];
-        const auto frame = pipeline.run(shareable, settings);
-        EXPECT_EQ(frame->edges->size(), expected["edges"].get<std::size_t>()) << expected;
-        EXPECT_EQ(sha256Hex(std::as_bytes(std::span(frame->mask->cells))), expected["mask_sha256"].get<std::string>()) << expected;
+        const auto detection = pipeline.run(shareable, settings);
+        EXPECT_EQ(detection->edges->size(), expected["edges"].get<std::size_t>()) << expected;
+        EXPECT_EQ(sha256Hex(std::as_bytes(std::span(detection->mask->cells))), expected["mask_sha256"].get<std::string>()) << expected;
     }
 }
 

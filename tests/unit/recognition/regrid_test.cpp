@@ -1,9 +1,9 @@
 // Clouds without a grid are put onto one as seen from their sensor, and every point is accounted for.
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
 #include "core/recognition/regrid.h"
+#include "core/settings/presets.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +134,7 @@ TEST(Regrid, WrongPlacesAreToldByNumbers) {
     EXPECT_NE(far.error().what.find("5000 points lie in one direction"), std::string::npos) << far.error().sentence();
     const auto fine = regrid({points, sensor, 0.001, {}});
     ASSERT_FALSE(fine);
-    EXPECT_NE((fine.error().what + fine.error().todo).find("--grid-step"), std::string::npos) << fine.error().sentence();
+    EXPECT_NE((fine.error().what + fine.error().hint).find("--grid-step"), std::string::npos) << fine.error().sentence();
     EXPECT_FALSE(regrid({points, sensor, -1.0, {}}));
     EXPECT_FALSE(regrid({points, sensor, std::nan(""), {}}));
     EXPECT_FALSE(regrid({}));
@@ -215,8 +215,8 @@ TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     EXPECT_GT(countCells(*scan)[0], 15000U);
     EXPECT_EQ(countCells(*scan)[0] + scan->attached.size(), 100769U);
     EXPECT_TRUE(anyHolds(scan->warnings, "100769 points in"));
-    const auto frame = detectEdges(std::make_shared<const Scan>(std::move(*scan)), cannySettings());
-    const double share = static_cast<double>(frame->edges->size()) / static_cast<double>(countCells(*frame->scan)[0]);
+    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*scan)), cannySettings());
+    const double share = static_cast<double>(detection->edges->size()) / static_cast<double>(countCells(*detection->scan)[0]);
     EXPECT_GT(share, 0.02); // outlines, neither nothing nor speckle
     EXPECT_LT(share, 0.15);
 }

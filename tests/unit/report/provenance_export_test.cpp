@@ -1,15 +1,15 @@
 // Every export carries its record inside and beside itself, and can be made again from it.
 #include "core/base/sha256.h"
-#include "core/settings/parameters.h"
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
 #include "core/io/open_scan.h"
-#include "core/pictures/png.h"
 #include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
+#include "core/pictures/png.h"
 #include "core/report/provenance.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
 #include "core/report/verify.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 
@@ -40,7 +40,7 @@ constexpr Export kExports[]{
     {ExportContent::FullCloud, "cloud.ptx", false}};
 
 /// A scan in a file of `folder`, with or without a place in the mine, and its edges.
-std::shared_ptr<const Frame> frameIn(const Folder& folder, unsigned seed, bool placed) {
+std::shared_ptr<const Detection> detectionIn(const Folder& folder, unsigned seed, bool placed) {
     Scan scan = makeScan({.axis = Axis::Sweep, .lines = 30, .beams = 40, .seed = seed});
     if (placed) scan.placement = randomPlacement(seed, seed % 2 == 0 ? 30 : 1, true);
     const auto path = folder / "scan.json";
@@ -87,12 +87,12 @@ Json sidecarOf(const std::filesystem::path& path) { return Json::parse(readText(
 
 TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
     const Folder folder;
-    const auto frame = frameIn(folder, 3, true);
+    const auto detection = detectionIn(folder, 3, true);
     ExportOptions options{CoordinateFrame::Mine, false, "R. Operator", "blasting engineer"};
     for (const Export& one : kExports) {
         SCOPED_TRACE(one.name);
         const auto path = folder / one.name;
-        const auto written = exportWithProvenance(one.content, *frame, path, options);
+        const auto written = exportWithProvenance(one.content, *detection, path, options);
         ASSERT_TRUE(written) << written.error().sentence();
         const std::string bytes = readText(path);
         const Json sidecar = sidecarOf(path);
@@ -107,8 +107,8 @@ TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
             EXPECT_TRUE(record.contains(key)) << key;
         EXPECT_EQ(record["scan"]["sha256"], *sha256OfFile(folder / "scan.u16"));
         EXPECT_EQ(record["scan"]["input"], "scan.json");
-        EXPECT_EQ(record["edge_mask_sha256"], maskSha256(*frame->mask));
-        EXPECT_EQ(nlohmann::json(record["settings"]), settingsToJson(frame->settings));
+        EXPECT_EQ(record["edge_mask_sha256"], maskSha256(*detection->mask));
+        EXPECT_EQ(nlohmann::json(record["settings"]), settingsToJson(detection->settings));
         EXPECT_EQ(record["scanner"]["serial"], nullptr);
         EXPECT_EQ(record["scanner"]["reason"], "the scan file does not say");
         EXPECT_EQ(record["operator"], "R. Operator");
@@ -120,15 +120,15 @@ TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
         if (isCloud(one.content)) {
             EXPECT_EQ(record["coordinates"]["axis_order"], Json({"easting", "northing", "elevation"}));
             EXPECT_EQ(sidecar["export"]["points"],
-                      one.content == ExportContent::EdgeCloud ? frame->edges->size() : countCells(*frame->scan)[0]);
+                      one.content == ExportContent::EdgeCloud ? detection->edges->size() : countCells(*detection->scan)[0]);
         }
     }
 }
 
 TEST(Provenance, TheRecordDependsOnNeitherTimeNorFolder) {
     const Folder one, other;
-    const auto a = frameIn(one, 4, false);
-    const auto b = frameIn(other, 4, false);
+    const auto a = detectionIn(one, 4, false);
+    const auto b = detectionIn(other, 4, false);
     for (const Export& e : kExports) {
         ASSERT_TRUE(exportWithProvenance(e.content, *a, one / e.name));
         ASSERT_TRUE(exportWithProvenance(e.content, *b, other / (std::string("other-") + e.name)));
@@ -141,16 +141,16 @@ TEST(Provenance, ExportsOfAnySettingsFrameAndFormatVerify) {
     std::mt19937 random(1);
     const CoordinateFrame frames[]{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine};
     for (unsigned round = 0; round < 6; ++round) {
-        auto frame = frameIn(folder, round + 1, true);
+        auto detection = detectionIn(folder, round + 1, true);
         Settings settings;
         settings.kernel = 1 + 2 * static_cast<int>(random() % 4);
         settings.lower = 1 + static_cast<double>(random() % 40);
         settings.maskMissing = random() % 2 == 0;
-        frame = detectEdges(frame->scan, settings);
+        detection = detectEdges(detection->scan, settings);
         for (const Export& one : kExports) {
             const ExportOptions options{frames[random() % 3], random() % 2 == 0};
             SCOPED_TRACE(std::string(one.name) + " frame " + std::to_string(static_cast<int>(options.frame)));
-            const auto written = exportWithProvenance(one.content, *frame, folder / one.name, options);
+            const auto written = exportWithProvenance(one.content, *detection, folder / one.name, options);
             ASSERT_TRUE(written) << written.error().sentence();
             if (round % 2 == 0 && one.inside) std::filesystem::remove(sidecarPath(folder / one.name)); // the record inside is enough
             const auto verified = verifyExport(folder / one.name);
@@ -163,11 +163,11 @@ TEST(Provenance, ExportsOfAnySettingsFrameAndFormatVerify) {
 
 TEST(Provenance, AnAlteredByteIsNamed) {
     const Folder folder;
-    const auto frame = frameIn(folder, 5, true);
+    const auto detection = detectionIn(folder, 5, true);
     std::mt19937 random(2);
     for (const Export& one : kExports) {
         const auto path = folder / one.name;
-        ASSERT_TRUE(exportWithProvenance(one.content, *frame, path, {CoordinateFrame::Mine}));
+        ASSERT_TRUE(exportWithProvenance(one.content, *detection, path, {CoordinateFrame::Mine}));
         const std::string good = readText(path);
         for (int round = 0; round < 6; ++round) {
             const std::size_t byte = round == 0 ? 0 : round == 1 ? good.size() - 1 : random() % good.size();
@@ -191,16 +191,16 @@ TEST(Provenance, AnAlteredByteIsNamed) {
 
 TEST(Provenance, APicturePackedByAnotherZlibIsTheSamePicture) {
     const Folder folder;
-    const auto frame = frameIn(folder, 5, false);
+    const auto detection = detectionIn(folder, 5, false);
     for (const char* name : {"mask.png", "range.png"}) {
         SCOPED_TRACE(name);
         const auto path = folder / name;
         const auto content = name[0] == 'm' ? ExportContent::EdgeImage : ExportContent::RangeImage;
         // As if it had been made elsewhere: the record names another zlib, and the pixels are packed not at all.
-        Json record = Json::parse(exportRecord(content, *frame, {}));
+        Json record = Json::parse(exportRecord(content, *detection, {}));
         record["program"]["libraries"]["zlib"] = "1.3.99";
         const auto repacked = [&](int change) {
-            auto values = *pngValues(exportFiles(content, *frame, path, sealed(record), {})->front().bytes, name);
+            auto values = *pngValues(exportFiles(content, *detection, path, sealed(record), {})->front().bytes, name);
             values[77] = static_cast<std::uint16_t>(values[77] ^ change);
             return storedPng(values, content == ExportContent::EdgeImage ? 8 : 16, sealed(record));
         };
@@ -221,17 +221,17 @@ TEST(Provenance, APicturePackedByAnotherZlibIsTheSamePicture) {
 
 TEST(Provenance, AWholeScanOfEveryFormatVerifies) {
     const Folder folder;
-    const auto edges = frameIn(folder, 11, true);
-    Frame frame;
-    frame.scan = edges->scan;
+    const auto edges = detectionIn(folder, 11, true);
+    Detection detection;
+    detection.scan = edges->scan;
     for (const char* name : {"w.json", "w.u16", "w.pcd", "w.ply", "w.csv", "w.xyz", "w.las", "w.dxf", "w.obj", "w.ptx", "w.mcap"}) {
         for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine, CoordinateFrame::MineLocal}) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(coordinates)));
             const bool ranges = !holdsPoints(*saveFormatOf(name));
-            const auto written = exportWithProvenance(ExportContent::WholeScan, frame, folder / name, {coordinates, true});
+            const auto written = exportWithProvenance(ExportContent::WholeScan, detection, folder / name, {coordinates, true});
             ASSERT_EQ(bool(written), !ranges || coordinates == CoordinateFrame::Scanner);
             if (!written) continue;
-            EXPECT_EQ(*written, ranges ? frame.scan->cells() : countCells(*frame.scan)[0]);
+            EXPECT_EQ(*written, ranges ? detection.scan->cells() : countCells(*detection.scan)[0]);
             const auto verified = verifyExport(folder / name);
             ASSERT_TRUE(verified) << verified.error().sentence();
             EXPECT_TRUE(verified->identical) << verificationText(*verified);
@@ -259,30 +259,30 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     const auto scan = openScan(folder / "cloud.ply", coarse);
     ASSERT_TRUE(scan) << scan.error().sentence();
     ASSERT_FALSE(scan->attached.empty());
-    const auto frame = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
-    ASSERT_GT(frame->edges->size(), 0U);
+    const auto detection = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
+    ASSERT_GT(detection->edges->size(), 0U);
     ExportOptions options;
     options.includeAttached = true;
     for (const char* name : {"c.pcd", "c.ply", "c.csv", "c.las", "c.dxf", "c.obj"}) {
         SCOPED_TRACE(name);
-        const auto all = exportWithProvenance(ExportContent::FullCloud, *frame, folder / name, options);
+        const auto all = exportWithProvenance(ExportContent::FullCloud, *detection, folder / name, options);
         ASSERT_TRUE(all) << all.error().sentence();
         EXPECT_EQ(*all, 6000U) << "every point of the file";
         EXPECT_TRUE(verifyExport(folder / name)->identical) << verificationText(*verifyExport(folder / name));
-        const auto edges = exportWithProvenance(ExportContent::EdgeCloud, *frame, folder / name, options);
+        const auto edges = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / name, options);
         ASSERT_TRUE(edges) << edges.error().sentence();
-        EXPECT_GT(*edges, frame->edges->size());
+        EXPECT_GT(*edges, detection->edges->size());
         EXPECT_TRUE(verifyExport(folder / name)->identical);
     }
-    const auto ptx = exportWithProvenance(ExportContent::FullCloud, *frame, folder / "c.ptx", options);
+    const auto ptx = exportWithProvenance(ExportContent::FullCloud, *detection, folder / "c.ptx", options);
     ASSERT_FALSE(ptx);
     EXPECT_NE(ptx.error().sentence().find("PTX holds one point per cell"), std::string::npos);
     // Whole scans say what stays behind.
     const auto lost = lostOnSaving(*scan, "w.pcd");
     ASSERT_EQ(lost.size(), 1U);
     EXPECT_EQ(lost[0].find(std::to_string(scan->attached.size()) + " points behind the nearest"), 0U) << lost[0];
-    Frame whole;
-    whole.scan = frame->scan;
+    Detection whole;
+    whole.scan = detection->scan;
     const auto list = exportWithProvenance(ExportContent::WholeScan, whole, folder / "w.pcd", options);
     ASSERT_TRUE(list) << list.error().sentence();
     EXPECT_EQ(*list, 6000U);
@@ -291,9 +291,9 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
 
 TEST(Provenance, AnAlteredRecordIsNoticed) {
     const Folder folder;
-    const auto frame = frameIn(folder, 6, false);
+    const auto detection = detectionIn(folder, 6, false);
     const auto path = folder / "edges.ply";
-    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *frame, path));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, path));
     const std::string sidecar = readText(sidecarPath(path));
     std::string altered = sidecar;
     altered.replace(altered.find("\"edges\": "), 9, "\"edges\": 9");
@@ -314,9 +314,9 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
 
 TEST(Provenance, TheScanIsFoundByItsHashWhereverItIs) {
     const Folder folder, far;
-    const auto frame = frameIn(folder, 7, false);
+    const auto detection = detectionIn(folder, 7, false);
     const auto path = folder / "edges.csv";
-    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *frame, path));
+    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, path));
     std::filesystem::create_directories(far / "deep/er");
     std::filesystem::rename(folder / "scan.u16", far / "deep/er/renamed.u16");
     std::filesystem::rename(folder / "scan.json", far / "deep/er/renamed.json");
@@ -353,8 +353,8 @@ TEST(Provenance, WhatTheUserSaidOnOpeningIsPartOfTheRecord) {
     options.axis = Axis::Sweep;
     const auto scan = openScan(folder / "ranges.csv", options);
     ASSERT_TRUE(scan) << scan.error().sentence();
-    const auto frame = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
-    ASSERT_TRUE(exportWithProvenance(ExportContent::FullCloud, *frame, folder / "cloud.ply"));
+    const auto detection = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
+    ASSERT_TRUE(exportWithProvenance(ExportContent::FullCloud, *detection, folder / "cloud.ply"));
     EXPECT_EQ(sidecarOf(folder / "cloud.ply")["record"]["scan"]["opened_with"]["beam-step"], 0.25);
     const auto verified = verifyExport(folder / "cloud.ply");
     ASSERT_TRUE(verified) << verified.error().sentence();
@@ -363,17 +363,17 @@ TEST(Provenance, WhatTheUserSaidOnOpeningIsPartOfTheRecord) {
 
 TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
     const Folder folder;
-    const auto frame = frameIn(folder, 8, false);
-    const auto noPose = exportWithProvenance(ExportContent::EdgeCloud, *frame, folder / "edges.pcd", {CoordinateFrame::Mine});
+    const auto detection = detectionIn(folder, 8, false);
+    const auto noPose = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "edges.pcd", {CoordinateFrame::Mine});
     ASSERT_FALSE(noPose);
     EXPECT_NE(noPose.error().sentence().find("the scan has no pose"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "edges.pcd"));
     EXPECT_FALSE(std::filesystem::exists(sidecarPath(folder / "edges.pcd")));
-    EXPECT_FALSE(exportWithProvenance(ExportContent::EdgeImage, *frame, folder / "nowhere/mask.png"));
-    const auto device = exportWithProvenance(ExportContent::EdgeImage, *frame, "/dev/null");
+    EXPECT_FALSE(exportWithProvenance(ExportContent::EdgeImage, *detection, folder / "nowhere/mask.png"));
+    const auto device = exportWithProvenance(ExportContent::EdgeImage, *detection, "/dev/null");
     EXPECT_TRUE(device);
     EXPECT_FALSE(std::filesystem::exists("/dev/null.provenance.json"));
-    ASSERT_TRUE(saveEdges(*frame->scan, *frame->mask, folder / "bare.pcd"));
+    ASSERT_TRUE(saveEdges(*detection->scan, *detection->mask, folder / "bare.pcd"));
     const auto bare = verifyExport(folder / "bare.pcd");
     ASSERT_FALSE(bare);
     EXPECT_NE(bare.error().sentence().find("there is no record in the export and none beside it"), std::string::npos);
@@ -383,7 +383,7 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
         writeText(folder / "bare.pcd.provenance.json", hostile);
         EXPECT_FALSE(verifyExport(folder / "bare.pcd"));
     }
-    Scan unsaved = *frame->scan;
+    Scan unsaved = *detection->scan;
     unsaved.sha256.clear();
     const auto live = detectEdges(std::make_shared<const Scan>(unsaved), Settings{});
     ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *live, folder / "mask.png"));
@@ -394,13 +394,13 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
 
 TEST(Provenance, NoEdgesAtAllIsAnExportToo) {
     const Folder folder;
-    auto frame = frameIn(folder, 9, false);
+    auto detection = detectionIn(folder, 9, false);
     Settings settings = cannySettings();
     settings.lower = 340;
-    frame = detectEdges(frame->scan, settings);
-    ASSERT_EQ(frame->edges->size(), 0U);
+    detection = detectEdges(detection->scan, settings);
+    ASSERT_EQ(detection->edges->size(), 0U);
     for (const char* name : {"none.pcd", "none.ply", "none.csv", "none.xyz"}) {
-        const auto written = exportWithProvenance(ExportContent::EdgeCloud, *frame, folder / name);
+        const auto written = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / name);
         ASSERT_TRUE(written) << written.error().sentence();
         EXPECT_EQ(*written, 0U);
         EXPECT_TRUE(verifyExport(folder / name)->identical) << name;
