@@ -13,7 +13,7 @@ namespace edgescan {
 
 /// An empty vector with room for `count` values.
 template <class T>
-std::vector<T> roomFor(std::size_t count) {
+std::vector<T> hugePageVector(std::size_t count) {
     std::vector<T> room;
     room.reserve(count);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)

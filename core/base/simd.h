@@ -6,20 +6,20 @@
 #include <cstring>
 
 #if !defined(__x86_64__) || !defined(__GNUC__) || defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define EDGESCAN_VECTORS
-#define EDGESCAN_WIDE_VECTORS false
+#define EDGESCAN_SIMD
+#define EDGESCAN_SIMD_WIDE false
 #elif __GNUC__ >= 12
-#define EDGESCAN_VECTORS __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#define EDGESCAN_WIDE_VECTORS __builtin_cpu_supports("avx2")
+#define EDGESCAN_SIMD __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#define EDGESCAN_SIMD_WIDE __builtin_cpu_supports("avx2")
 #else
-#define EDGESCAN_VECTORS __attribute__((target_clones("avx2", "default")))
-#define EDGESCAN_WIDE_VECTORS __builtin_cpu_supports("avx2")
+#define EDGESCAN_SIMD __attribute__((target_clones("avx2", "default")))
+#define EDGESCAN_SIMD_WIDE __builtin_cpu_supports("avx2")
 #endif
 
 namespace edgescan {
 
 /// Cells of a line that are worked on together, where the compiler alone cannot make vectors of a loop over a line: eight where the
-/// processor has EDGESCAN_WIDE_VECTORS, else four, for what it has not is done cell by cell.
+/// processor has EDGESCAN_SIMD_WIDE, else four, for what it has not is done cell by cell.
 using FourLanes = float __attribute__((vector_size(16)));
 using EightLanes = float __attribute__((vector_size(32)));
 inline constexpr int kMostLanes = 8;

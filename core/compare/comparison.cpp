@@ -137,7 +137,7 @@ std::vector<ComparedMethod> ownMethods() {
 bool isDisplaced(const Scan& scan) {
     InverseRange inverse = inverseRange(scan);
     const SweepSlips slips = straighten(inverse);
-    return slips.interlaced || slips.slips > 0;
+    return slips.interlaced || slips.slipCount > 0;
 }
 
 // Those that `only` names; all that say something about the scan where it is empty.

@@ -34,7 +34,7 @@ struct Cells {
 };
 
 // How many cells of a side are within the window; 0 beyond the line.
-EDGESCAN_VECTORS void reachOfLine(const Cells& at, float windowM, float* __restrict reach) {
+EDGESCAN_SIMD void reachOfLine(const Cells& at, float windowM, float* __restrict reach) {
     const float* u = at.u;
     const float* angle = at.angle;
     for (int j = 0; j < at.beams; ++j) {
@@ -91,12 +91,12 @@ inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float*
     }
 }
 
-EDGESCAN_VECTORS void addUpByEight(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
+EDGESCAN_SIMD void addUpByEight(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
     addUpBy<EightLanes>(at, reach, left, right);
 }
 
 void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    if (EDGESCAN_WIDE_VECTORS)
+    if (EDGESCAN_SIMD_WIDE)
         addUpByEight(at, reach, left, right);
     else
         addUpBy<FourLanes>(at, reach, left, right);
@@ -126,9 +126,9 @@ inline __attribute__((always_inline)) float angleDeg(float y, float x) {
 }
 
 // The lines through both sides of each cell. Results go to `fits`.
-EDGESCAN_VECTORS void fitSides(const Cells& at, const SideSums& left, const SideSums& right, const DepthLimits& limits,
-                               float* __restrict before, float* __restrict after, float* __restrict noise, float* __restrict misfit,
-                               float* __restrict bothSides) {
+EDGESCAN_SIMD void fitSides(const Cells& at, const SideSums& left, const SideSums& right, const DepthLimits& limits,
+                            float* __restrict before, float* __restrict after, float* __restrict noise, float* __restrict misfit,
+                            float* __restrict bothSides) {
     const float* u = at.u;
     const float* angle = at.angle;
     const float* leftCells = left.cells.data();
@@ -159,7 +159,7 @@ EDGESCAN_VECTORS void fitSides(const Cells& at, const SideSums& left, const Side
     }
 }
 
-EDGESCAN_VECTORS void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
+EDGESCAN_SIMD void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
     const float* before = along.before.data();
     const float* after = along.after.data();
     const float* noise = along.noise.data();

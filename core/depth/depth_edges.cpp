@@ -43,8 +43,8 @@ float together(float stronger, float weaker, bool both) {
 }
 
 // One line: along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
-EDGESCAN_VECTORS void suppressLine(const float* beamwise, const float* linewise, std::ptrdiff_t stride, const Support* support, int beams,
-                                   bool both, float* __restrict out) {
+EDGESCAN_SIMD void suppressLine(const float* beamwise, const float* linewise, std::ptrdiff_t stride, const Support* support, int beams,
+                                bool both, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float b = std::abs(beamwise[j]);
         const float l = std::abs(linewise[j]);
@@ -97,12 +97,12 @@ Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, in
 }
 
 // 1 at measured cells with a void beside them. A line that is not there is told by the line itself, which holds no void beside itself.
-EDGESCAN_VECTORS void markBorder(const Support* before, const Support* line, const Support* after, int beams,
-                                 std::uint8_t* __restrict marks) {
+EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
+                              std::uint8_t* __restrict marked) {
     const auto mark = [&](int j, int left, int right) {
         const bool empty =
             (before[j] == Support::Void) | (after[j] == Support::Void) | (line[left] == Support::Void) | (line[right] == Support::Void);
-        marks[j] = static_cast<std::uint8_t>((line[j] == Support::Measured) & empty);
+        marked[j] = static_cast<std::uint8_t>((line[j] == Support::Measured) & empty);
     };
     for (int j = 1; j < beams - 1; ++j) mark(j, j - 1, j + 1);
     if (beams == 0) return;
@@ -112,11 +112,11 @@ EDGESCAN_VECTORS void markBorder(const Support* before, const Support* line, con
 
 std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
     std::vector<std::uint32_t> cells;
-    std::vector<std::uint8_t> marks(static_cast<std::size_t>(support.beams));
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(support.beams));
     for (int i = 0; i < support.lines; ++i) {
         markBorder(support.line(std::max(0, i - 1)), support.line(i), support.line(std::min(support.lines - 1, i + 1)), support.beams,
-                   marks.data());
-        forEachMarked(marks,
+                   marked.data());
+        forEachMarked(marked,
                       [&](std::size_t beam) { cells.push_back(static_cast<std::uint32_t>(support.index(i, static_cast<int>(beam)))); });
     }
     return cells;
@@ -154,8 +154,8 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
 DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
-    auto jumps = roomFor<float>(support.size());
-    auto folds = roomFor<float>(support.size());
+    auto jumps = hugePageVector<float>(support.size());
+    auto folds = hugePageVector<float>(support.size());
     SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits);
     while (folds.size() < support.size()) {
         lines.advance();

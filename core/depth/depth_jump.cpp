@@ -30,8 +30,8 @@ struct Extra {
 };
 
 // From beam -1 to `beams`, where there is never a jump. `out` overlaps nothing.
-EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const float* angle,
-                                  const DepthLimits& limits, float* __restrict out) {
+EDGESCAN_SIMD void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const float* angle,
+                               const DepthLimits& limits, float* __restrict out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
     const float least = limits.jumpMm;
     const float growth = limits.growth;
@@ -65,11 +65,11 @@ EDGESCAN_VECTORS void jumpsOfLine(const float* u, const float* solid, std::ptrdi
     out[-1] = out[beams] = 0;
 }
 
-EDGESCAN_VECTORS void linksOfLine(const float* jump, const float* solid, std::ptrdiff_t s, int beams, Extra extra, float* __restrict out) {
+EDGESCAN_SIMD void linksOfLine(const float* jump, const float* solid, std::ptrdiff_t s, int beams, Extra extra, float* __restrict out) {
     for (int j = -1; j <= beams; ++j) out[j] = (jump[j] <= 1.0F && extra.of(j) == 0.0F ? solid[j] : 0.0F) * solid[j + s];
 }
 
-EDGESCAN_VECTORS void nearerOfLine(const float* u, const float* jump, std::ptrdiff_t s, int beams, float* __restrict out) {
+EDGESCAN_SIMD void nearerOfLine(const float* u, const float* jump, std::ptrdiff_t s, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float behind = u[j] >= u[j + s] ? jump[j] : 0.0F;
         const float before = u[j] > u[j - s] ? jump[j - s] : 0.0F;
@@ -77,7 +77,7 @@ EDGESCAN_VECTORS void nearerOfLine(const float* u, const float* jump, std::ptrdi
     }
 }
 
-EDGESCAN_VECTORS void smoothLine(const float* u, const float* link, std::ptrdiff_t s, int beams, float* __restrict out) {
+EDGESCAN_SIMD void smoothLine(const float* u, const float* link, std::ptrdiff_t s, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) out[j] = u[j] + 0.25F * link[j] * link[j - s] * (u[j - s] + u[j + s] - 2 * u[j]);
 }
 

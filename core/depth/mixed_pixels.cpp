@@ -139,8 +139,8 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
 }
 
 // A first look at a whole line, which lets all pass that the closer looks could snap; not 0 where one is worth it.
-EDGESCAN_VECTORS void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
-                                    const DepthLimits& limits, float* __restrict worth) {
+EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
+                                 const DepthLimits& limits, float* __restrict worth) {
     for (int j = 0; j < beams; ++j) {
         const float b3 = u[j - 3 * s], b2 = u[j - 2 * s], b1 = u[j - s], here = u[j];
         const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s];
@@ -157,22 +157,22 @@ EDGESCAN_VECTORS void takeFirstLook(const float* u, const float* solid, const fl
     }
 }
 
-EDGESCAN_VECTORS void toMarks(const float* look, int beams, std::uint8_t* __restrict marks) {
-    for (int j = 0; j < beams; ++j) marks[j] = look[j] != 0 ? 1 : 0;
+EDGESCAN_SIMD void toMarked(const float* look, int beams, std::uint8_t* __restrict marked) {
+    for (int j = 0; j < beams; ++j) marked[j] = look[j] != 0 ? 1 : 0;
 }
 
 } // namespace
 
-void snapVeils(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped) {
+void snapMixedPixels(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped) {
     const std::ptrdiff_t step = field.step(along);
     const float* u = field.u.line(line);
     const float* solid = field.solid.line(line);
     float* out = snapped.line(line);
-    std::vector<std::uint8_t> marks(static_cast<std::size_t>(field.u.beams));
-    std::vector<float> look(marks.size());
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(field.u.beams));
+    std::vector<float> look(marked.size());
     takeFirstLook(u, solid, angle, step, field.u.beams, limits, look.data());
-    toMarks(look.data(), field.u.beams, marks.data());
-    forEachMarked(marks, [&](std::size_t j) {
+    toMarked(look.data(), field.u.beams, marked.data());
+    forEachMarked(marked, [&](std::size_t j) {
         const Place at{u + j, solid + j, step};
         if (!isWorthwhile(at, limits)) return;
         if (snapOne(at, limits, out[j])) return;

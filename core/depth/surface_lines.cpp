@@ -13,14 +13,14 @@ namespace {
 constexpr float kMarginU = 1.0F;
 constexpr int kAround = 8; // lines of jumps and folds that can be looked at together
 // From the line that is taken up to those that are ready for a stage.
-constexpr int kToSnapped = kVeilLooksOn;
+constexpr int kToSnapped = kMixedLooksOn;
 constexpr int kToCracks = kToSnapped + kJumpLooksOn;
 constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;
 constexpr int kFoldLines = 2 * kFoldLooks + 1;
 
-static_assert(kVeilWritesOn <= kVeilLooksOn && kVeilLooksBack <= kJumpLooksOn + kJumpLooksBack);
+static_assert(kMixedWritesOn <= kMixedLooksOn && kMixedLooksBack <= kJumpLooksOn + kJumpLooksBack);
 
-EDGESCAN_VECTORS void takeSolid(const Support* support, int beams, float* __restrict solid) {
+EDGESCAN_SIMD void takeSolid(const Support* support, int beams, float* __restrict solid) {
     for (int j = 0; j < beams; ++j) solid[j] = support[j] == Support::Void ? 0.0F : 1.0F;
 }
 
@@ -64,14 +64,14 @@ void SurfaceLines::takeLine(int line) {
 void SurfaceLines::snapAlongBeams(int line) {
     const float* u = measured_.line(line);
     std::copy(u, u + measured_.beams, snappedOnce_.next());
-    if (isInside(line)) snapVeils({measured_, solid_}, Along::Beams, line, steps_.beam.data(), limits_, snappedOnce_);
+    if (isInside(line)) snapMixedPixels({measured_, solid_}, Along::Beams, line, steps_.beam.data(), limits_, snappedOnce_);
     u = snappedOnce_.line(line);
     std::copy(u, u + snappedOnce_.beams, snapped_.next());
 }
 
 void SurfaceLines::snapAlongLines(int line) {
     if (isInside(line))
-        snapVeils({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), limits_, snapped_);
+        snapMixedPixels({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), limits_, snapped_);
 }
 
 // Cracks from the margin before the first line to the last one's.

@@ -66,7 +66,7 @@ Grid<std::uint8_t> notScored(const SimulationTruth& truth) {
     return ignore;
 }
 
-struct Marks {
+struct MarkedCells {
     Grid<std::uint8_t> edgeClass;
     Grid<std::uint8_t> unsure;
 
@@ -77,12 +77,12 @@ struct Marks {
     }
 };
 
-void judgePair(const SimulationTruth& truth, Marks& marks, std::size_t a, std::size_t b, const sim::Seam& seam) {
+void judgePair(const SimulationTruth& truth, MarkedCells& marked, std::size_t a, std::size_t b, const sim::Seam& seam) {
     const bool hitA = truth.object[a] != 0;
     const bool hitB = truth.object[b] != 0;
     if (!hitA && !hitB) return;
     if (hitA != hitB) {
-        marks.mark(hitA ? a : b, EdgeClass::Void);
+        marked.mark(hitA ? a : b, EdgeClass::Void);
         return;
     }
     const std::size_t nearer = truth.cleanMm[a] <= truth.cleanMm[b] ? a : b;
@@ -90,16 +90,16 @@ void judgePair(const SimulationTruth& truth, Marks& marks, std::size_t a, std::s
     case PairKind::Nothing:
         return;
     case PairKind::Occluding:
-        marks.mark(nearer, EdgeClass::Occluding);
+        marked.mark(nearer, EdgeClass::Occluding);
         return;
     case PairKind::Contact:
-        marks.mark(nearer, EdgeClass::Contact);
+        marked.mark(nearer, EdgeClass::Contact);
         return;
     case PairKind::Crease:
-        marks.mark(nearer, EdgeClass::Crease);
+        marked.mark(nearer, EdgeClass::Crease);
         return;
     case PairKind::Unsure:
-        marks.unsure[a] = marks.unsure[b] = 255;
+        marked.unsure[a] = marked.unsure[b] = 255;
         return;
     }
 }
@@ -145,16 +145,16 @@ Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uin
 EdgeTruth edgeTruth(const SimulationTruth& truth) {
     const int lines = truth.object.lines;
     const int beams = truth.object.beams;
-    Marks marks{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams)};
+    MarkedCells marked{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams)};
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j) {
             const std::size_t k = truth.object.index(i, j);
             const auto next = static_cast<std::size_t>(beams);
-            if (j + 1 < beams) judgePair(truth, marks, k, k + 1, truth.toNextBeam[k]);
-            if (i + 1 < lines) judgePair(truth, marks, k, k + next, truth.toNextLine[k]);
+            if (j + 1 < beams) judgePair(truth, marked, k, k + 1, truth.toNextBeam[k]);
+            if (i + 1 < lines) judgePair(truth, marked, k, k + next, truth.toNextLine[k]);
         }
     }
-    EdgeTruth result{std::move(marks.edgeClass), notScored(truth)};
+    EdgeTruth result{std::move(marked.edgeClass), notScored(truth)};
     Grid<std::uint8_t> all(lines, beams);
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = result.edgeClass[k] != 0 ? 255 : 0;
     const Grid<std::uint8_t> thin = thinned(all);
@@ -164,9 +164,9 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     const Grid<std::uint8_t> spread = spreadFolds(truth, result.edgeClass);
     for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
     // An edge that is sure stays so beside one that is not.
-    dilate(marks.unsure, kReach);
+    dilate(marked.unsure, kReach);
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (result.edgeClass[k] == 0) result.ignore[k] |= marks.unsure[k];
+        if (result.edgeClass[k] == 0) result.ignore[k] |= marked.unsure[k];
     }
     return result;
 }

@@ -90,11 +90,11 @@ std::vector<double> blurred(const Grid<std::uint8_t>& levels, const Grid<std::ui
 Grid<float> laplacian(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, LogMask mask) {
     if (mask == LogMask::FiveByFive) return fiveByFive(levels, missing);
     const bool four = mask == LogMask::FourNeighbours;
-    return responseOfRings(levels, missing, [=](const Ring& ring) {
-        const auto& n = ring.around;
+    return responseOfNeighbours(levels, missing, [=](const Neighbours& at) {
+        const auto& n = at.around;
         const int beside = n[1] + n[3] + n[5] + n[7];
-        if (four) return static_cast<float>(4 * ring.centre - beside);
-        return static_cast<float>(8 * ring.centre - beside - n[0] - n[2] - n[4] - n[6]);
+        if (four) return static_cast<float>(4 * at.centre - beside);
+        return static_cast<float>(8 * at.centre - beside - n[0] - n[2] - n[4] - n[6]);
     });
 }
 

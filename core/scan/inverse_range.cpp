@@ -29,8 +29,8 @@ constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
 // What was measured becomes inverse range; `isolated`: 255 where a cell stands alone.
-EDGESCAN_VECTORS void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
-                                   float* __restrict u, std::uint8_t* __restrict measured, Support* __restrict support) {
+EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams, float* __restrict u,
+                                std::uint8_t* __restrict measured, Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
         const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] >= kLeastRangeMm);
         measured[j] = valid ? 1 : 0;
@@ -40,7 +40,7 @@ EDGESCAN_VECTORS void takeMeasured(const float* rangeMm, const CellState* state,
 }
 
 // 1 at measured cells that end a gap of 1 to 4 cells.
-EDGESCAN_VECTORS void findGapEnds(const std::uint8_t* measured, std::ptrdiff_t step, int beams, std::uint8_t* __restrict ends) {
+EDGESCAN_SIMD void findGapEnds(const std::uint8_t* measured, std::ptrdiff_t step, int beams, std::uint8_t* __restrict ends) {
     static_assert(kLongestGap == 4);
     for (int j = 0; j < beams; ++j) {
         const int before = measured[j - 2 * step] | measured[j - 3 * step] | measured[j - 4 * step] | measured[j - 5 * step];
@@ -92,7 +92,7 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
 }
 
 // Range of the inner cells of a line, and how far they lie off the straight line of their neighbours, both in metres.
-EDGESCAN_VECTORS void offStraight(const float* u, int beams, float* __restrict rangeM, float* __restrict off) {
+EDGESCAN_SIMD void offStraight(const float* u, int beams, float* __restrict rangeM, float* __restrict off) {
     for (int j = 1; j < beams - 1; ++j) {
         const float range = 1.0F / u[j];
         rangeM[j] = range;
@@ -134,7 +134,8 @@ AngularSteps cameraSteps(const Scan& scan) {
 
 InverseRange inverseRange(const Scan& scan) {
     const auto beams = static_cast<std::size_t>(scan.beams());
-    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), roomFor<float>(scan.cells())), Grid<Support>(scan.lines(), scan.beams())};
+    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), hugePageVector<float>(scan.cells())),
+                         Grid<Support>(scan.lines(), scan.beams())};
     IsolatedLines isolatedLines(scan, 0);
     std::vector<std::uint8_t> isolated(beams);
     LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0

@@ -18,7 +18,7 @@ constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
 // The ranges of a line with a cell on either side; what is no range agrees with nothing.
-EDGESCAN_VECTORS void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
+EDGESCAN_SIMD void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) out[j] = states[j] == CellState::Valid ? ranges[j] : std::numeric_limits<float>::quiet_NaN();
 }
 
@@ -28,7 +28,7 @@ void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
 }
 
 // 255 where too few agree, of lines with a cell on either side.
-EDGESCAN_VECTORS void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
+EDGESCAN_SIMD void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float here = line[j];
         const float allowed = kAgreeShare * here + kAgreeMm;

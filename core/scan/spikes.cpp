@@ -21,13 +21,12 @@ struct Height {
 };
 
 // The four beside a cell; most cells are told by them.
-EDGESCAN_VECTORS void takeFirstLook(const float* u, std::ptrdiff_t stride, int beams, const Height& height,
-                                    std::uint8_t* __restrict marks) {
+EDGESCAN_SIMD void takeFirstLook(const float* u, std::ptrdiff_t stride, int beams, const Height& height, std::uint8_t* __restrict marked) {
     for (int j = 1; j < beams - 1; ++j) {
         const float nearest = std::max(std::max(u[j - 1], u[j + 1]), std::max(u[j - stride], u[j + stride]));
         const float farthest = std::min(std::min(u[j - 1], u[j + 1]), std::min(u[j - stride], u[j + stride]));
         const float off = 1 + height.at(u[j]);
-        marks[j] = static_cast<std::uint8_t>((u[j] > off * nearest) | (off * u[j] < farthest));
+        marked[j] = static_cast<std::uint8_t>((u[j] > off * nearest) | (off * u[j] < farthest));
     }
 }
 
@@ -55,11 +54,11 @@ void flattenSpikes(InverseRange& inverse, const RangeNoise& noise) {
     const Grid<float>& u = inverse.u;
     const Height height{kDeviations * 0.001F * static_cast<float>(noise.offsetMm),
                         kDeviations * 0.001F * static_cast<float>(noise.perMetreMm)};
-    std::vector<std::uint8_t> marks(static_cast<std::size_t>(u.beams));
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(u.beams));
     // No two spikes touch, so the order does not matter.
     for (int i = 1; i + 1 < u.lines; ++i) {
-        takeFirstLook(u.line(i), u.beams, u.beams, height, marks.data());
-        forEachMarked(marks, [&](std::size_t beam) {
+        takeFirstLook(u.line(i), u.beams, u.beams, height, marked.data());
+        forEachMarked(marked, [&](std::size_t beam) {
             const int j = static_cast<int>(beam);
             if (!isSpike(inverse, i, j, height)) return;
             inverse.u.at(i, j) = 0.25F * (u.at(i, j - 1) + u.at(i, j + 1) + u.at(i - 1, j) + u.at(i + 1, j));

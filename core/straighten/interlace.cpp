@@ -26,8 +26,8 @@ bool measuredAround(const InverseRange& inverse, int line, int beam) {
 }
 
 // From the lines before and after.
-EDGESCAN_VECTORS void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
-                                   std::uint8_t* __restrict slanted) {
+EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                std::uint8_t* __restrict slanted) {
     for (int j = 1; j < beams - 1; ++j) {
         const auto change = [&](int n) { return (u[n + stride] - u[n - stride]) / 6.0F; };
         const float slant = change(j - 1) + change(j) + change(j + 1);
@@ -38,7 +38,7 @@ EDGESCAN_VECTORS void slantsAround(const float* u, std::ptrdiff_t stride, int be
 }
 
 // Odd beams against even ones on one line.
-void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::vector<Slip>& slips) {
+void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& slips) {
     const float* u = inverse.u.line(line);
     slantsAround(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
     slants.forEach([&](int j, float slant) {
@@ -66,7 +66,7 @@ std::vector<float> parities(const InverseRange& inverse, int every) {
     std::vector<float> parity(static_cast<std::size_t>(inverse.u.lines));
     int told = 0;
     int shifted = 0;
-    std::vector<Slip> slips;
+    std::vector<SlipVote> slips;
     LineSlants slants(inverse.u.beams);
     for (int i = 1; i + 1 < inverse.u.lines; i += every) {
         slips.clear();
@@ -116,7 +116,7 @@ SweepSlips straighten(InverseRange& inverse) {
     result.measured = lineSlips(inverse);
     result.extra = bringToLines(inverse, result.measured);
     for (const std::vector<float>& steps : result.measured)
-        result.slips += static_cast<int>(std::count_if(steps.begin(), steps.end(), [](float extra) { return extra != 0; }));
+        result.slipCount += static_cast<int>(std::count_if(steps.begin(), steps.end(), [](float extra) { return extra != 0; }));
     return result;
 }
 

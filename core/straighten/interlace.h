@@ -16,7 +16,7 @@ struct SweepSlips {
     LineSteps extra;           ///< slips that are left after the cells were brought to their lines
     LineSteps measured;        ///< all slips
     bool interlaced = false;   ///< parity says so on most lines; else parity is all 0
-    int slips = 0;             ///< values of `measured` that are not 0
+    int slipCount = 0;         ///< values of `measured` that are not 0
 };
 
 /// Every line and beam where its angle says.

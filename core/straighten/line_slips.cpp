@@ -26,8 +26,8 @@ int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 -
 
 // Of a step to the next line, from the lines before and after it: the steeper of the two slopes, for the stepper may have stalled on one
 // side.
-EDGESCAN_VECTORS void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
-                                      std::uint8_t* __restrict slanted) {
+EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
+                                   std::uint8_t* __restrict slanted) {
     const std::ptrdiff_t far = reach * stride;
     const auto steps = static_cast<float>(reach);
     for (int j = 0; j < beams; ++j) {
@@ -42,7 +42,7 @@ EDGESCAN_VECTORS void slantsRoundStep(const float* u, std::ptrdiff_t stride, int
     }
 }
 
-using StepSlips = std::array<std::vector<Slip>, 2>;
+using StepSlips = std::array<std::vector<SlipVote>, 2>;
 
 void addStep(const InverseRange& inverse, int line, int beam, float slant, StepSlips& slips) {
     const float u = inverse.u.at(line, beam);
@@ -80,7 +80,7 @@ float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
 
 // Of the same cells, measured with more care.
 void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
-    for (std::vector<Slip>& ofParity : slips) ofParity.clear();
+    for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
     const int reach = reachAt(line, inverse.u.lines);
     slants.forEach([&](int j, float) {
         const float slant = middleSlant(inverse, line - reach, line + 1 + reach, j);
@@ -89,7 +89,7 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
 }
 
 // The slip that the beams of one parity tell of; 0 when there is none that explains what is seen.
-float extraStep(const std::vector<Slip>& slips, int beams, float least) {
+float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
     if (isMiddleWithin(least, slips)) return 0;
     const float steps = weightedMiddle(slips);
@@ -150,7 +150,7 @@ LineSteps straightenStalls(LineSteps& extra) {
 
 // What is left of a slip, by the slopes right beside it, which are what it will be weighed against.
 float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
-    std::vector<Slip> slips;
+    std::vector<SlipVote> slips;
     for (int j = parity; j < inverse.u.beams; j += 2) {
         bool solid = true;
         for (int i = line - 1; i <= line + 2; ++i) solid = solid && inverse.isMeasured(i, j);
@@ -181,7 +181,7 @@ LineSteps lineSlips(const InverseRange& inverse) {
                 steps[parity][static_cast<std::size_t>(i)] = std::abs(extra) <= kMostExtra ? extra : 0;
             }
         }
-        for (std::vector<Slip>& ofParity : slips) ofParity.clear();
+        for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
     }
     return steps;
 }

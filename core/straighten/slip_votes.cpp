@@ -8,21 +8,21 @@
 
 namespace edgescan {
 
-float explained(const std::vector<Slip>& slips, float steps) {
+float explained(const std::vector<SlipVote>& slips, float steps) {
     double with = 0;
     double without = 0;
-    for (const Slip& slip : slips) {
+    for (const SlipVote& slip : slips) {
         with += static_cast<double>(std::abs((slip.steps - steps) * slip.slant));
         without += static_cast<double>(std::abs(slip.steps * slip.slant));
     }
     return without > 0 ? static_cast<float>(1 - with / without) : 0.0F;
 }
 
-bool isMiddleWithin(float limit, const std::vector<Slip>& slips) {
+bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips) {
     double total = 0;
     double below = 0;
     double upTo = 0;
-    for (const Slip& slip : slips) {
+    for (const SlipVote& slip : slips) {
         const auto weight = static_cast<double>(slip.weight);
         total += weight;
         below += slip.steps <= -limit ? weight : 0.0;
@@ -32,15 +32,15 @@ bool isMiddleWithin(float limit, const std::vector<Slip>& slips) {
 }
 
 // Sums of so few bits are exact in double, so that the order in which they are added does not matter.
-float weightedMiddle(std::vector<Slip> slips) {
-    const auto add = [](double sum, const Slip& slip) { return sum + static_cast<double>(slip.weight); };
+float weightedMiddle(std::vector<SlipVote> slips) {
+    const auto add = [](double sum, const SlipVote& slip) { return sum + static_cast<double>(slip.weight); };
     const double total = std::accumulate(slips.begin(), slips.end(), 0.0, add);
     double below = 0;
     auto first = slips.begin();
     auto end = slips.end();
     while (first != end) {
         const auto middle = first + (end - first) / 2;
-        std::nth_element(first, middle, end, [](const Slip& a, const Slip& b) { return a.steps < b.steps; });
+        std::nth_element(first, middle, end, [](const SlipVote& a, const SlipVote& b) { return a.steps < b.steps; });
         const double before = std::accumulate(first, middle, below, add);
         const double upTo = add(before, *middle);
         if (2 * before >= total) {
@@ -55,8 +55,8 @@ float weightedMiddle(std::vector<Slip> slips) {
     return 0;
 }
 
-float spreadAround(float value, std::vector<Slip> slips) {
-    for (Slip& slip : slips) slip.steps = std::abs(slip.steps - value);
+float spreadAround(float value, std::vector<SlipVote> slips) {
+    for (SlipVote& slip : slips) slip.steps = std::abs(slip.steps - value);
     return weightedMiddle(std::move(slips));
 }
 

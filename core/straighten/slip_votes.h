@@ -28,22 +28,22 @@ struct LineSlants {
 };
 
 /// One cell's displacement.
-struct Slip {
+struct SlipVote {
     float steps; ///< index steps
     float weight;
     float slant = 0; ///< of u per line
 };
 
 /// How much smaller the deviations from straight get when the slip is taken out, 0..1: noise does not shrink.
-[[nodiscard]] float explained(const std::vector<Slip>& slips, float steps);
+[[nodiscard]] float explained(const std::vector<SlipVote>& slips, float steps);
 
 /// Whether the weighted median lies between -limit and limit, as it does on most lines.
-[[nodiscard]] bool isMiddleWithin(float limit, const std::vector<Slip>& slips);
+[[nodiscard]] bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips);
 
 /// The weighted median: the least value up to which half of the weight lies.
-[[nodiscard]] float weightedMiddle(std::vector<Slip> slips);
+[[nodiscard]] float weightedMiddle(std::vector<SlipVote> slips);
 
 /// Weighted median distance from `value`.
-[[nodiscard]] float spreadAround(float value, std::vector<Slip> slips);
+[[nodiscard]] float spreadAround(float value, std::vector<SlipVote> slips);
 
 } // namespace edgescan

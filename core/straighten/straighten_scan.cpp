@@ -38,7 +38,7 @@ struct Displacement {
     double stepDeg = 0;            // from line to line
     double oddAheadDeg = 0;        // odd beams against even ones
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
-    int slips = 0;                 // of these that are not 0
+    int slipCount = 0;             // of these that are not 0
     int left = 0;                  // that beams of both parities do not agree on
 };
 
@@ -81,7 +81,7 @@ Displacement displacementOf(const Scan& scan, const PolarGeometry& polar) {
         }
         const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
         found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
-        found.slips += found.slipSteps[i] != 0 ? 1 : 0;
+        found.slipCount += found.slipSteps[i] != 0 ? 1 : 0;
     }
     return found;
 }
@@ -103,7 +103,7 @@ std::string slipText(const Displacement& found) {
     const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
     double most = 0;
     for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
-    return "the stepper slipped at " + std::to_string(found.slips) + (found.slips == 1 ? " line" : " lines") + " (first at line " +
+    return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
            std::to_string(first + 1) + ", by up to " + degreesText(most) + ")";
 }
 
@@ -111,7 +111,7 @@ std::string slipText(const Displacement& found) {
 std::string displacementText(const Displacement& found) {
     std::string text;
     if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg);
-    if (found.slips > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
+    if (found.slipCount > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
     return text;
 }
 

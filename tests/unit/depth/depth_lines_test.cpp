@@ -160,7 +160,7 @@ TEST(DepthLines, MixedPixelsSnapAsCellByCell) {
             PlainVeil plain{u, solid, stepOf(u, along), limits};
             for (int i = 0; i < scan.lines(); ++i) {
                 const float* angle = anglesOf(steps, along, i, room);
-                snapVeils({u, solid}, along, i, angle, limits, snapped);
+                snapMixedPixels({u, solid}, along, i, angle, limits, snapped);
                 snaps += plain.snapLine(i, angle, expected);
             }
             for (int i = 0; i < scan.lines(); ++i) ASSERT_TRUE(sameBits(snapped.line(i), expected.line(i), scan.beams())) << round;
@@ -181,7 +181,7 @@ struct WholeSweep {
         std::vector<float> room;
         for (const Along along : {Along::Beams, Along::Lines}) {
             const Lines from = u;
-            for (int i = 0; i < lines; ++i) snapVeils({from, solid}, along, i, anglesOf(steps, along, i, room), limits, u);
+            for (int i = 0; i < lines; ++i) snapMixedPixels({from, solid}, along, i, anglesOf(steps, along, i, room), limits, u);
         }
         std::array<Lines, 2> links{wholeSweep(inverse.u, 0.0F, -1), wholeSweep(inverse.u, 0.0F, -1)};
         for (const Along along : {Along::Beams, Along::Lines}) {

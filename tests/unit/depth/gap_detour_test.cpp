@@ -41,7 +41,7 @@ void goRoundPlainly(const InverseRange& inverse, Grid<float>& response, bool nea
     }
 }
 
-TEST(Detour, GoesRoundAsCellByCell) {
+TEST(GapDetour, GoesRoundAsCellByCell) {
     std::mt19937 random(41);
     std::uniform_real_distribution<float> u(0.1F, 1.0F);
     int moved = 0;

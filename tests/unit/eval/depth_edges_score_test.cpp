@@ -1,9 +1,9 @@
 // Ground truth, score, and the detector that measures surfaces against straight lines in inverse range.
 #include "core/depth/depth_edges.h"
-#include "core/straighten/interlace.h"
+#include "core/eval/score.h"
 #include "core/method/pipeline.h"
 #include "core/settings/presets.h"
-#include "core/eval/score.h"
+#include "core/straighten/interlace.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -182,7 +182,7 @@ TEST(Interlace, BeamsFromTwoPassesAreToldAndStraightened) {
     InverseRange even = inverseRange(slopedFloor(0.0, -1));
     const SweepSlips nothing = straighten(even);
     EXPECT_FALSE(nothing.interlaced);
-    EXPECT_EQ(nothing.slips, 0);
+    EXPECT_EQ(nothing.slipCount, 0);
 
     const Scan floor = slopedFloor(0.125, -1);
     InverseRange combed = inverseRange(floor);
