@@ -17,26 +17,26 @@ namespace edgescan {
 namespace {
 
 constexpr double kNominalNoiseMm = 6.75; // sigma at 5 m of an LMS511
-constexpr double kOffsetShare = 0.815;   // of sigma at 5 m: its part at 0 m, and the growth per metre
-constexpr double kPerMetreShare = 0.037;
+constexpr double kOffsetShare = 0.815;   // of sigma at 5 m: sigma at 0 m ...
+constexpr double kPerMetreShare = 0.037; // ... and its growth per metre
 constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 6.0;
 constexpr double kReliefMm = 5.0;
 constexpr double kWindowMm = 50.0;
 constexpr double kNoisy = 1.5;             // x nominal
 constexpr double kLeastNoise = 0.2;        // x nominal
-constexpr double kRelief = 0.7;            // x nominal: relief and beam blur what an LMS511 sees as much, however good its ranges ...
-constexpr double kJumpSpacings = 2.0;      // ... but no more than makes a jump of so many point spacings: points lie closer elsewhere
-constexpr float kInterlacedGrazing = 0.5F; // what is left of the displacements, index steps
+constexpr double kRelief = 0.7;            // x nominal: relief and the width of the beam blur as much, however good the ranges are ...
+constexpr double kJumpSpacings = 2.0;      // ... but where points lie close together, J0 need not exceed so many point spacings
+constexpr float kInterlacedGrazing = 0.5F; // index steps by which interlaced beams are still out of place after straightening
 
-// Noise in parts of the nominal one, by which the thresholds in millimetres grow and shrink.
+// q of step 6: the noise over that of an LMS511, by which the thresholds in millimetres grow and shrink.
 double noiseShare(const RangeNoise& noise, double spacingMm) {
     const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
     return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
 }
 
-// Two responses at a cell as one: the stronger alone, or both together where they fold alike; a fold that runs askew shows only part of
-// itself in each way.
+// The responses of both ways as one: the stronger alone, or with `both` the root of the sum of squares where they have the same sign: a
+// fold that runs askew shows only part of itself in each way.
 float together(float stronger, float weaker, bool both) {
     const float add = both && stronger * weaker > 0 ? weaker * weaker : 0.0F;
     return std::copysign(std::sqrt(stronger * stronger + add), stronger);
@@ -96,7 +96,7 @@ Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, in
     return state;
 }
 
-// 1 at measured cells with a void beside them. A line that is not there is told by the line itself, which holds no void beside itself.
+// 1 at measured cells with a void beside them. Before the first and after the last line the line itself is given: that adds no void.
 EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
                               std::uint8_t* __restrict marked) {
     const auto mark = [&](int j, int left, int right) {
@@ -159,7 +159,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits);
     while (folds.size() < support.size()) {
         lines.advance();
-        // A line behind: the lines on both sides are looked at.
+        // One line behind the newest: suppression looks at the lines on both sides.
         suppress(lines.jumps(Along::Beams), lines.jumps(Along::Lines), lines.jumpLine() - 1, support, false, jumps);
         suppress(lines.folds(Along::Beams), lines.folds(Along::Lines), lines.foldLine() - 1, support, true, folds);
     }

@@ -27,14 +27,14 @@ struct DepthEdgeSettings {
 enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };
 inline constexpr int kDepthEdges = 5; // None included
 
-/// What the surface says, before anything is decided. 1 = at the threshold; 0 where another cell is stronger or
-/// nothing is there, or nothing was measured. Depends on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten alone: the
-/// other sliders need only decideDepthEdges().
+/// The strength of jumps and creases per cell, before anything is decided. 1 = at the threshold; 0 where a neighbour is stronger or
+/// nothing was measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten: when another slider moves,
+/// decideDepthEdges() alone runs again.
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
     Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
-    RangeNoise noise;                  ///< used
-    double jumpMm = 0;                 ///< J0 used
+    RangeNoise noise;                  ///< measured or typed
+    double jumpMm = 0;                 ///< J0, automatic or typed
     std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
 };
 
@@ -42,10 +42,10 @@ struct DepthEdges {
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a measured range
     Grid<DepthEdge> kind;    ///< lines x beams
     Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
-    RangeNoise noise;        ///< used
+    RangeNoise noise;        ///< measured or typed
 };
 
-/// The sweep itself, cleaned and measured: steps 1 and 6. Holds whatever the sliders say, but for `straighten`.
+/// Steps 1 and 6: the sweep cleaned, and its noise. Of all the sliders only `straighten` changes it.
 struct DepthSurface {
     InverseRange inverse;
     SweepSlips slips;
@@ -55,19 +55,19 @@ struct DepthSurface {
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten);
 
-/// Thresholds of the stages under these settings.
+/// The thresholds of all stages, from sliders and noise.
 [[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
 
 /// Steps 2 to 5.
 [[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);
 
-/// From the scan on.
+/// Steps 1 to 6, for a scan that is looked at once.
 [[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);
 
 /// Step 7: classes, hysteresis and minimum length.
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);
 
-/// Both.
+/// All steps.
 [[nodiscard]] DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings);
 
 } // namespace edgescan

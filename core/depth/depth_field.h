@@ -31,15 +31,15 @@ struct DepthLimits {
     float misfitMm = 5;
     float windowMm = 60;
     float creaseDeg = 30; ///< C0
-    float reliefMm = 5;   ///< of a surface, across it: along a slanted beam it is longer
-    bool noisy = false;   ///< lines of three cells instead of two
+    float reliefMm = 5;   ///< roughness of a surface, measured across it; along a slanted beam it is longer
+    bool noisy = false;   ///< lines at jumps run through three cells instead of two
     int passes = 1;       ///< of smoothing
     RangeNoise noise;
 
     [[nodiscard]] float jumpAt(float rangeMm) const { return jumpMm + growth * rangeMm; }
 };
 
-/// Angle of one index step at the cells of a line, radians. `room` holds it where it differs from line to line.
+/// Angle of one index step at the cells of a line, radians. `room` holds the values where they differ from line to line.
 [[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line, std::vector<float>& room) {
     if (along == Along::Beams) return steps.beam.data();
     const float step = steps.line[static_cast<std::size_t>(line)];

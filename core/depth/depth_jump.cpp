@@ -23,13 +23,13 @@ float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity
     return along == Along::Lines && inside ? extra[static_cast<std::size_t>(line)] : 0.0F;
 }
 
-// What the step to the next line is too long by, for beams of both parities.
+// By how much the step to the next line is too long, for even and for odd beams.
 struct Extra {
     float even, odd;
     [[nodiscard]] float of(int beam) const { return even + static_cast<float>(beam & 1) * (odd - even); }
 };
 
-// From beam -1 to `beams`, where there is never a jump. `out` overlaps nothing.
+// `out` goes from beam -1 to `beams`; at these two there is never a jump.
 EDGESCAN_SIMD void jumpsOfLine(const float* u, const float* solid, std::ptrdiff_t s, int beams, Extra extra, const float* angle,
                                const DepthLimits& limits, float* __restrict out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;

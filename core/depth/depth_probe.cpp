@@ -1,4 +1,4 @@
-// What EdgeScan+ measured at one cell. The formulas are those of the stages: each part of a limit is found by running a stage with limits
+// What EdgeScan+ measured at one cell. No formula is repeated here: each part of a limit is found by running the stage itself with limits
 // of which only that part is left.
 #include "core/depth/depth_probe.h"
 

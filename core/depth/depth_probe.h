@@ -44,8 +44,8 @@ struct FoldAtCell {
 /// One channel after suppression.
 struct ThinnedStrength {
     float before = 0.0F;                  ///< negative: concave
-    float kept = 0.0F;                    ///< `before`, or 0; what a gap beside the cell sends round by it comes on top
-    std::optional<CellStrength> stronger; ///< the neighbour along the way of the stronger response that took the edge
+    float kept = 0.0F;                    ///< `before`, or 0; without what a gap beside the cell sends round by it
+    std::optional<CellStrength> stronger; ///< the neighbour that took the edge
 };
 
 struct DepthProbe {
@@ -53,16 +53,16 @@ struct DepthProbe {
     double noiseMm = 0.0;               ///< sigma used, at the cell's range
     double noiseAt5mMm = 0.0;           ///< at 5 m
     double creaseDeg = 0.0;             ///< C0
-    bool interlaced = false;            ///< beams are ...
-    bool grazingRaised = false;         ///< ... and g is larger than typed for it
+    bool interlaced = false;            ///< the beams are interlaced
+    bool grazingRaised = false;         ///< and so g is larger than typed
     std::optional<double> snappedMm;    ///< a mixed pixel was taken at this range
     std::vector<DepthStepAtCell> steps; ///< strongest first; those of the cell itself before those that are a neighbour's
     std::vector<FoldAtCell> folds;      ///< strongest first
     ThinnedStrength jump, crease;
 };
 
-/// Runs the stages again up to the line of the cell. Equal to depthResponses() to the last bit, but for responses that
-/// go round gaps. The cell must be the scan's.
+/// Runs the stages again up to the line of the cell; equal to depthResponses() to the last bit, but without responses that
+/// go round gaps.
 [[nodiscard]] DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam);
 
 } // namespace edgescan

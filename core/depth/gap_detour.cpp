@@ -1,4 +1,4 @@
-// Round gaps, by the cells on their sides before those at their corners.
+// Edges that run on across cells without a range: cells beside the gap are taken before those at its corners.
 #include "core/depth/gap_detour.h"
 
 #include <array>

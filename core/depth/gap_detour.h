@@ -5,9 +5,9 @@
 
 namespace edgescan {
 
-/// Moves each response of a filled cell to a measured cell beside it, so that a line of edge cells goes round a lost range and every edge
-/// cell has a point: a jump to the nearest surface, a fold to the range most alike. Only to cells without a response of the kind; where
-/// there is none, the response is dropped. `jump`, `crease`: lines x beams, 0 = none.
+/// Moves each response of a filled cell to a measured cell beside it, so that an edge goes round a lost range and every edge cell has a
+/// point: a jump to the nearest surface, a fold to the range most alike. A cell that has a response of that kind already is not taken;
+/// where no cell is left, the response is dropped. `jump`, `crease`: lines x beams, 0 = none.
 void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease);
 
 } // namespace edgescan

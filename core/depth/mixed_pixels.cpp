@@ -19,7 +19,7 @@ constexpr float kSurfacesApart = 2.0F; // jump thresholds
 constexpr float kBend = 0.25F;         // of the least distance of the surfaces
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least
 
-// What is told without divisions first lets more pass than is wanted, as rounding differs here and there.
+// The first look does without divisions. Its limits are a little wider, so that rounding never drops what the exact look would take.
 constexpr float kLenient = 0.999F;   // of the distance wanted
 constexpr float kRounding = 1e-6F;   // of u
 constexpr float kWiderSpot = 1.001F; // times the spot
@@ -66,8 +66,8 @@ struct RunLines {
     std::array<float, kRun> before, after;
 };
 
-// Two surfaces at a cell. What is asked of them is told without divisions: a distance in metres is the difference of two u over their
-// product. Where rounding may decide, the answer is yes.
+// Two surfaces at a cell, compared without divisions: a distance in metres is the difference of two u over their product. Where rounding
+// may decide, the answer is yes.
 struct TwoSurfaces {
     float farther, nearer; // u
     float allowed;         // jump threshold, as a difference of u over the farther one
@@ -126,7 +126,7 @@ bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>
     return farthest >= kOffSurface;
 }
 
-// The surfaces on both sides of a cell can be two thresholds apart: on a smooth surface they are not.
+// Whether the surfaces on both sides of a cell can be two thresholds apart. On a smooth surface they are not.
 bool isWorthwhile(const Place& at, const DepthLimits& limits) {
     const auto u = [&](int n) { return at.u[n * at.step]; };
     const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
@@ -138,7 +138,7 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
            std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
-// A first look at a whole line, which lets all pass that the closer looks could snap; not 0 where one is worth it.
+// A first look at a whole line: not 0 at every cell that the closer looks could snap, and at a few more.
 EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
                                  const DepthLimits& limits, float* __restrict worth) {
     for (int j = 0; j < beams; ++j) {

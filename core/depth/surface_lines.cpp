@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kMarginU = 1.0F;
 constexpr int kAround = 8; // lines of jumps and folds that can be looked at together
-// From the line that is taken up to those that are ready for a stage.
+// By how many lines each stage lags behind the line that is read.
 constexpr int kToSnapped = kMixedLooksOn;
 constexpr int kToCracks = kToSnapped + kJumpLooksOn;
 constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;

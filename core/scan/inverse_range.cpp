@@ -57,8 +57,8 @@ float apartAlongBeams(const InverseRange& inverse, std::size_t hole) {
     return std::abs(inverse.u[after] - inverse.u[before]);
 }
 
-// The gap before cell `end`, `step` cells from one to the next. A hole that is filled along the beams already keeps the filling whose
-// ends are more alike.
+// Fills the gap before cell `end`; cells are `step` apart. A hole that was filled along the beams already keeps the filling whose ends are
+// more alike.
 void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
     std::size_t gap = 1;
     while (inverse.support[end - (gap + 1) * step] != Support::Measured) ++gap;

@@ -1,4 +1,4 @@
-// The lines of a grid round those that are worked on, so that what one stage passes on to the next stays in the cache.
+// The few lines of a grid that are worked on, so that what one stage passes on to the next stays in the cache.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace edgescan {
 
-/// Lines come one after the other. The newest ones, `held` at least, can be reached from each other by the stride. They have a margin on
-/// the left and on the right, and before the first line there are lines of the margin's value too, so that a filter can look a few cells in
-/// any direction without asking where the sweep ends.
+/// Lines come one after the other; at least the newest `held` are there, `stride` cells from each other. There is a margin on the left and
+/// on the right, and before the first line lie lines of the margin's value, so that a filter can look a few cells in any direction without
+/// asking where the sweep ends.
 template <class T>
 class LineWindow {
 public:
@@ -31,7 +31,7 @@ public:
         }
         return line(end_++);
     }
-    /// The same, of the margin's value: what is after the last line of the sweep.
+    /// A line of the margin's value, for what lies after the last line of the sweep.
     void nextEmpty() {
         T* cells = next();
         std::fill(cells, cells + beams, fill_);

@@ -1,4 +1,4 @@
-// Cells of a line that a first look has marked.
+// Cells of a line that a first look over all of them has marked for a closer one.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace edgescan {
 
-/// Calls visit(place) for each value that is 1, in order; the others are 0. Fast where there are few.
+/// Calls visit(place) for each value that is 1, in order; the others must be 0. Fast where only few are 1.
 template <class Visit>
 void forEachMarked(const std::vector<std::uint8_t>& marked, Visit visit) {
     for (std::size_t place = 0; place < marked.size(); ++place) {

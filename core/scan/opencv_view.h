@@ -1,4 +1,4 @@
-// A Grid seen as an OpenCV matrix, without a copy. Only for the .cpp files of core/edges: OpenCV stays out of public headers.
+// A Grid seen as an OpenCV matrix, without a copy. Only for .cpp files: headers stay free of OpenCV.
 #pragma once
 
 #include "core/base/grid.h"

@@ -1,4 +1,4 @@
-// What the user says on opening a file and the file may not say itself.
+// What the user says on opening a file.
 #pragma once
 
 #include "core/scan/scan.h"
@@ -18,7 +18,7 @@ enum class Projection : std::uint8_t {
     Never,  ///< refuse them
 };
 
-/// What the user knows and the file may not say. Empty = as the file says, or found out and told in Scan::warnings.
+/// An option that is empty is taken from the file, or found out and told in Scan::warnings.
 struct OpenOptions {
     std::optional<double> beamStartDeg;     ///< range CSV: angle of the first column (--beam-start)
     std::optional<double> beamStepDeg;      ///< --beam-step

@@ -1,4 +1,4 @@
-// Cells alone.
+// Echoes of dust close to a surface.
 #include "core/scan/spikes.h"
 
 #include "core/base/simd.h"
@@ -20,7 +20,7 @@ struct Height {
     [[nodiscard]] float at(float u) const { return std::max(kLeastM * u, offsetM * u + perMetre); }
 };
 
-// The four beside a cell; most cells are told by them.
+// Compared with the four beside it: only few cells are left for the closer look.
 EDGESCAN_SIMD void takeFirstLook(const float* u, std::ptrdiff_t stride, int beams, const Height& height, std::uint8_t* __restrict marked) {
     for (int j = 1; j < beams - 1; ++j) {
         const float nearest = std::max(std::max(u[j - 1], u[j + 1]), std::max(u[j - stride], u[j + stride]));

@@ -1,4 +1,4 @@
-// Where lines and beams of a sweep are not where their angles say: beams interlaced from two passes, and lines at which the stepper
+// Lines and beams that are not where their angles say: beams interlaced from two passes, and lines at which the stepper
 // slipped (docs/method.md, "Interlaced beams and slips").
 #pragma once
 
@@ -9,21 +9,22 @@
 
 namespace edgescan {
 
-/// In index steps across the lines. A displacement shows on every slanted surface alike: what a cell lies off the straight line of its
-/// neighbours, over the slope of the surface across the lines, is one number for the whole line.
+/// All in index steps across the lines. A displacement is the same number on every slanted surface of a line: the distance of a cell from
+/// the straight line of its neighbours, over the slope of the surface across the lines.
 struct SweepSlips {
     std::vector<float> parity; ///< lines values: how far odd beams were measured ahead of even ones
-    LineSteps extra;           ///< slips that are left after the cells were brought to their lines
+    LineSteps extra;           ///< slips that remain after the cells were brought to their lines
     LineSteps measured;        ///< all slips
-    bool interlaced = false;   ///< parity says so on most lines; else parity is all 0
+    bool interlaced = false;   ///< most lines show it; else parity is all 0
     int slipCount = 0;         ///< values of `measured` that are not 0
 };
 
-/// Every line and beam where its angle says.
+/// Every line and beam is where its angle says.
 [[nodiscard]] SweepSlips noSlips(int lines);
 
-/// Measures the displacements as robust medians over the slanted cells of each line, and brings interlaced beams to the angle of their
-/// line, half of the displacement each; never across a jump. Nothing is reported, nor moved, where the cells do not agree.
+/// Measures the displacements as weighted medians over the slanted cells of each line. Brings interlaced beams to the angle of their line,
+/// odd and even ones by half of the displacement each, and slipped lines to their places; never across a jump. Where the cells of a line do
+/// not agree, nothing is reported or moved.
 [[nodiscard]] SweepSlips straighten(InverseRange& inverse);
 
 } // namespace edgescan

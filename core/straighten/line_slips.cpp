@@ -24,8 +24,8 @@ constexpr float kMadeUp = 1.0F;    // index steps from where the stepper should 
 // The lines that tell the slope of a step from a line to the next; fewer at both ends of the sweep.
 int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 - line}); }
 
-// Of a step to the next line, from the lines before and after it: the steeper of the two slopes, for the stepper may have stalled on one
-// side.
+// The slant at the step to the next line, from the lines before and after it: the steeper of the two slopes, because the stepper may have
+// stalled on one side.
 EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
                                    std::uint8_t* __restrict slanted) {
     const std::ptrdiff_t far = reach * stride;
@@ -61,8 +61,8 @@ void addSteps(const InverseRange& inverse, int line, LineSlants& slants, StepSli
     });
 }
 
-// The change of u from line to line over some lines, the mean of the middle half: neither stalls nor a leap nor one jump tell on it, and
-// ranges in whole centimetres do not, either. 0 where a range is missing or where the surface is too steep or not slanted.
+// The change of u from line to line: the mean of the middle half over some lines, which stalls, a leap, one jump or ranges in whole
+// centimetres do not disturb. 0 where a range is missing or where the surface is too steep or not slanted.
 float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     std::array<float, 2 * kFarthest + 1> changes{};
     for (int i = first; i <= last; ++i) {
@@ -78,7 +78,7 @@ float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     return share >= kLeastSlant && share <= kMostSlant ? slant : 0;
 }
 
-// Of the same cells, measured with more care.
+// The same cells again, with slants that are measured with more care.
 void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
     for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
     const int reach = reachAt(line, inverse.u.lines);
@@ -88,7 +88,7 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
     });
 }
 
-// The slip that the beams of one parity tell of; 0 when there is none that explains what is seen.
+// The slip that beams of one parity show; 0 when none explains what is seen.
 float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
     if (isMiddleWithin(least, slips)) return 0;
@@ -97,7 +97,7 @@ float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     return explained(slips, steps) < kExplained ? 0 : steps;
 }
 
-// Slips one after the other, of beams of either parity.
+// Slips that follow each other closely, of even or odd beams.
 struct Stall {
     int first, last; // steps
     int leap;        // the longest of them
@@ -117,14 +117,14 @@ Stall stallFrom(const LineSteps& extra, int first) {
     return stall;
 }
 
-// How far the lines of a stall lie ahead of their places, index steps. They are counted from both ends, so that what the stepper did not
-// make up for is left as one longer step, the same for both parities; where it made up for all, nothing is left.
+// Works out how far the lines of a stall lie ahead of their places, in index steps. They are counted from both ends, so that what the
+// stepper did not make up for stays as one longer step, the same for even and odd beams; where it made up for all, nothing stays.
 void straightenStall(const Stall& stall, std::vector<float>& extra, std::vector<float>& ahead) {
     const auto at = [](std::vector<float>& steps, int i) -> float& { return steps[static_cast<std::size_t>(i)]; };
     float total = 0;
     for (int i = stall.first; i <= stall.last; ++i) total += at(extra, i);
     const bool madeUp = std::abs(total) < kMadeUp;
-    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // was a little on every line
+    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // spread evenly over the lines
     float sum = 0;
     for (int i = stall.first; i <= stall.last; ++i) {
         sum += at(extra, i) - over;
@@ -148,7 +148,7 @@ LineSteps straightenStalls(LineSteps& extra) {
     return ahead;
 }
 
-// What is left of a slip, by the slopes right beside it, which are what it will be weighed against.
+// What remains of a slip, measured with the slopes right beside it: crackJumps() takes it off with these.
 float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
     std::vector<SlipVote> slips;
     for (int j = parity; j < inverse.u.beams; j += 2) {

@@ -8,16 +8,16 @@
 
 namespace edgescan {
 
-/// By how many index steps the way from a line to the next was longer than it should be, for even and for odd beams; 0 where that cannot be
-/// told, and on most lines.
+/// By how many index steps the stepper went too far from each line to the next, as even and as odd beams show it; 0 on most lines, and
+/// where it cannot be told.
 using LineSteps = std::array<std::vector<float>, 2>;
 
-/// A stall is -1, a leap that makes up for two is +2. The robust median over the slanted cells of a line says it, measured by the slope of
-/// the surface over many lines: those beside the slip may have slipped, too.
+/// -1 is a stall, +2 a leap that makes up for two stalls. Measured as the weighted median over the slanted cells of a line, with slopes
+/// taken over many lines, because those beside the slip may have slipped too.
 [[nodiscard]] LineSteps lineSlips(const InverseRange& inverse);
 
-/// Brings the cells of lines that lie beside their places to the angle of their line, on slanted surfaces and never across a jump. Returns
-/// what is left of the slips: one longer or shorter step where the stepper did not make up for all.
+/// Brings displaced lines back to the angle they are said to have, on slanted surfaces and never across a jump. Returns what remains of the
+/// slips: one longer or shorter step where the stepper did not make up for all of them.
 [[nodiscard]] LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// What the slanted cells of a line say of its displacement, each for itself.
+// The displacement of a line as each of its slanted cells shows it.
 #pragma once
 
 #include "core/scan/marked_cells.h"
@@ -14,7 +14,7 @@ inline constexpr float kMostSlant = 0.1F;    // steeper is an edge rather than a
 inline constexpr std::size_t kFewestCells = 16;
 inline constexpr float kAgree = 0.35F; // spread of the values of a line, index steps or share of the slip
 
-// What the cells of a line tell of its slant.
+/// How the surfaces of a line slant across the lines.
 struct LineSlants {
     explicit LineSlants(int beams) : slant(static_cast<std::size_t>(beams)), slanted(slant.size()) {}
     std::vector<float> slant;          ///< change of u per line
@@ -34,10 +34,10 @@ struct SlipVote {
     float slant = 0; ///< of u per line
 };
 
-/// How much smaller the deviations from straight get when the slip is taken out, 0..1: noise does not shrink.
+/// By which share the deviations from straight shrink when a slip of so many steps is taken out. Near 0 when they are only noise.
 [[nodiscard]] float explained(const std::vector<SlipVote>& slips, float steps);
 
-/// Whether the weighted median lies between -limit and limit, as it does on most lines.
+/// Whether the weighted median lies between -limit and limit, as on most lines; faster than the median itself.
 [[nodiscard]] bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips);
 
 /// The weighted median: the least value up to which half of the weight lies.

@@ -33,16 +33,16 @@ void moveLines(PolarGeometry& polar, const std::vector<double>& slipSteps, doubl
     }
 }
 
-// What the surfaces of a sweep say about its angles.
+// How far the surfaces of a sweep show its angles to be wrong.
 struct Displacement {
     double stepDeg = 0;            // from line to line
     double oddAheadDeg = 0;        // odd beams against even ones
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
-    int slipCount = 0;             // of these that are not 0
-    int left = 0;                  // that beams of both parities do not agree on
+    int slipCount = 0;             // how many of these are not 0
+    int left = 0;                  // slips on which even and odd beams do not agree
 };
 
-// What is left of a displacement that the angles tell of already; nothing where both agree as well as can be measured.
+// A measured displacement less what the angles allow for already; 0 where both agree as well as can be measured.
 double beyond(double measured, double told, double agree) { return told != 0 && std::abs(measured - told) < agree ? 0.0 : measured - told; }
 
 // How far the angles have odd beams ahead of even ones.

@@ -8,17 +8,17 @@
 
 namespace edgescan {
 
-/// The angles corrected by what core/straighten/interlace.h measures: odd and even beams get half of their displacement each as a skew of the
-/// line angle, lines behind a slip are moved on by it. Ranges and states stay. A warning says what was moved, or that nothing was found;
-/// a slip seen in every second beam only is told and left. What the
-/// angles tell of already is not moved again. Clouds without beam angles stay as they are, with a warning.
+/// Corrects the angles: odd and even beams get half of their displacement each as a skew of the line angle, and all lines behind a slip are
+/// moved on by it. Ranges and states stay. A warning says what was moved, or that nothing was found. A slip that only every second beam
+/// shows is told and left. What the angles allow for already is not moved again. Clouds without beam angles stay as they are, with a
+/// warning.
 [[nodiscard]] Scan straightened(Scan scan);
 
-/// What a scan that was not straightened should be told of: beams or lines that lie elsewhere than their angles say, by how much, and what
-/// to do. Null where nothing was found, and for clouds without beam angles.
+/// A sentence for a scan that was not straightened: which beams or lines lie elsewhere than their angles say, by how much, and what to do.
+/// Empty where nothing was found, and for clouds without beam angles.
 [[nodiscard]] std::optional<std::string> displacementWarning(const Scan& scan);
 
-/// Whether a warning of a scan is the one above.
+/// Whether this is the sentence of displacementWarning().
 [[nodiscard]] bool tellsOfDisplacement(const std::string& warning);
 
 } // namespace edgescan
