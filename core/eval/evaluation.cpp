@@ -65,7 +65,7 @@ std::vector<double> errorsMm(const EdgeMatches& matches, const TruthSet& truth, 
     return errors;
 }
 
-// The value that a share of the values lies below; 0 when there are none.
+// The value below which this share of all values lies; 0 when there are none.
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

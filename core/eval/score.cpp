@@ -51,7 +51,7 @@ EdgeScore& EdgeScore::operator+=(const EdgeScore& other) {
 }
 
 EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
-    // A true cell that is not scored can be matched, so that it is no false alarm, but counts for nobody.
+    // A true cell that is not scored can be matched: then the detection is no false alarm, and the match counts for nothing.
     Grid<std::uint8_t> every(mask.lines, mask.beams);
     Grid<std::uint8_t> outline(mask.lines, mask.beams);
     for (std::size_t k = 0; k < every.size(); ++k) {

@@ -58,7 +58,7 @@ public:
         std::vector<std::size_t> before; // removed by the pass before
         std::vector<std::size_t> gone = removed(all, 0);
         for (int idle = gone.empty() ? 1 : 0, pass = 1; idle < 2; ++pass) {
-            // A pass finds a cell as it did two passes ago unless a neighbour went since.
+            // A pass decides about a cell as it did two passes ago unless a neighbour was removed since.
             std::vector<std::size_t> next = pass == 1 ? removed(all, pass) : removed(besides(before, gone, pass), pass);
             before = std::move(gone);
             gone = std::move(next);

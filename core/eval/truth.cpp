@@ -18,7 +18,7 @@ constexpr double kContactDeg = 15.0;
 constexpr double kCreaseDeg = 30.0;
 constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
 constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
-constexpr int kReach = 2;                 // cells to each side that a detection may lie off a fold: one spread wider has no place
+constexpr int kReach = 2;                 // cells that a detection may lie beside an edge; a fold that is wider has no single place
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
 
@@ -104,8 +104,8 @@ void judgePair(const SimulationTruth& truth, MarkedCells& marked, std::size_t a,
     }
 }
 
-// Along one row of cells of one rock: a rounded fold that turns by a crease's angle, but over several cells, or by less from one cell to
-// the next. Whether it is an edge, and where, nobody can say.
+// Looks along one row of cells of one rock for a rounded fold that turns by a crease's angle over several cells, or by less from one cell
+// to the next. Whether it is an edge, and where, nobody can say.
 void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
     const std::size_t first = spread.index(line, beam);
     if (truth.object[first] < sim::kFirstRock) return;
@@ -120,8 +120,8 @@ void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, i
     }
 }
 
-// Cells that are not scored for rounded folds. Edges that are sure stay, and so does what lies beside an outline: towards it every round
-// rock turns away from the scanner.
+// Cells that are not scored because of rounded folds. Sure edges stay scored, and so does what lies beside an outline, because every round
+// rock turns away from the scanner there.
 Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uint8_t>& edgeClass) {
     Grid<std::uint8_t> spread(edgeClass.lines, edgeClass.beams);
     for (int i = 0; i < spread.lines; ++i) {
@@ -163,7 +163,7 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     }
     const Grid<std::uint8_t> spread = spreadFolds(truth, result.edgeClass);
     for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
-    // An edge that is sure stays so beside one that is not.
+    // A sure edge stays scored beside an unsure one.
     dilate(marked.unsure, kReach);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (result.edgeClass[k] == 0) result.ignore[k] |= marked.unsure[k];

@@ -12,13 +12,13 @@ enum class EdgeClass : std::uint8_t {
     None = 0,
     Occluding = 1, ///< nearer cell of a pair whose tangent planes do not meet between the rays and are over 50 mm apart
     Contact = 2,   ///< another object, no jump, dihedral over 15 degrees
-    Crease = 3,    ///< same object, dihedral over 30 degrees from one cell to the next: a wider rounding is none
+    Crease = 3,    ///< same object, dihedral over 30 degrees from one cell to the next; a wider rounding is no crease
     Void = 4,      ///< last hit before an open void
 };
 
 struct EdgeTruth {
     Grid<std::uint8_t> edgeClass; ///< lines x beams, EdgeClass, thinned to one cell
-    Grid<std::uint8_t> ignore;    ///< 255: not scored, rounded folds among it that turn by 30 degrees within 4 cells but not within one
+    Grid<std::uint8_t> ignore;    ///< 255: not scored; among others rounded folds that turn by 30 degrees within 4 cells but not within one
 };
 
 [[nodiscard]] EdgeTruth edgeTruth(const SimulationTruth& truth);

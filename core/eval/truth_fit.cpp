@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLongestTold = 65535.0; // mm; range_clean.png has 16 bits
 constexpr double kSigmas = 5.0;
-constexpr double kShareOfRange = 0.01; // beams have a width, and the surfaces in them a slant
+constexpr double kShareOfRange = 0.01; // a beam has a width, and a slanted surface many ranges within it
 constexpr double kOffsetMm = 20.0;
 constexpr double kUnknownShare = 0.05; // where too few cells tell the noise
 constexpr double kFewest = 0.85;       // a scan itself has over 0.9, another bell with the same wall 0.75

@@ -8,7 +8,6 @@
 namespace edgescan::recognition {
 namespace {
 
-
 struct Steps {
     double beam = 0.0, line = 0.0;
 };
@@ -55,7 +54,7 @@ private:
     std::vector<double> cos_, sin_;
 };
 
-/// Weighted mean with the standard error that the scatter shows, but not less than half of what the rounding allows.
+/// Weighted mean. Its standard error is that of the scatter, but at least half of what rounding explains.
 struct Mean {
     double weight = 0, sum = 0, weightedSquares = 0, weightedSquaredErrors = 0, cross = 0, squaredWeight = 0;
     void add(double value, double itsWeight, double error) {
@@ -138,7 +137,7 @@ bool agrees(const Line& line, const std::vector<double>& degrees, const std::vec
     return good * 100 >= known * 99;
 }
 
-/// Tidy step and start; the start is fitted again to the tidy step.
+/// Step and start with few digits; the start is fitted again once the step is fixed.
 Line tidyByStep(const Line& fitted, std::size_t count) {
     const Tidy step = simplest(fitted.step, 3 * fitted.stepError, true);
     const double middle = static_cast<double>(count - 1) / 2;

@@ -82,8 +82,8 @@ double runsAlong(const Grid<std::uint32_t>& pointOf, int lineStep, int beamStep)
     return pairs > 0 ? votes / pairs : 0.0;
 }
 
-/// A line angle can be told from either side of its plane. Chosen so that the fan looks along +z of the scanner (sweep) or
-/// outwards (spin); a fan that is even on both sides runs upwards in beam angle.
+/// A line angle can be given from either side of its plane. The side is chosen so that the fan looks along +z of the scanner (sweep) or
+/// outwards (spin); the beam angles of a fan that is even on both sides ascend.
 void describeLikeAScanner(Fit& fit, Axis axis) {
     const double along = runsAlong(fit.pointOf, 0, 1);
     if (along < -0.5) reverseBeams(fit);
@@ -128,7 +128,7 @@ PolarGeometry geometryOf(const Fit& fit, std::span<const AxisPoint> points, cons
     return geometry;
 }
 
-/// A driver that stores every line twice: the copies are left out.
+/// Some drivers store every line twice. Drops the copies and returns how many there were.
 std::size_t dropCopiedLines(Fit& fit, std::span<const AxisPoint> points) {
     const auto beams = static_cast<std::size_t>(fit.pointOf.beams);
     const auto samePoint = [&](std::uint32_t a, std::uint32_t b) {
@@ -234,7 +234,7 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
     return text + " (99 % are needed)";
 }
 
-/// Sentences about how the list differed from a grid in order.
+/// Tells how the list differed from a full grid in order.
 void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
     const auto tell = [&](std::size_t count, const char* sentence) {
         if (count > 0) grid.remarks.push_back(std::to_string(count) + sentence);
@@ -246,7 +246,7 @@ void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
     tell(grid.copiedLines, " lines repeated the line before and were left out.");
     tell(grid.copied, " points stood in the list before, as when a driver stores lines twice, and were taken once.");
     tell(putBack, " lines or beams without any point were put back empty, to keep the steps even.");
-    tell(grid.unplaced, " points could not be told to one cell of the grid (on the rotation axis, or off the grid) and were left out.");
+    tell(grid.unplaced, " points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.");
     tell(grid.doubled, " points lay in a cell with a nearer one, which was taken.");
     const auto [least, most] = stepsIn(grid.geometry.lineDeg);
     if (most > 1.2 * least) {

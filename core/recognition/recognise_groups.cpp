@@ -1,4 +1,4 @@
-// A list in any order, with points left out: plane angles and tilts gather in groups with voids between them.
+// Finds the grid of a list in any order, with points left out: its plane angles and tilts gather in groups with voids between them.
 #include "core/recognition/recognise_parts.h"
 #include "core/recognition/recognise_rings.h"
 
@@ -9,15 +9,15 @@
 namespace edgescan::recognition {
 namespace {
 
-constexpr double kLeastFilled = 0.05;        // of the cells; below, any cloud would fit
+constexpr double kLeastFilled = 0.05; // of the cells; below, any cloud would fit
 
 /// One point that has a return.
 struct Return {
     std::uint32_t point = 0;
     double plane = 0.0, planeError = 0.0, tiltError = 0.0;
     std::uint32_t line = kNone, beam = kNone;
-    bool unsure = false; ///< too near the axis, or written too coarsely, to tell its line
-    bool told = false;   ///< its line is known all the same, from its neighbours in the list
+    bool unsure = false; ///< its own angle does not give its line: it is too near the axis, or written too coarsely
+    bool told = false;   ///< but its neighbours in the list do
     bool off = false;    ///< between the lines
 };
 
@@ -67,7 +67,7 @@ public:
         }
         return std::nullopt;
     }
-    /// How often the line changes from one point of the list to the next; shows which reading the file was written in.
+    /// How often the line changes from one point of the list to the next: few changes show that the file was written in this order.
     [[nodiscard]] std::size_t lineChanges() const {
         std::size_t changes = 0;
         for (std::size_t n = 1; n < returns_.size(); ++n) changes += returns_[n].line != returns_[n - 1].line ? 1 : 0;
@@ -81,7 +81,7 @@ private:
         if (share * (beams > 0 ? 2 : 1) <= seen.onGrid * (seen.beams > 0 ? 2 : 1)) return;
         seen = {lines, beams, share};
     }
-    /// Rings that the angles suggest: of nearly all points, since a beam may hold few; then of the half that tells them best.
+    /// Rings that the angles suggest: of nearly all points, since a beam may hold few; then of the more precise half.
     template <class Angle>
     std::vector<Ring> ringsOf(double Return::*error, Angle angle, double period) const {
         std::vector<double> errors;
@@ -98,7 +98,7 @@ private:
         }
         return rings;
     }
-    /// The side of the axis, and so the sign of the tilt, needs the line; unless the point is on the axis.
+    /// The sign of the tilt is known only with the line, which gives the side of the axis; a point on the axis needs none.
     [[nodiscard]] bool tiltIsKnown(const Return& r) const {
         if (!r.unsure || r.told) return true;
         const AxisPoint& p = points_[r.point];
@@ -110,7 +110,7 @@ private:
         const double plane = lines.centres[r.line];
         return std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u);
     }
-    /// Share of the points whose line is told and right.
+    /// Share of the sure points that lie on a line.
     double placeInLines(const Ring& lines) {
         std::size_t good = 0;
         std::size_t told = 0;
@@ -125,8 +125,8 @@ private:
         }
         return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
     }
-    /// Lines all around the axis have no void to begin after, but the list may have: where neighbouring lines lie far apart in it.
-    /// Matters because the side of a plane changes there. False when nothing was changed.
+    /// Lines all around the axis leave no void to begin after. Then they begin where neighbouring lines lie far apart in the list, because
+    /// the side of a plane changes there. False when nothing was changed.
     bool beginAsListed(Ring& lines) const {
         if (lines.centres.size() < 3) return false;
         std::vector<double> place(lines.centres.size(), 0.0);

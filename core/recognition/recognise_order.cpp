@@ -8,7 +8,7 @@
 namespace edgescan::recognition {
 namespace {
 
-constexpr double kRoughlyPlane = 0.02; // radians: rows of a true row length are far flatter, others are not
+constexpr double kRoughlyPlane = 0.02; // radians: rows of the right length are far flatter, others are not
 constexpr std::size_t kSampleLines = 16;
 
 /// Sums up to each point: any run of points is judged in constant time.
@@ -32,7 +32,7 @@ struct RunningSums {
             returns[k + 1] = returns[k] + (missing ? 0.0 : 1.0);
         }
     }
-    /// Root mean square angle from the best plane through the axis; empty when nothing tells.
+    /// Root mean square angle from the best plane through the axis; empty when no point gives one.
     [[nodiscard]] std::optional<double> flatness(std::size_t from, std::size_t to) const {
         const double weight = squaredRadius[to] - squaredRadius[from];
         if (returns[to] - returns[from] < 2 || weight <= 0) return std::nullopt;
@@ -61,7 +61,7 @@ bool mostRunsAreBelow(std::size_t points, std::size_t length, double limit, Meas
     return judged > 0 && below * 10 >= judged * 9;
 }
 
-/// Plane angle of one line modulo 180 degrees; empty when no point tells it.
+/// Plane angle of one line modulo 180 degrees; empty when no point gives it.
 std::optional<double> planeOf(std::span<const AxisPoint> line, double eps) {
     std::complex<double> sum;
     double weight = 0;
@@ -134,7 +134,7 @@ private:
         const double s = std::sin(plane);
         for (std::size_t j = 0; j < beams_; ++j) sums[j] += std::complex(line[j].u, line[j].radiusIn(c, s));
     }
-    /// True when the line fits the beams so far better with its plane turned by 180 degrees, which negates its tilts.
+    /// True when the line fits the beams found so far better with its plane turned by 180 degrees, which negates its tilts.
     [[nodiscard]] bool turnedAgrees(std::span<const AxisPoint> line, double plane, const std::vector<std::complex<double>>& sums) const {
         const double c = std::cos(plane);
         const double s = std::sin(plane);

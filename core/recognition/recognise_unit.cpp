@@ -10,9 +10,9 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLongestInMetres = 1000.0; // no scanner of rocks sees further, and none measures 1 mm steps below 1 m only
+constexpr double kLongestInMetres = 1000.0; // no scanner of rocks sees farther; larger numbers are millimetres
 
-/// True when ranges * factor are whole numbers within what rounding allows, and that means something.
+/// True when ranges * factor are whole numbers within the rounding of the file, and the rounding is fine enough to show it.
 bool wholeAt(std::span<const double> ranges, const Precision& precision, double factor) {
     std::size_t telling = 0;
     std::size_t whole = 0;

@@ -20,14 +20,14 @@ using namespace regridding;
 
 constexpr std::size_t kFewestReturns = 64;
 constexpr double kNarrowestDeg = 2.0; // all points in less than that: the sensor cannot have stood there
-constexpr double kLeastClosed = 0.55; // points strewn at random close to this at half a point per cell
+constexpr double kLeastClosed = 0.55; // as many neighbours are filled where points are strewn at random, one to every second cell
 constexpr double kLeastFill = 0.01;
 constexpr double kMostCells = 3e8;
 constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
 
 std::string number(double value) { return significantText(value, 3); }
 
-/// What the picture is upright to. Rows: forward, left, up.
+/// The axes of the picture: forward, left, up as rows. Up is the z axis unless the cloud lies above or below the sensor.
 Eigen::Matrix3d viewOf(const std::vector<Eigen::Vector3d>& directions) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     std::size_t steep = 0;

@@ -40,7 +40,7 @@ struct Regridded {
     std::size_t returns = 0;     ///< points in the list that are returns
     std::size_t filled = 0;      ///< cells with a point
     std::size_t outside = 0;     ///< points left out, far from all others in angle
-    double closed = 0.0;         ///< share of the neighbours of filled cells that are filled; about 0.6 and less is dust
+    double closed = 0.0;         ///< share of the neighbours of filled cells that are filled; 0.6 and less looks like dust
     double nearest = 0.0;        ///< distance of the nearest point from the sensor, in the list's numbers
     double farthest = 0.0;
     [[nodiscard]] double fillRatio() const {

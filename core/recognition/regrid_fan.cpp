@@ -16,7 +16,7 @@ using recognition::Ring;
 constexpr double kShareOnLines = 0.99;
 constexpr std::size_t kFewestLines = 4;
 constexpr std::size_t kPointsPerLine = 12; // on average, at least
-constexpr std::size_t kSample = 60000;     // lines that do not stand out among as many points do not at all
+constexpr std::size_t kSample = 60000;     // points of a first look: lines that do not show here are none
 
 std::vector<AxisPoint> seenAlong(const LooseCloud& cloud, int axis) {
     std::vector<AxisPoint> seen;
@@ -51,7 +51,7 @@ std::optional<Ring> linesAmong(const std::vector<AxisPoint>& points, std::size_t
 
 template <class Angle>
 std::optional<Ring> linesIn(const std::vector<AxisPoint>& points, double period, Angle angleOf) {
-    const std::size_t stride = points.size() / kSample | 1U; // odd: pairs and even row lengths are met at every place
+    const std::size_t stride = points.size() / kSample | 1U; // odd, so that no place within a row is skipped
     if (stride > 1 && !linesAmong(points, stride, period, angleOf)) return std::nullopt;
     return linesAmong(points, 1, period, angleOf);
 }

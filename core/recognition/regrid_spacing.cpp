@@ -9,13 +9,13 @@
 namespace edgescan::regridding {
 namespace {
 
-// A raster of the points' own spacing, laid over them askew, closes to about 0.8; random points two to a cell to 0.86. At 0.91
-// surfaces no longer let through what is behind them, and rocks keep their outlines (seen on river boulders and a Livox cloud).
+// Share of the neighbours of filled cells that are filled. Cells of the points' own spacing, laid askew, give about 0.8; random points, two
+// to a cell, 0.86. From 0.91 on surfaces hide what is behind them, and rocks keep their outlines (tried on river boulders, a Livox cloud).
 constexpr double kClosed = 0.91;
-constexpr double kClosedEnough = 0.85; // when true holes keep the rest open, as many points to a cell as these tell:
+constexpr double kClosedEnough = 0.85; // where real holes keep the rest open, which so many points to a cell show:
 constexpr double kPlentyPerCell = 5;
-constexpr double kNearlyBest = 0.95; // where strewn points never close that far
-constexpr double kFinest = 64;       // cells per point of the whole window to begin with: clouds fill small parts of their windows
+constexpr double kNearlyBest = 0.95; // of the largest share, where strewn points never come that far
+constexpr double kFinest = 64;       // cells per point to begin with, because clouds fill small parts of their windows
 constexpr double kMostCells = 5e8;
 
 struct Cells {

@@ -36,7 +36,7 @@ void castInto(const Mesh& mesh, const BoxTree& tree, const RayBundle& bundle, Bu
 Eigen::Vector3f originOf(const RayBundle& bundle, std::size_t i) { return {bundle.ox[i], bundle.oy[i], bundle.oz[i]}; }
 Eigen::Vector3f directionOf(const RayBundle& bundle, std::size_t i) { return {bundle.dx[i], bundle.dy[i], bundle.dz[i]}; }
 
-/// Whether a point of a side of a rounded body lies over that side of its core. A ray that comes in elsewhere meets a ridge or nothing.
+/// Whether a point on a side of a rounded body lies over that side of its core. Elsewhere the ray meets a ridge, or nothing.
 bool onFlatPart(const ConvexBody& body, std::size_t side, const Eigen::Vector3f& point) {
     constexpr float kOverlapM = 1e-5F; // no ray slips between a side and its ridges
     const Eigen::Vector3f below = point - body.radiusM * body.facets[side].normal;

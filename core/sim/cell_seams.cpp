@@ -13,7 +13,7 @@ TangentPlane planeOf(const SeamSources& sources, const SimulationTruth& truth, C
             truth.normal[k].cast<double>()};
 }
 
-// Without relief, which neither tears nor folds.
+// Without relief, which makes no edges.
 std::optional<TangentPlane> onFace(const SeamSources& sources, const Eigen::Vector3d& ray, std::uint16_t object, std::uint16_t face) {
     const RayBundle bundle = bundleAlong(ray, {});
     const BundleHits hits = sources.caster.cast(bundle);

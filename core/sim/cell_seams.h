@@ -11,7 +11,7 @@ struct SeamSources {
     const Scene& scene;
     const Caster& caster;                      ///< of the scene
     std::array<const CartesianTables*, 2> aim; ///< where even and odd beams really point
-    bool measured = false;                     ///< the mesh goes through measured points: its facets are no folds
+    bool measured = false;                     ///< the mesh was made of measured points, so its facets are no folds
 };
 
 /// Fills toNextBeam and toNextLine of a line; the other grids of `truth` must be filled, those of the next line too.

@@ -73,7 +73,7 @@ void addRubble(Scene& scene, const Bell& bell, int rocks, double rounding, std::
         const double size = dice.uniform(0.16, 0.4) + 0.8 * dice.uniform() * dice.uniform() * dice.uniform();
         const double height = muckHeight(bell, x, y, seed);
         const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
-        const bool onPole = y * y + height * height < 0.2 * x * x; // a sweep would smear it over every line
+        const bool onPole = y * y + height * height < 0.2 * x * x; // near the axis of a sweep it would show in every line
         if (!onSlope || onPole) continue;
         Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
         addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rounding);

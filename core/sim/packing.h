@@ -23,8 +23,8 @@ using Confine = std::function<void(std::size_t index, Ball& ball)>;
 /// @param touch distance that two balls settle at, as a share of the sum of their radii; below 1 they stay interlocked
 [[nodiscard]] std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds);
 
-/// Balls of the given radii, each at that of twelve drawn places which lies farthest from the balls before it: large ones, coming first, do
-/// not hide behind each other.
+/// Balls of the given radii. Each takes that of twelve random places which is farthest from the balls before it, so that the large ones,
+/// which come first, do not hide behind each other.
 [[nodiscard]] std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(Dice&)>& place, Dice& dice);
 
 } // namespace edgescan::sim

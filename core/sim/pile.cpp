@@ -11,7 +11,7 @@
 namespace edgescan::sim {
 namespace {
 
-constexpr double kLarger = 2.1; // the slope is built at the size of the bell in "hangup", then enlarged: there is room in front of it
+constexpr double kLarger = 2.1; // the slope is built at the size of the bell in "hangup", then enlarged, so that there is room before it
 
 /// Surface of the slope below the rocks: up towards -y at the angle of repose.
 double slopeHeight(double x, double y, std::uint64_t seed) {

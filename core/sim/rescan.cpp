@@ -13,8 +13,8 @@ namespace {
 constexpr double kPointsPerCell = 2.0;
 constexpr int kMostNodes = 1200; // along the longer side
 constexpr int kLargestGap = 6;   // nodes that are filled between points
-constexpr double kBehindM = 0.5; // from the lowest point to what is behind it all
-constexpr double kDomeDeg = 100; // of the dome over it all, from its top down
+constexpr double kBehindM = 0.5; // from the lowest point to what lies behind the surface
+constexpr double kDomeDeg = 100; // of the dome around the surface, from its top down
 
 struct Relief {
     int rows = 0, columns = 0;
@@ -28,8 +28,8 @@ struct Relief {
 
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
-// Nodes without a point take the mean of their neighbours, from the known ones outwards; what is farther from all points lies
-// behind it all.
+// Nodes without a point take the mean of their neighbours, from the known ones outwards; those too far from any point lie behind the
+// whole surface.
 void fillUnknown(Relief& relief, float ground) {
     for (int round = 0; round < kLargestGap / 2; ++round) {
         Relief next = relief;
@@ -89,7 +89,7 @@ Scene rescanScene(const std::vector<Eigen::Vector3f>& points, double distanceM) 
     };
     Scene scene;
     addLattice(scene, scene.solids, {relief.rows, relief.columns, false, place}, {.texture = Texture::Smooth});
-    // A dome round it all: nothing is open, so that every border is one of the surface.
+    // A dome around the surface: no beam ends in the open, so that every border is one of the surface.
     constexpr int kRings = 48;
     const std::vector<Eigen::Vector2d> around = compass(144);
     const Eigen::Vector3d half = 0.5 * box.sizes().cast<double>();

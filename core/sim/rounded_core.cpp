@@ -13,7 +13,7 @@ namespace edgescan::sim {
 namespace {
 
 constexpr double kFlat = 1e-4;      // radians: triangles of one side
-constexpr double kShortestM = 1e-5; // four sides that meet in one corner have two, by rounding
+constexpr double kShortestM = 1e-5; // where four sides meet, rounding makes two corners this close to each other
 
 const Eigen::Vector3d& at(const std::vector<Eigen::Vector3d>& points, int i) { return points[static_cast<std::size_t>(i)]; }
 
@@ -30,7 +30,7 @@ double volumeOf(const RoundedCore& core) {
 
 /// Finds the ridges; returns the sum of their lengths times the angles that the surface turns by at them.
 double findRidges(RoundedCore& core) {
-    std::map<std::array<int, 2>, Eigen::Vector3d> waiting; // an edge's one side, until its other one comes
+    std::map<std::array<int, 2>, Eigen::Vector3d> waiting; // the first side of each edge, until the second one comes
     double bend = 0.0;
     for (const HullTriangle& t : core.hull) {
         const Eigen::Vector3d normal = areaOf(core.corners, t).normalized();

@@ -45,8 +45,8 @@ struct Ridge {
     std::int32_t surface = -1;
 };
 
-/// The common part of its half-spaces. Rounded off, where the radius is not 0: the half-spaces moved in by the radius enclose the core, and
-/// the body is all that lies within the radius of the core; planes where it was flat, cylinders along the ridges, spheres at the corners.
+/// The intersection of half-spaces. Where the radius is not 0 it is rounded off: the half-spaces moved in by the radius enclose the core,
+/// and the body is all that lies within the radius of the core: planes where it was flat, cylinders along ridges, spheres at corners.
 struct ConvexBody {
     std::vector<Facet> facets;
     Eigen::AlignedBox3f box;

@@ -17,7 +17,7 @@ double metAlong(const TangentPlane& plane, const Eigen::Vector3d& ray) {
 }
 
 double tearMm(const TangentPlane& a, const TangentPlane& b) {
-    // How far b's surface lies behind a's, on either ray; of one sign: the planes do not meet between the rays.
+    // How far b's surface lies behind a's, on either ray. With the same sign on both, the planes do not meet between the rays.
     const double atA = metAlong(b, a.ray) - a.rangeMm;
     const double atB = b.rangeMm - metAlong(a, b.ray);
     if (!(atA * atB > 0) || !std::isfinite(atA) || !std::isfinite(atB)) return 0.0;
@@ -28,7 +28,7 @@ double foldDeg(const TangentPlane& a, const TangentPlane& b) {
     return std::acos(std::clamp(a.normal.dot(b.normal), -1.0, 1.0)) * 180.0 / std::numbers::pi;
 }
 
-// What the steepest quarter of the way rises by beyond the slope of the other three, mm.
+// How much more the steepest quarter of the way rises than the other three do on average, mm.
 float riseOfAQuarter(const std::array<TangentPlane, kParts + 1>& way) {
     const double total = std::abs(way.back().rangeMm - way.front().rangeMm);
     double steepest = 0;

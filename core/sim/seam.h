@@ -8,7 +8,7 @@
 
 namespace edgescan::sim {
 
-/// Below these a seam is none: nobody sees it.
+/// Below these nobody sees an edge.
 inline constexpr double kLeastTearMm = 20.0;
 inline constexpr double kLeastFoldDeg = 15.0;
 
@@ -20,16 +20,16 @@ struct TangentPlane {
 };
 
 struct Seam {
-    float tearMm = 0;  ///< how far the two tangent planes are apart, on the ray where they are closer; 0 where they meet between the rays
+    float tearMm = 0;  ///< distance of the two tangent planes, on the ray where it is smaller; 0 where they meet between the rays
     float foldDeg = 0; ///< angle between their normals
 };
 
 [[nodiscard]] Seam seamBetween(const TangentPlane& a, const TangentPlane& b);
 
-/// The same for two places on one mesh, whose facets may be smaller than the way between them and no edge of anything. The rays that
-/// `cast` tries in between tell: a tear counts for no more than the steepest quarter of the way rises by beyond the slope of the rest, a
-/// fold for no more than the sharpest one between neighbouring rays. `cast` gives nothing where a ray ends elsewhere; then the seam is as
-/// between the two.
+/// The same for two places on one mesh, where facets smaller than the distance between the places are no edges. Rays in between decide: a
+/// tear counts for no more than the steepest quarter of the way rises beyond the slope of the rest, a fold for no more than the sharpest
+/// one between neighbouring rays. Where one of these rays ends elsewhere, `cast` gives nothing and the seam is that between the two
+/// places.
 using TangentCast = std::function<std::optional<TangentPlane>(const Eigen::Vector3d& ray)>;
 [[nodiscard]] Seam seamOnMesh(const TangentPlane& a, const TangentPlane& b, const TangentCast& cast);
 

@@ -75,7 +75,7 @@ struct SimulationTruth {
     Grid<Eigen::Vector3f> normal; ///< unit, scanner frame, towards the scanner; without relief
     Grid<std::uint8_t> absorbed;  ///< 1 in absorbing patches
     Grid<std::uint8_t> rounded;   ///< 1 where a corner or ridge of a rock is rounded off
-    Grid<sim::Seam> toNextBeam;   ///< what lies between the surfaces of the cell and of the next beam; nothing on one face of a rock
+    Grid<sim::Seam> toNextBeam;   ///< the seam between the surfaces of the cell and of the next beam; none on one face of a rock
     Grid<sim::Seam> toNextLine;
 
     struct Rock {
