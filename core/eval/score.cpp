@@ -87,8 +87,4 @@ EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth) {
     return score;
 }
 
-EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
-    return scoreMatches(matchWithTruth(mask, truth, tolerance), truth);
-}
-
 } // namespace edgescan

@@ -40,6 +40,5 @@ struct EdgeMatches {
 /// `mask`: 255 = edge, thinned here. `tolerance`: cells.
 [[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 [[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
-[[nodiscard]] EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 
 } // namespace edgescan

@@ -102,18 +102,18 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
-    const EdgeTruth edges = edgeTruth(*simulation.truth);
+    const TruthSet truth = truthSetOf(simulation);
     const auto texts = {std::pair{"rocks.json", rocksJson(simulation).dump(2) + "\n"},
                         std::pair{"scene.json", settingsJson(settings).dump(2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
     }
-    for (const auto& [name, grid] : {std::pair{"gt_class.png", &edges.edgeClass}, std::pair{"gt_ignore.png", &edges.ignore}}) {
+    for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
         if (auto written = savePng8(*grid, folder / name); !written) return written;
     }
-    if (auto written = savePng16(simulation.truth->object, folder / "object.png"); !written) return written;
+    if (auto written = savePng16(truth.object, folder / "object.png"); !written) return written;
     if (auto written = savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
-    return savePng16(wholeMm(simulation.truth->cleanMm), folder / "range_clean.png");
+    return savePng16(truth.cleanMm, folder / "range_clean.png");
 }
 
 Result<TruthSet> readTruth(const fs::path& folder) {

@@ -1,10 +1,10 @@
 // Ground truth, score, and the detector that measures surfaces against straight lines in inverse range.
 #include "core/depth/depth_edges.h"
-#include "core/eval/score.h"
 #include "core/method/pipeline.h"
 #include "core/settings/presets.h"
 #include "core/straighten/interlace.h"
 #include "tests/support/scans.h"
+#include "tests/support/scores.h"
 
 #include <gtest/gtest.h>
 
@@ -45,11 +45,11 @@ TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
     const EdgeTruth truth = edgeTruth(*bell.truth);
     Grid<std::uint8_t> mask(bell.scan.lines(), bell.scan.beams());
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edgeClass[k] != 0 ? 255 : 0;
-    const EdgeScore perfect = scoreEdges(mask, truth, 2);
+    const EdgeScore perfect = test::scoreEdges(mask, truth, 2);
     EXPECT_EQ(perfect.all.f(), 1.0);
     EXPECT_EQ(perfect.crease.f(), 1.0);
     EXPECT_LT(perfect.strictOutline.precision(), 1.0); // creases are no outline
-    const EdgeScore nothing = scoreEdges(Grid<std::uint8_t>(mask.lines, mask.beams), truth, 2);
+    const EdgeScore nothing = test::scoreEdges(Grid<std::uint8_t>(mask.lines, mask.beams), truth, 2);
     EXPECT_EQ(nothing.all.recall(), 0.0);
     EXPECT_EQ(nothing.all.f(), 0.0);
 }
@@ -61,10 +61,10 @@ TEST(EdgeScore, FalseAlarmsCountOnlyWhereTheyAreScored) {
     for (int j = 2; j < 18; ++j) mask.at(6, j) = 255; // one line beside the truth
     mask.at(15, 3) = mask.at(15, 10) = 255;
     truth.ignore.at(15, 10) = 255;
-    const EdgeScore score = scoreEdges(mask, truth, 2);
+    const EdgeScore score = test::scoreEdges(mask, truth, 2);
     EXPECT_EQ(score.occluding.found, 16U);
     EXPECT_EQ(score.occluding.false_, 1U);
-    EXPECT_EQ(scoreEdges(mask, truth, 0.5).occluding.found, 0U);
+    EXPECT_EQ(test::scoreEdges(mask, truth, 0.5).occluding.found, 0U);
 }
 
 TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
@@ -73,8 +73,8 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     for (const char* scene : {"hangup", "pile"}) {
         const Simulation bell = simulated(scene, 21);
         const EdgeTruth truth = edgeTruth(*bell.truth);
-        depth += scoreEdges(depthEdges(bell.scan, {}).mask, truth, 2);
-        gray += scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
+        depth += test::scoreEdges(depthEdges(bell.scan, {}).mask, truth, 2);
+        gray += test::scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
     }
     std::printf("all edges, 286 x 250: depth edges F %.3f, gray levels F %.3f\n", depth.all.f(), gray.all.f());
     EXPECT_GT(depth.all.f(), gray.all.f() + 0.15);
@@ -120,7 +120,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const Simulation bell = *simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = scoreEdges(depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);

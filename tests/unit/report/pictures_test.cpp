@@ -1,6 +1,7 @@
 // Sheets of pictures: every marked cell is drawn where it is, in its colour and its shape.
 #include "core/report/comparison_pictures.h"
 #include "tests/support/scans.h"
+#include "tests/support/scores.h"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +98,7 @@ TEST(TruthMarks, AreAsManyAsTheScoreCounts) {
         const EdgeTruth truth = randomTruth(random, round % 2 == 1);
         Grid<std::uint8_t> mask(40, 50);
         for (int k = 0; k < 300; ++k) mask[random() % mask.size()] = 255;
-        const EdgeCounts all = scoreEdges(mask, truth, 1.0).all;
+        const EdgeCounts all = test::scoreEdges(mask, truth, 1.0).all;
         const Grid<std::uint8_t> marks = truthMarks(mask, truth, 1.0);
         EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, kMarkFound)), all.found);
         EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, kMarkFalse)), all.false_);

@@ -1,0 +1,12 @@
+// Scoring in one call, for tests that want nothing but the score.
+#pragma once
+
+#include "core/eval/score.h"
+
+namespace edgescan::test {
+
+inline EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
+    return scoreMatches(matchWithTruth(mask, truth, tolerance), truth);
+}
+
+} // namespace edgescan::test
