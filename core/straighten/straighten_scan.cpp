@@ -107,7 +107,7 @@ std::string slipText(const Displacement& found) {
            std::to_string(first + 1) + ", by up to " + degreesText(most) + ")";
 }
 
-// Empty where nothing lies elsewhere.
+// Empty where nothing is displaced.
 std::string displacementText(const Displacement& found) {
     std::string text;
     if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg);
@@ -115,7 +115,7 @@ std::string displacementText(const Displacement& found) {
     return text;
 }
 
-constexpr const char* kDisplaced = "Measured elsewhere than the angles say: ";
+constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
 
 } // namespace
 
@@ -146,7 +146,7 @@ std::optional<std::string> displacementWarning(const Scan& scan) {
     const std::string text = displacementText(displacementOf(scan, *polar));
     if (text.empty()) return std::nullopt;
     return kDisplaced + text +
-           "; EdgeScan+ allows for it, but points lie where the angles say: --straighten (Scan > Straighten Beams) corrects these.";
+           "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles.";
 }
 
 bool tellsOfDisplacement(const std::string& warning) { return warning.starts_with(kDisplaced); }
