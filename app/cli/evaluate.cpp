@@ -3,7 +3,6 @@
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
-#include "core/depth/depth_settings.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/truth_fit.h"
 #include "core/method/pipeline.h"
@@ -33,15 +32,6 @@ struct Evaluate {
     MethodFlags method;
     ReadFlags read;
 };
-
-/// The threshold that the method chosen has; null when it has none.
-const Parameter* sweptParameter(const Settings& settings) {
-    for (const char* key : {"sensitivity", "step", "lower"}) {
-        const Parameter* parameter = findParameter(key);
-        if (parameter != nullptr && parameter->usedBy(settings)) return parameter;
-    }
-    return nullptr;
-}
 
 // `own`, the threshold of the settings, is among them: the best of a sweep is never worse than what the settings give.
 std::vector<double> usualThresholds(const Parameter& parameter, double own) {
@@ -95,26 +85,6 @@ Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     return one;
 }
 
-/// Masks of one scan at rising thresholds; what does not depend on the threshold is worked out once.
-class MaskMaker {
-public:
-    MaskMaker(std::shared_ptr<const Scan> scan, const Settings& settings) : scan_(std::move(scan)), settings_(settings) {}
-
-    Grid<std::uint8_t> at(const Parameter* parameter, double threshold) {
-        if (parameter != nullptr) parameter->set(settings_, threshold);
-        if (parameter != findParameter("sensitivity")) return *pipeline_.run(scan_, settings_)->mask;
-        const DepthEdgeSettings depth = depthEdgeSettings(settings_);
-        if (!responses_) responses_ = std::make_unique<DepthResponses>(depthResponses(*scan_, depth));
-        return decideDepthEdges(*responses_, depth).mask;
-    }
-
-private:
-    std::shared_ptr<const Scan> scan_;
-    Settings settings_;
-    Pipeline pipeline_;
-    std::unique_ptr<DepthResponses> responses_;
-};
-
 void show(const Json& evaluation) {
     const auto text = [](const Json& number, int decimals) { return fixedText(number.get<double>(), decimals); };
     std::cout << "                precision  recall      F\n";
@@ -134,10 +104,9 @@ void show(const Json& evaluation) {
 }
 
 Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
-    const Parameter* swept = sweptParameter(settings);
+    const Parameter& swept = sweptParameter(settings.method);
     ThresholdSweep sweep;
-    if (evaluate.sweep && swept != nullptr)
-        sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(*swept, swept->get(settings)) : evaluate.thresholds;
+    if (evaluate.sweep) sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(swept, swept.get(settings)) : evaluate.thresholds;
     Evaluation fixed;
     for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
         Result<Case> one = openCase(evaluate, n);
@@ -146,13 +115,15 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
             fixed += evaluateMask(one->mask, one->truth, one->scan.get(), evaluate.tolerance);
             continue;
         }
-        MaskMaker maker(one->scan, settings);
-        const auto score = [&](const Grid<std::uint8_t>& mask) {
-            return evaluateMask(mask, one->truth, one->scan.get(), evaluate.tolerance);
+        Pipeline pipeline;
+        const auto scoreAt = [&](double threshold) {
+            Settings turned = settings;
+            swept.set(turned, threshold);
+            return evaluateMask(*pipeline.run(one->scan, turned)->mask, one->truth, one->scan.get(), evaluate.tolerance);
         };
-        fixed += score(maker.at(swept, swept == nullptr ? 0.0 : swept->get(settings)));
+        fixed += scoreAt(swept.get(settings));
         std::vector<Evaluation> row;
-        for (const double threshold : sweep.thresholds) row.push_back(score(maker.at(swept, threshold)));
+        for (const double threshold : sweep.thresholds) row.push_back(scoreAt(threshold));
         sweep.perScan.push_back(std::move(row));
     }
     Json json;
@@ -162,7 +133,7 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     json["fixed"] = evaluationJson(fixed);
     json["rocks"] = rocksJson(fixed);
     if (sweep.thresholds.empty()) return json;
-    json["swept"] = swept->key;
+    json["swept"] = swept.key;
     json["sweep"] = sweepJson(sweep);
     return json;
 }
@@ -173,13 +144,13 @@ Result<Done> checkUsage(const Evaluate& evaluate, const Settings& settings) {
     if (std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask) && anyTyped(evaluate.method))
         return Error{"a mask holds its edges already, so no method finds them", "evaluate", "leave the flags of the method out"};
     if (!evaluate.thresholds.empty() && !evaluate.sweep) return Error{"thresholds belong to a sweep", "--thresholds", "give --sweep too"};
-    const Parameter* swept = sweptParameter(settings);
-    for (std::size_t n = 0; swept != nullptr && n < evaluate.thresholds.size(); ++n) {
+    const Parameter& swept = sweptParameter(settings.method);
+    for (std::size_t n = 0; n < evaluate.thresholds.size(); ++n) {
         const double value = evaluate.thresholds[n];
-        if (!(value >= swept->minimum && value <= swept->maximum) || (n > 0 && value <= evaluate.thresholds[n - 1]))
+        if (!(value >= swept.minimum && value <= swept.maximum) || (n > 0 && value <= evaluate.thresholds[n - 1]))
             return Error{"value " + std::to_string(n + 1) + " is out of place", "--thresholds",
-                         "give rising values of --" + std::string(swept->key) + ", from " + formatValue(*swept, swept->minimum) + " to " +
-                             formatValue(*swept, swept->maximum)};
+                         "give rising values of --" + std::string(swept.key) + ", from " + formatValue(swept, swept.minimum) + " to " +
+                             formatValue(swept, swept.maximum)};
     }
     return Done{};
 }

@@ -2,7 +2,7 @@
 #include "app/shared/options.h"
 
 #include "core/base/number_text.h"
-#include "core/gray/step_meaning.h"
+#include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
@@ -29,7 +29,7 @@ std::string hint(const Parameter& p) {
     if (p.choices.empty()) {
         if (*p.unit != '\0') text += std::string(p.unit) + ", ";
         text += shortestText(p.minimum) + " to " + shortestText(p.maximum);
-        if (p.canBeAutomatic) text += " or auto";
+        if (p.automatic != nullptr) text += " or auto";
     } else {
         for (const Choice& choice : p.choices) text += (&choice == &p.choices.front() ? "" : "|") + std::string(choice.name);
     }

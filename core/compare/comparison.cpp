@@ -1,17 +1,11 @@
 // Every method on one scan in one run.
 #include "core/compare/comparison.h"
 
-#include "core/depth/depth_settings.h"
 #include "core/gray/canny.h"
-#include "core/gray/detector.h"
-#include "core/gray/log_range.h"
-#include "core/gray/masked_cells.h"
-#include "core/gray/smooth.h"
-#include "core/gray/step_meaning.h"
-#include "core/method/detection_thresholds.h"
+#include "core/method/methods.h"
 #include "core/method/pipeline.h"
+#include "core/method/step_meaning.h"
 #include "core/scan/cartesian.h"
-#include "core/scan/missing_cells.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
@@ -20,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 
 namespace edgescan {
 namespace {
@@ -28,14 +21,9 @@ namespace {
 // Thread CPU time of one step.
 template <class Step>
 auto timed(double& milliseconds, Step step) {
-    const auto now = [] {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return 1000.0 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-    };
-    const double start = now();
+    const double start = threadCpuMilliseconds();
     auto result = step();
-    milliseconds += now() - start;
+    milliseconds += threadCpuMilliseconds() - start;
     return result;
 }
 
@@ -45,40 +33,29 @@ struct Run {
     Grid<std::uint8_t> classes;
 };
 
-Run runGray(const Scan& scan, const Settings& settings) {
-    Run run;
-    const GrayImage gray = timed(run.steps.conversion, [&] { return grayImage(scan, settings); });
-    const Grid<std::uint8_t> masked = timed(run.steps.noiseRemoval, [&] { return maskedCells(scan, settings); });
-    const Grid<std::uint8_t>* missing = masked.size() > 0 ? &masked : nullptr;
-    Grid<std::uint8_t> smoothed;
-    if (!smoothsItself(settings.method)) {
-        smoothed = timed(run.steps.noiseRemoval, [&] {
-            return missing != nullptr ? smoothAroundHoles(gray.levels, *missing, settings) : smooth(gray.levels, settings);
-        });
+// The steps of the thesis's table from the stages of the pipeline. Only methods on gray levels need the gray image.
+ComparedSteps stepsOf(const Detection& detection) {
+    ComparedSteps steps;
+    for (const StageTime& time : detection.timings) {
+        if (time.of == Stage::Gray)
+            steps.conversion += reads(detection.settings.method, kReadsGray) ? time.cpuMilliseconds : 0.0;
+        else if (time.of == Stage::Mask || time.of == Stage::Smoothing)
+            steps.noiseRemoval += time.cpuMilliseconds;
+        else if (time.of != Stage::Threshold)
+            steps.edges += time.cpuMilliseconds;
     }
-    run.mask = timed(run.steps.edges, [&] {
-        if (settings.method != Method::Canny)
-            return detectorMask(settings.method, smoothsItself(settings.method) ? gray.levels : smoothed, missing, settings);
-        return missing != nullptr ? cannyAroundHoles(smoothed, *missing, settings) : canny(smoothed, settings);
-    });
-    return run;
+    return steps;
 }
 
-Run runOnce(const Scan& scan, const Settings& settings) {
-    Run run;
-    if (settings.method == Method::Canny || hasOneThreshold(settings.method))
-        run = runGray(scan, settings);
-    else if (settings.method == Method::LogRange)
-        run.mask = timed(run.steps.edges, [&] { return logRangeEdges(scan, settings); });
-    else {
-        DepthEdges found = timed(run.steps.edges, [&] { return depthEdges(scan, depthEdgeSettings(settings)); });
-        run.mask = std::move(found.mask);
-        run.classes = Grid<std::uint8_t>(scan.lines(), scan.beams());
-        for (std::size_t k = 0; k < run.mask.size(); ++k)
-            run.classes[k] = run.mask[k] != 0 ? static_cast<std::uint8_t>(found.kind[k]) : std::uint8_t{0};
+Run runOnce(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    const auto detection = detectEdges(scan, settings);
+    Run run{stepsOf(*detection), *detection->mask, {}};
+    if (detection->classes) {
+        run.classes = Grid<std::uint8_t>(scan->lines(), scan->beams());
+        for (const std::uint32_t k : *detection->edges) run.classes[k] = static_cast<std::uint8_t>((*detection->classes)[k]);
     }
     const auto points = timed(run.steps.merge, [&] {
-        const CartesianTables tables(scan);
+        const CartesianTables tables(*scan);
         std::vector<Eigen::Vector3d> all;
         for (const std::uint32_t k : edgeCells(run.mask)) all.push_back(tables.point(std::size_t{k}));
         return all;
@@ -106,8 +83,12 @@ std::vector<ComparedMethod> ownMethods() {
     const Parameter& method = *findParameter("method");
     const Parameter& mask = *findParameter("log-mask");
     // In the order of the thesis's chapter, ours last.
-    for (const Method m : {Method::Roberts, Method::Sobel, Method::Prewitt, Method::Kirsch, Method::Robinson, Method::MarrHildreth,
-                           Method::Log, Method::Canny, Method::LogRange, Method::Jumps, Method::Outlines, Method::EdgeScanPlus}) {
+    std::vector<Method> order;
+    for (const MethodTraits& traits : methodTraits()) order.push_back(traits.method);
+    std::ranges::stable_sort(order, {}, [](Method m) {
+        return reads(m, kReadsSurface) ? -static_cast<int>(m) : hasOneThreshold(m) ? -100 : -99;
+    });
+    for (const Method m : order) {
         Settings settings;
         settings.method = m;
         settings.lower = lowerWithSameStep(cannySettings(), settings);
@@ -117,7 +98,7 @@ std::vector<ComparedMethod> ownMethods() {
             asMeasured.straighten = false;
             methods.push_back(ownMethod("EdgeScan+, angles as measured", kAsMeasuredKey, asMeasured));
         }
-        if (m != Method::Log) {
+        if (!reads(m, kReadsLaplacianMask)) {
             methods.push_back(
                 ownMethod(m == Method::Canny ? "Canny, logarithmic gray levels" : choiceLabel(method, settings), key, settings));
             continue;
@@ -163,13 +144,14 @@ void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) 
 std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const Settings& settings, const TruthSet& truth,
                                            double tolerance) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(scan, settings));
+    const Parameter& swept = sweptParameter(settings.method);
     std::vector<double> highest;
     for (const double value : map.highest.cells) {
         if (value >= 0 && std::isfinite(value)) highest.push_back(value);
     }
     std::ranges::sort(highest, std::greater<>());
     const auto wanted = static_cast<double>(std::ranges::count_if(truth.edges.edgeClass.cells, [](std::uint8_t c) { return c != 0; }));
-    std::vector<double> thresholds{findParameter(sweptParameter(settings.method))->get(settings)};
+    std::vector<double> thresholds{swept.get(settings)};
     for (const double share : {0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.3, 1.6, 2.0, 3.0}) {
         const auto place = static_cast<std::size_t>(share * wanted);
         if (place >= highest.size()) break;
@@ -180,7 +162,7 @@ std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& sc
         Grid<std::uint8_t> mask = edgesAt(map, threshold);
         const Evaluation score = evaluateMask(mask, truth, scan.get(), tolerance);
         if (best && best->score.score.all.f() >= score.score.all.f()) continue;
-        best = BestThreshold{sweptParameter(settings.method), threshold, score, std::move(mask)};
+        best = BestThreshold{swept.key, threshold, score, std::move(mask)};
     }
     return best;
 }
@@ -249,7 +231,7 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
     for (int repeat = 0; repeat < repeats; ++repeat) {
         for (std::size_t n = 0; n < own; ++n) {
             if (!goesOn(methods[n].name)) return {};
-            Run run = runOnce(*scan, *methods[n].settings);
+            Run run = runOnce(scan, *methods[n].settings);
             steps[n].push_back(run.steps);
             methods[n].mask = std::move(run.mask);
             methods[n].classes = std::move(run.classes);

@@ -1,14 +1,14 @@
 // What the operator turned, in the terms of EdgeScan+.
 #include "core/depth/depth_settings.h"
 
+#include "core/settings/method_traits.h"
+
 #include <cmath>
 
 namespace edgescan {
 
 DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
-    const int classes = settings.method == Method::Jumps      ? kClassJump
-                        : settings.method == Method::Outlines ? kClassJump | kClassConcave
-                                                              : settings.classes;
+    const int classes = reads(settings.method, kReadsClasses) ? settings.classes : traitsOf(settings.method).classes;
     DepthEdgeSettings depth;
     if (!std::isnan(settings.jumpMm)) depth.jumpMm = settings.jumpMm;
     depth.jumpGrowth = settings.growthPercent / 100.0;

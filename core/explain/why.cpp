@@ -1,21 +1,12 @@
 // Why a cell is an edge, or why it is none.
 #include "core/explain/why.h"
 
-#include "core/depth/depth_settings.h"
-#include "core/gray/canny.h"
-#include "core/gray/detector.h"
-#include "core/gray/gradient_masks.h"
-#include "core/gray/log_range.h"
-#include "core/gray/masked_cells.h"
-#include "core/method/detection_thresholds.h"
-#include "core/scan/missing_cells.h"
-#include "core/settings/method_traits.h"
+#include "core/method/methods.h"
 #include "core/settings/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace edgescan {
 namespace {
@@ -29,7 +20,8 @@ double roundedDown(double value, const Parameter& parameter) {
 }
 
 // Breadth first over cells above the lower threshold: the way to the nearest strong cell, and how many cells hang together.
-void followChain(Why& why, const Grid<float>& strength) {
+void followChain(Why& why) {
+    const Grid<float>& strength = why.linked;
     if (why.standing == Standing::Below) return;
     const auto beams = static_cast<std::size_t>(strength.beams);
     std::vector<std::uint32_t> from(strength.size(), kNone);
@@ -70,128 +62,35 @@ Standing standingOf(double strength, const Why& why) {
     return strength > why.upper ? Standing::Above : strength > why.lower ? Standing::Between : Standing::Below;
 }
 
-// Canny on levels or log range. Returns the suppressed strengths.
-Grid<float> judgeGradient(Why& why, const Detection& detection) {
-    const Settings& settings = detection.settings;
-    const Gradient gradient = gradientOf(detection);
-    const bool logRange = settings.method == Method::LogRange;
-    why.lower = logRange ? logRangeGradientOfStep(settings.stepPercent, settings) : settings.lower;
-    why.upper = settings.ratio * why.lower;
-    const auto sized = [&](std::int32_t magnitude) {
-        return (settings.norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude) / gradient.scale;
-    };
-    const auto strengthAt = [&](std::size_t k) {
-        return sized(gradientMagnitude(gradient.alongBeams[k], gradient.alongLines[k], settings.norm));
-    };
-    const std::size_t k = why.probe.cell;
-    const std::int16_t dx = gradient.alongBeams[k];
-    const std::int16_t dy = gradient.alongLines[k];
-    why.alongBeams = dx / gradient.scale;
-    why.alongLines = dy / gradient.scale;
-    why.strength = strengthAt(k);
-    if (dx != 0 || dy != 0) why.directionDeg = std::atan2(dy, dx) * 180.0 / std::numbers::pi;
-    const AlongGradient along = alongGradient(dx, dy);
-    for (const int sign : {-1, 1}) {
-        const int line = why.probe.line + sign * along.lineStep;
-        const int beam = why.probe.beam + sign * along.beamStep;
-        if (why.suppressedBy || !detection.scan->rangeMm.contains(line, beam)) continue;
-        const double other = strengthAt(detection.scan->rangeMm.index(line, beam));
-        const bool outdone = sign > 0 && along.tieIsKept ? why.strength >= other : why.strength > other;
-        if (!outdone && other > why.lower) why.suppressedBy = CellStrength{line, beam, other};
-    }
-    const Grid<std::int32_t> kept = suppressedMagnitude(gradient, settings.norm);
-    Grid<float> strength(kept.lines, kept.beams);
-    for (std::size_t n = 0; n < kept.size(); ++n) strength[n] = static_cast<float>(sized(kept[n]));
-    return strength;
-}
-
-void judgeResponse(Why& why, const Detection& detection) {
-    const Settings& settings = detection.settings;
-    const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
-    const Grid<std::uint8_t>& levels = detection.smoothed ? *detection.smoothed : detection.gray->levels;
-    const Grid<std::uint8_t>* missing = masked.size() > 0 ? &masked : nullptr;
-    why.strength = detectorResponse(settings.method, levels, missing, settings)[why.probe.cell];
-    const MaskDirection direction = maskDirection(settings.method, levels, missing, why.probe.line, why.probe.beam);
-    why.alongBeams = direction.alongBeams;
-    why.alongLines = direction.alongLines;
-    why.directionDeg = direction.deg;
-    why.lower = why.upper = settings.lower;
-    why.standing = standingOf(why.strength, why);
-}
-
-// EdgeScan+ and its parts. Returns the suppressed strengths.
-Grid<float> judgeDepth(Why& why, const Detection& detection) {
-    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
-    const DepthResponses own = detection.responses ? DepthResponses{} : depthResponses(*detection.scan, settings);
-    const DepthResponses& responses = detection.responses ? *detection.responses : own;
-    DepthEdges found = decideDepthEdges(responses, settings);
-    const std::size_t k = why.probe.cell;
-    why.upper = settings.sensitivity;
-    why.lower = settings.sensitivity * settings.hysteresisLow;
-    why.depth = probeDepth(*detection.scan, settings, why.probe.line, why.probe.beam);
-    const ThinnedStrength& jump = why.depth->jump;
-    const ThinnedStrength& crease = why.depth->crease;
-    // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.
-    const auto jumpCounts = [&](float response) { return settings.jumps ? response : 0.0F; };
-    const auto foldCounts = [&](float response) { return (response > 0 ? settings.convex : settings.concave) ? std::abs(response) : 0.0F; };
-    const float strength = found.strength[k];
-    const float kept = static_cast<double>(strength) > why.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before))
-                           ? strength
-                           : 0.0F;
-    const float fold = kept > 0 ? responses.crease[k] : crease.before;
-    const float jumpSize = jumpCounts(kept > 0 ? responses.jump[k] : jump.before);
-    const float foldSize = foldCounts(fold);
-    const bool isJump = jumpSize >= foldSize;
-    const float size = std::max(jumpSize, foldSize);
-    why.strength = static_cast<double>(size);
-    if (size > 0) why.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
-    if (kept > 0)
-        why.roundGap = isJump ? jump.kept != responses.jump[k] : crease.kept != responses.crease[k];
-    else if (size > 0)
-        why.suppressedBy = isJump ? jump.stronger : crease.stronger;
-    return std::move(found.strength);
-}
-
-// From gradients of the logarithm to steps in percent of the range, which is what the threshold is in.
-void tellInPercent(Why& why, const Settings& settings) {
-    const auto percent = [&](double gradient) { return std::copysign(logRangeStepOfGradient(std::abs(gradient), settings), gradient); };
-    for (double* value : {&why.strength, &why.lower, &why.upper}) *value = percent(*value);
+// Strengths and thresholds as a person turns them.
+void tellAsShown(Why& why, const Settings& settings) {
+    const auto shown = [&](double& value) { value = why.shown(value, settings); };
+    for (double* value : {&why.strength, &why.lower, &why.upper}) shown(*value);
     for (std::optional<double>* value : {&why.alongBeams, &why.alongLines}) {
-        if (*value) *value = percent(**value);
+        if (*value) shown(**value);
     }
     for (std::optional<CellStrength>* cell : {&why.suppressedBy, &why.chainTop}) {
-        if (*cell) (*cell)->strength = percent((*cell)->strength);
+        if (*cell) shown((*cell)->strength);
     }
-    for (CellStrength& cell : why.chain) cell.strength = percent(cell.strength);
+    for (CellStrength& cell : why.chain) shown(cell.strength);
 }
 
 } // namespace
 
 Why whyCell(const Detection& detection, std::size_t k) {
     const Settings& settings = detection.settings;
-    Why why;
+    const Decision& decision = rowOf(settings.method).decision;
+    const Parameter& parameter = sweptParameter(settings.method);
+    Why why{decision.judge(detection, k)};
     why.probe = probeCell(detection, k);
-    why.parameter = sweptParameter(settings.method);
-    why.unit = findParameter(why.parameter)->unit;
-    const bool gray = settings.method == Method::Canny || hasOneThreshold(settings.method);
-    if (gray) {
-        const Grid<std::uint8_t> masked = maskedCells(*detection.scan, settings);
-        why.takesPart = masked.size() == 0 || masked[k] == 0;
-    } else {
-        why.takesPart = withoutOwnRange(*detection.scan)[k] == 0;
-    }
+    why.parameter = parameter.key;
+    why.unit = parameter.unit;
     if (detection.smoothed) why.smoothed = (*detection.smoothed)[k];
-    if (hasOneThreshold(settings.method)) {
-        judgeResponse(why, detection);
-    } else {
-        const bool gradient = gray || settings.method == Method::LogRange;
-        const Grid<float> strength = gradient ? judgeGradient(why, detection) : judgeDepth(why, detection);
-        why.standing = standingOf(strength[k], why);
-        followChain(why, strength);
-        if (settings.method == Method::LogRange) tellInPercent(why, settings);
-    }
-    const double highest = thresholdMapOf(detection).highest[k];
-    const Parameter& parameter = *findParameter(why.parameter);
+    const bool linked = why.linked.size() > 0;
+    why.standing = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
+    if (linked) followChain(why);
+    if (why.shown != nullptr) tellAsShown(why, settings);
+    const double highest = decision.thresholds(detection).highest[k];
     if (highest >= 0) {
         const double limited = std::min(roundedDown(highest, parameter), parameter.maximum);
         if (limited >= parameter.minimum) why.appearsAt = limited;

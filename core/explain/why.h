@@ -1,9 +1,9 @@
 // Why a cell is an edge, or why it is none.
 #pragma once
 
-#include "core/depth/depth_probe.h"
 #include "core/explain/probe.h"
 #include "core/method/detection.h"
+#include "core/method/judgement.h"
 
 #include <optional>
 #include <string>
@@ -14,29 +14,18 @@ namespace edgescan {
 /// Where a strength stands between the thresholds.
 enum class Standing : std::uint8_t { Below, Between, Above };
 
-struct Why {
+struct Why : Judgement {
     Probe probe;
-    bool takesPart = true;              ///< false: no range, or masked: no edge whatever the thresholds
-    std::optional<double> smoothed;     ///< level after smoothing; null where the method smooths no levels
-    std::optional<double> alongBeams;   ///< gradient, in units of the thresholds; where the method has one
-    std::optional<double> alongLines;   ///< likewise
-    std::optional<double> directionDeg; ///< of the gradient: 0 along increasing beams, 90 along increasing lines
-    const char* unit = "";              ///< of strength and thresholds: "levels", "% of range" (of a straight step), "x"
-    double strength = 0.0;              ///< before suppression: gradient, response of the detector, or of jump or fold over its limit
-    double lower = 0.0;                 ///< thresholds; equal where there is only one
-    double upper = 0.0;
+    std::optional<double> smoothed; ///< level after smoothing; null where the method smooths no levels
+    const char* unit = "";          ///< of strength and thresholds: "levels", "% of range" (of a straight step), "x"
     Standing standing = Standing::Below;
-    std::optional<CellStrength> suppressedBy; ///< the neighbour across the edge that is stronger
-    std::vector<CellStrength> chain;          ///< from the cell to the nearest strong one, both included; empty when there is none
-    std::size_t chainCells = 0;               ///< cells that hang together with it above the lower threshold, itself included
-    std::vector<std::uint32_t> chainMembers;  ///< these, ascending
-    std::optional<CellStrength> chainTop;     ///< the strongest of these
-    std::optional<DepthProbe> depth;          ///< what was measured; EdgeScan+ and its parts only
-    bool roundGap = false;                    ///< the response is that of a cell without a range beside it
-    DepthEdge kind = DepthEdge::None;         ///< class of the strongest response that counts, edge or not
-    const char* parameter = "";               ///< key of the parameter that decides most directly
-    std::optional<double> appearsAt;          ///< the cell is an edge up to this value of it; null: at none
-    std::string verdict;                      ///< one sentence, with the key of the parameter as typed on the command line
+    std::vector<CellStrength> chain;         ///< from the cell to the nearest strong one, both included; empty when there is none
+    std::size_t chainCells = 0;              ///< cells that hang together with it above the lower threshold, itself included
+    std::vector<std::uint32_t> chainMembers; ///< these, ascending
+    std::optional<CellStrength> chainTop;    ///< the strongest of these
+    const char* parameter = "";              ///< key of the parameter that decides most directly
+    std::optional<double> appearsAt;         ///< the cell is an edge up to this value of it; null: at none
+    std::string verdict;                     ///< one sentence, with the key of the parameter as typed on the command line
 };
 
 /// `k` must be a cell of the detection's scan. Runs the method's stages again: about as costly as the detection itself.

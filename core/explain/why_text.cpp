@@ -2,7 +2,6 @@
 #include "core/base/number_text.h"
 #include "core/depth/depth_settings.h"
 #include "core/explain/why.h"
-#include "core/gray/detector.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 

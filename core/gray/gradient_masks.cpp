@@ -1,8 +1,6 @@
 // The gradient detectors of the thesis's chapter 3.
 #include "core/gray/gradient_masks.h"
 
-#include "core/gray/neighbours.h"
-
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -11,30 +9,8 @@
 namespace edgescan {
 namespace {
 
-float strength(int along, int across, Norm norm) {
-    if (norm == Norm::L1) return static_cast<float>(std::abs(along) + std::abs(across));
-    return static_cast<float>(std::sqrt(static_cast<double>(along * along + across * across)));
-}
-
-struct Components {
-    int alongBeams, alongLines;
-};
-
-// Sobel's masks for a middle weight of 2, Prewitt's for 1.
-Components differencesOfThree(const Neighbours& at, int middle) {
-    const auto& n = at.around;
-    return {(n[2] + middle * n[3] + n[4]) - (n[0] + middle * n[7] + n[6]), (n[6] + middle * n[5] + n[4]) - (n[0] + middle * n[1] + n[2])};
-}
-
-Grid<float> edgesOfThree(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, Norm norm, int middle) {
-    return responseOfNeighbours(levels, missing, [=](const Neighbours& at) {
-        const Components c = differencesOfThree(at, middle);
-        return strength(c.alongBeams, c.alongLines, norm);
-    });
-}
-
 // Down to the right, and down to the left.
-Components robertsDifferences(const Neighbours& at) { return {at.centre - at.around[4], at.around[3] - at.around[5]}; }
+MaskComponents robertsDifferences(const Neighbours& at) { return {at.centre - at.around[4], at.around[3] - at.around[5]}; }
 
 // 5 x (three in a row) - 3 x (the other five) = 8 x (three in a row) - 3 x all.
 int kirschAnswer(const Neighbours& at, std::size_t turn) {
@@ -50,40 +26,47 @@ int robinsonAnswer(const Neighbours& at, std::size_t turn) {
     return three(turn) - three(turn + 4);
 }
 
-double degreesOf(int alongBeams, int alongLines) { return std::atan2(alongLines, alongBeams) * 180.0 / std::numbers::pi; }
+double degreesOf(MaskComponents way) { return std::atan2(way.alongLines, way.alongBeams) * 180.0 / std::numbers::pi; }
 
 // The middle of the strongest mask; its first cell is the one at the top left.
-std::optional<double> strongestOf(const Neighbours& at, int (*answer)(const Neighbours&, std::size_t)) {
-    static constexpr std::array<Components, 8> kPlaces{{{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
+MaskDirection strongestOf(const Neighbours& at, int (*answer)(const Neighbours&, std::size_t)) {
+    static constexpr std::array<MaskComponents, 8> kPlaces{{{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
     int strongest = 0;
-    std::optional<double> deg;
+    MaskDirection direction;
     for (std::size_t turn = 0; turn < kPlaces.size(); ++turn) {
         if (answer(at, turn) <= strongest) continue;
         strongest = answer(at, turn);
-        const Components middle = kPlaces[(turn + 1) % 8];
-        deg = degreesOf(middle.alongBeams, middle.alongLines);
+        direction.deg = degreesOf(kPlaces[(turn + 1) % 8]);
     }
-    return deg;
+    return direction;
 }
 
 } // namespace
 
-Grid<float> robertsResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, Norm norm) {
-    return responseOfNeighbours(levels, missing, [=](const Neighbours& at) {
-        const Components c = robertsDifferences(at);
-        return strength(c.alongBeams, c.alongLines, norm);
-    });
+float strengthOf(MaskComponents answers, Norm norm) {
+    const auto [along, across] = answers;
+    if (norm == Norm::L1) return static_cast<float>(std::abs(along) + std::abs(across));
+    return static_cast<float>(std::sqrt(static_cast<double>(along * along + across * across)));
 }
 
-Grid<float> sobelResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, Norm norm) {
-    return edgesOfThree(levels, missing, norm, 2);
+MaskDirection directionOf(MaskComponents answers, double share) {
+    MaskDirection direction{share * answers.alongBeams, share * answers.alongLines};
+    if (answers.alongBeams != 0 || answers.alongLines != 0) direction.deg = degreesOf(answers);
+    return direction;
 }
 
-Grid<float> prewittResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, Norm norm) {
-    return edgesOfThree(levels, missing, norm, 1);
+Grid<float> robertsResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings) {
+    return responseOfNeighbours(levels, missing,
+                           [norm = settings.norm](const Neighbours& at) { return strengthOf(robertsDifferences(at), norm); });
 }
 
-Grid<float> kirschResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing) {
+// The sum of both diagonal differences falls from line to line, their difference rises from beam to beam.
+MaskDirection robertsDirection(const Neighbours& at) {
+    const MaskComponents c = robertsDifferences(at);
+    return directionOf({c.alongLines - c.alongBeams, -c.alongBeams - c.alongLines}, 0.5);
+}
+
+Grid<float> kirschResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& /*settings*/) {
     return responseOfNeighbours(levels, missing, [](const Neighbours& at) {
         int strongest = 0;
         for (std::size_t turn = 0; turn < 8; ++turn) strongest = std::max(strongest, kirschAnswer(at, turn));
@@ -91,7 +74,9 @@ Grid<float> kirschResponse(const Grid<std::uint8_t>& levels, const Grid<std::uin
     });
 }
 
-Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing) {
+MaskDirection kirschDirection(const Neighbours& at) { return strongestOf(at, kirschAnswer); }
+
+Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& /*settings*/) {
     return responseOfNeighbours(levels, missing, [](const Neighbours& at) {
         int strongest = 0;
         // The other four masks are these with the opposite sign.
@@ -100,22 +85,6 @@ Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::u
     });
 }
 
-MaskDirection maskDirection(Method method, const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, int line, int beam) {
-    if (missing != nullptr && missing->at(line, beam) != 0) return {};
-    const Neighbours at = neighboursAt(levels, missing, line, beam);
-    if (method == Method::Kirsch) return {{}, {}, strongestOf(at, kirschAnswer)};
-    if (method == Method::Robinson) return {{}, {}, strongestOf(at, robinsonAnswer)};
-    const bool diagonal = method == Method::Roberts;
-    if (!diagonal && method != Method::Sobel && method != Method::Prewitt) return {};
-    const Components c = diagonal ? robertsDifferences(at) : differencesOfThree(at, method == Method::Sobel ? 2 : 1);
-    // The sum of both diagonal differences falls from line to line, their difference rises from beam to beam.
-    const Components along = diagonal ? Components{c.alongLines - c.alongBeams, -c.alongBeams - c.alongLines} : c;
-    MaskDirection direction;
-    const double share = diagonal ? 0.5 : 1.0;
-    direction.alongBeams = share * along.alongBeams;
-    direction.alongLines = share * along.alongLines;
-    if (along.alongBeams != 0 || along.alongLines != 0) direction.deg = degreesOf(along.alongBeams, along.alongLines);
-    return direction;
-}
+MaskDirection robinsonDirection(const Neighbours& at) { return strongestOf(at, robinsonAnswer); }
 
 } // namespace edgescan

@@ -2,6 +2,7 @@
 #include "core/gray/zero_crossings.h"
 
 #include "core/gray/neighbours.h"
+#include "core/settings/method_traits.h"
 
 #include <cmath>
 #include <numbers>
@@ -141,6 +142,15 @@ Grid<float> zeroCrossingSlope(const Grid<float>& laplacian, const Grid<std::uint
         }
     }
     return slope;
+}
+
+Grid<float> marrHildrethResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings) {
+    const double sigma = std::isnan(settings.sigma) ? automaticSigma(settings) : settings.sigma;
+    return zeroCrossingSlope(laplacianOfGaussian(levels, missing, sigma), missing);
+}
+
+Grid<float> logResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings) {
+    return zeroCrossingSlope(laplacian(levels, missing, settings.logMask), missing);
 }
 
 } // namespace edgescan

@@ -21,7 +21,9 @@ namespace edgescan {
 /// zero (the first of two alike), or to a cell that is exactly zero between opposite signs. Nothing changes sign towards a missing cell.
 [[nodiscard]] Grid<float> zeroCrossingSlope(const Grid<float>& laplacian, const Grid<std::uint8_t>* missing);
 
-/// Sigma of Marr and Hildreth's Gaussian where nobody typed one.
-inline constexpr double kMarrHildrethSigma = 1.4;
+/// The two detectors: slopes of the zero crossings. `levels`: gray, as they are for Marr-Hildreth; sigma or mask as in the settings.
+[[nodiscard]] Grid<float> marrHildrethResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing,
+                                               const Settings& settings);
+[[nodiscard]] Grid<float> logResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 
 } // namespace edgescan

@@ -16,19 +16,23 @@ public:
     std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 private:
-    void runGray(Detection& detection, bool smoothHolds);
-    static void runLogRange(Detection& detection);
-    void runDepth(Detection& detection);
-    void runThreshold(Detection& detection);
-    [[nodiscard]] const Grid<std::uint8_t>* masked(Detection& detection);
+    /// What a stage made of the scan of last_, and with which settings; null until wanted.
+    template <class T>
+    struct Kept {
+        std::shared_ptr<const T> made;
+        Settings with;
+    };
+    template <class T, class Make>
+    static std::shared_ptr<const T> upToDate(Kept<T>& kept, Stage stage, const char* name, Detection& detection, Make make);
+    void runStages(Detection& detection);
+    void decide(Detection& detection);
 
     std::shared_ptr<const Detection> last_;
-    std::shared_ptr<const Grid<std::uint8_t>> missing_;  // 255 = no valid range
-    std::shared_ptr<const Grid<std::uint8_t>> isolated_; // 255 = missing_ or standing alone; null until wanted
-    std::shared_ptr<const DepthSurface> surface_;        // of the scan of last_, null until wanted
-    std::shared_ptr<const DepthResponses> responses_;    // the same
-    Settings measuredWith_;                              // both
-    std::shared_ptr<const ThresholdMap> thresholds_;     // of last_, while nothing but its threshold is turned; else null
+    Kept<GrayImage> gray_;
+    Kept<Grid<std::uint8_t>> masked_, smoothed_;
+    Kept<DepthSurface> surface_;
+    Kept<DepthResponses> responses_;
+    Kept<ThresholdMap> thresholds_; // while nothing but the threshold is turned
 };
 
 /// One run from nothing.

@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/gray/gray.h"
-#include "core/settings/parameters.h"
+#include "core/settings/method_traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ Grid<std::uint8_t> middleOf(const Grid<std::uint8_t>& whole, int lines, int beam
     return part;
 }
 
-bool isEdgeScanPlus(const ComparedMethod& method) { return method.settings && method.settings->method < Method::Canny; }
+bool isEdgeScanPlus(const ComparedMethod& method) { return method.settings && reads(method.settings->method, kReadsSurface); }
 
 } // namespace
 

@@ -2,7 +2,7 @@
 #include "core/report/why_report.h"
 
 #include "core/depth/depth_settings.h"
-#include "core/gray/step_meaning.h"
+#include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 
 #include <algorithm>

@@ -15,18 +15,6 @@
 namespace edgescan {
 namespace {
 
-const std::vector<Choice> kMethods{{0, "edgescan+", "EdgeScan+"},
-                                   {1, "outlines", "Rock outlines"},
-                                   {2, "jumps", "Jumps"},
-                                   {3, "canny", "Canny (thesis)"},
-                                   {4, "log-range", "Canny on log range"},
-                                   {5, "roberts", "Roberts"},
-                                   {6, "sobel", "Sobel"},
-                                   {7, "prewitt", "Prewitt"},
-                                   {8, "kirsch", "Kirsch"},
-                                   {9, "robinson", "Robinson"},
-                                   {10, "marr-hildreth", "Marr-Hildreth"},
-                                   {11, "log", "Laplacian of Gaussian"}};
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassConvex, "convex", "convex"},
                                    {kClassConcave, "concave", "concave"},
@@ -39,25 +27,31 @@ const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
-constexpr bool kAuto = true;
 constexpr bool kAdvanced = true;
 constexpr bool kSeveral = true;
 
-bool always(const Settings&) { return true; }
-bool depth(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines || s.method == Method::Jumps; }
-bool creases(const Settings& s) { return s.method == Method::EdgeScanPlus || s.method == Method::Outlines; }
-bool classes(const Settings& s) { return s.method == Method::EdgeScanPlus; }
-bool gray(const Settings& s) { return s.method == Method::Canny || hasOneThreshold(s.method); }
-bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
-bool logRange(const Settings& s) { return s.method == Method::LogRange; }
-bool twoThresholds(const Settings& s) { return s.method == Method::Canny || logRange(s); }
-bool kernel(const Settings& s) { return (gray(s) || logRange(s)) && !smoothsItself(s.method); }
-bool sigma(const Settings& s) { return smoothsItself(s.method) || (kernel(s) && s.kernel > 1); }
-bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
-bool norm(const Settings& s) {
-    return twoThresholds(s) || s.method == Method::Roberts || s.method == Method::Sobel || s.method == Method::Prewitt;
+std::vector<Choice> methodChoices() {
+    std::vector<Choice> choices;
+    for (const MethodTraits& m : methodTraits()) choices.push_back({static_cast<double>(m.method), m.key, m.label});
+    return choices;
 }
-bool logMask(const Settings& s) { return s.method == Method::Log; }
+
+// Who takes notice of a parameter.
+bool always(const Settings&) { return true; }
+template <unsigned what>
+bool readers(const Settings& s) {
+    return reads(s.method, what);
+}
+constexpr auto surface = readers<kReadsSurface>;
+constexpr auto gray = readers<kReadsGray>;
+constexpr auto twoThresholds = readers<kReadsTwoThresholds>;
+bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
+bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
+bool sigma(const Settings& s) { return reads(s.method, kReadsSigma) || (reads(s.method, kReadsKernel) && s.kernel > 1); }
+
+// What "auto" comes out as; without it a parameter cannot be automatic.
+using Automatic = double (*)(const Settings&, const Measured&);
+constexpr Automatic kNoAuto = nullptr;
 
 template <class Member>
 void assign(Member& member, double value) {
@@ -73,56 +67,56 @@ void assign(Member& member, double value) {
 
 // clang-format off
 const std::vector<Parameter>& table() {
-    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, can be automatic, advanced, choices, several, member, used by
+    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, what auto comes out as, advanced, choices, several, member, used by, feeds
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
-         0, 11, 11, 1, 0, !kAuto, !kAdvanced, kMethods, !kSeveral, EDGESCAN_MEMBER(method), always},
+         0, static_cast<double>(methodTraits().size() - 1), static_cast<double>(methodTraits().size() - 1), 1, 0, kNoAuto, !kAdvanced, methodChoices(), !kSeveral, EDGESCAN_MEMBER(method), always, Stage::Edges},
         {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
-         0.3, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), depth},
+         0.3, 3, 3, 0.05, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), surface, Stage::Threshold},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
-         10, 300, 300, 1, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(jumpMm), depth},
+         10, 300, 300, 1, 0, [](const Settings&, const Measured& m) { return m.jumpMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(jumpMm), surface, Stage::Responses},
         {"growth", "Jump growth", "% of range", "What the smallest step grows by with the distance.",
-         0, 3, 3, 0.05, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(growthPercent), depth},
+         0, 3, 3, 0.05, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(growthPercent), surface, Stage::Responses},
         {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
-         15, 90, 90, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), creases},
+         15, 90, 90, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
-         1, 50, 50, 1, 0, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), depth},
+         1, 50, 50, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), surface, Stage::Edges},
         {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.",
-         0, 15, 15, 1, 0, !kAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), classes},
+         0, 15, 15, 1, 0, kNoAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
-         30, 100, 100, 1, 0, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), depth},
+         30, 100, 100, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
-         0, 2, 2, 0.05, 2, !kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), depth},
+         0, 2, 2, 0.05, 2, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), surface, Stage::Responses},
         {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
-         0, 1, 1, 1, 0, !kAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), depth},
+         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), surface, Stage::Surface},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
-         1, 30, 30, 0.25, 2, kAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), depth},
+         1, 30, 30, 0.25, 2, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), surface, Stage::Responses},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
-         0, 20000, 340, 1, 1, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray},
+         0, 20000, 340, 1, 1, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray, Stage::Threshold},
         {"step", "Step", "% of range", "A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.",
-         0.1, 100, 20, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(stepPercent), logRange},
+         0.1, 100, 20, 0.1, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(stepPercent), readers<kReadsRangeStep>, Stage::Threshold},
         {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
-         1, 10, 10, 0.1, 2, !kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), twoThresholds},
+         1, 10, 10, 0.1, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), twoThresholds, Stage::Edges},
         {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
-         1, 11, 11, 2, 0, !kAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), kernel},
+         1, 11, 11, 2, 0, kNoAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), readers<kReadsKernel>, Stage::Smoothing},
         {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
-         0.1, 10, 10, 0.05, 2, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma},
+         0.1, 10, 10, 0.05, 2, [](const Settings& s, const Measured&) { return automaticSigma(s); }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma, Stage::Smoothing},
         {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
-         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kScalings, !kSeveral, EDGESCAN_MEMBER(scaling), gray},
+         0, 2, 2, 1, 0, kNoAuto, !kAdvanced, kScalings, !kSeveral, EDGESCAN_MEMBER(scaling), gray, Stage::Gray},
         {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(nearMm), nearFar},
+         0, 200000, 40000, 10, 0, [](const Settings&, const Measured& m) { return m.nearMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(nearMm), nearFar, Stage::Gray},
         {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, kAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(farMm), nearFar},
+         0, 200000, 40000, 10, 0, [](const Settings&, const Measured& m) { return m.farMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(farMm), nearFar, Stage::Gray},
         {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.",
-         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskMissing), gray},
+         0, 1, 1, 1, 0, kNoAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskMissing), gray, Stage::Mask},
         {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
-         0, 1, 1, 1, 0, !kAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated},
+         0, 1, 1, 1, 0, kNoAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated, Stage::Mask},
         {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
-         3, 7, 7, 2, 0, !kAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), twoThresholds},
+         3, 7, 7, 2, 0, kNoAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), twoThresholds, Stage::Edges},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
-         0, 1, 1, 1, 0, !kAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), norm},
+         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), readers<kReadsNorm>, Stage::Edges},
         {"log-mask", "Laplacian mask", "", "Which mask stands for the Laplacian of Gaussian.",
-         0, 2, 2, 1, 0, !kAuto, !kAdvanced, kLogMasks, !kSeveral, EDGESCAN_MEMBER(logMask), logMask},
+         0, 2, 2, 1, 0, kNoAuto, !kAdvanced, kLogMasks, !kSeveral, EDGESCAN_MEMBER(logMask), readers<kReadsLaplacianMask>, Stage::Edges},
     };
     return rows;
 }
@@ -190,14 +184,37 @@ std::string formatSet(const Parameter& parameter, double value) {
     return names.empty() ? "none" : names;
 }
 
+// What is fed to one stage is part of what another makes.
+bool reaches(Stage fed, Stage stage) {
+    switch (stage) {
+    case Stage::Smoothing:
+        return fed <= Stage::Smoothing;
+    case Stage::Responses:
+        return fed == Stage::Surface || fed == Stage::Responses;
+    case Stage::Edges:
+    case Stage::Threshold:
+        return fed <= stage;
+    default:
+        return fed == stage;
+    }
+}
+
 } // namespace
 
-bool operator==(const Settings& a, const Settings& b) {
+bool operator==(const Settings& a, const Settings& b) { return sameUpTo(Stage::Threshold, a, b); }
+
+bool sameUpTo(Stage stage, const Settings& a, const Settings& b) {
     return std::ranges::all_of(table(), [&](const Parameter& p) {
         const double x = p.get(a);
         const double y = p.get(b);
-        return x == y || (std::isnan(x) && std::isnan(y));
+        return x == y || (std::isnan(x) && std::isnan(y)) || !reaches(p.feeds, stage);
     });
+}
+
+const Parameter& sweptParameter(Method method) {
+    Settings settings;
+    settings.method = method;
+    return *std::ranges::find_if(table(), [&](const Parameter& p) { return p.feeds == Stage::Threshold && p.usedBy(settings); });
 }
 
 std::span<const Parameter> parameters() { return table(); }
@@ -208,7 +225,7 @@ const Parameter* findParameter(std::string_view key) {
 }
 
 Result<double> parseValue(const Parameter& parameter, std::string_view text) {
-    if (text == "auto" && parameter.canBeAutomatic) return kAutomatic;
+    if (text == "auto" && parameter.automatic != nullptr) return kAutomatic;
     if (parameter.several) return parseSet(parameter, text);
     for (const Choice& choice : parameter.choices) {
         if (text == choice.name) return choice.value;
@@ -222,7 +239,7 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return Error{"\"" + typed + "\" is not a number" + (parameter.canBeAutomatic ? " and not auto" : ""), flag(parameter),
+        return Error{"\"" + typed + "\" is not a number" + (parameter.automatic != nullptr ? " and not auto" : ""), flag(parameter),
                      "write it like 12.5"};
     }
     return withinLimits(parameter, value * factor);
@@ -238,7 +255,7 @@ std::string formatValue(const Parameter& parameter, double value) {
 }
 
 double snapped(const Parameter& parameter, double value) {
-    if (std::isnan(value)) return parameter.canBeAutomatic ? value : parameter.minimum;
+    if (std::isnan(value)) return parameter.automatic != nullptr ? value : parameter.minimum;
     if (!parameter.choices.empty() && !parameter.several) {
         const auto nearest = std::ranges::min_element(
             parameter.choices, [&](const Choice& a, const Choice& b) { return std::abs(a.value - value) < std::abs(b.value - value); });
@@ -249,7 +266,7 @@ double snapped(const Parameter& parameter, double value) {
 }
 
 Result<Done> checkSettings(const Settings& s) {
-    if (s.method == Method::Canny && s.scaling != Scaling::Thesis && !std::isnan(s.nearMm) && !std::isnan(s.farMm) && s.nearMm >= s.farMm) {
+    if (reads(s.method, kReadsGray | kReadsTwoThresholds) && s.scaling != Scaling::Thesis && s.nearMm >= s.farMm) {
         return Error{"near " + shortestText(s.nearMm) + " mm is not smaller than far " + shortestText(s.farMm) + " mm", "--near --far",
                      "give a near that is smaller than far"};
     }

@@ -1,6 +1,6 @@
 // What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
-#include "core/gray/step_meaning.h"
 #include "core/io/save_scan.h"
+#include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"

@@ -1,10 +1,8 @@
 // The panel "Edges".
 #include "ui/panel/edges_panel.h"
 
-#include "core/gray/detector.h"
-#include "core/gray/step_meaning.h"
-#include "core/gray/zero_crossings.h"
-#include "core/method/detection_thresholds.h"
+#include "core/method/step_meaning.h"
+#include "core/method/turned.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 #include "ui/cloud/edge_cells.h"
@@ -41,9 +39,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     addPresets(*grid);
     for (const Parameter& p : parameters()) {
         if (!p.advanced) addRow(p, *grid);
-        for (const char* swept : {"lower", "step", "sensitivity"}) {
-            if (std::strcmp(p.key, swept) == 0) addCurve(p, *grid);
-        }
+        if (p.feeds == Stage::Threshold) addCurve(p, *grid);
         if (std::strcmp(p.key, "lower") == 0) addMeaning(*grid);
         if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
     }
@@ -211,25 +207,12 @@ ParameterRow* EdgesPanel::row(const char* key) const {
 }
 
 void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
-    Settings settings = shown_;
-    parameter.set(settings, value);
-    // Another method keeps the step in depth: its own levels mean something else.
-    if (std::strcmp(parameter.key, "method") == 0) settings.lower = lowerWithSameStep(lastGray_, settings);
-    // A near that reaches far pushes it on, and the other way round: no invalid pair can be set.
-    if (!checkSettings(settings)) {
-        const double step = 1.0;
-        if (std::strcmp(parameter.key, "near") == 0)
-            settings.farMm = settings.nearMm + step;
-        else
-            settings.nearMm = std::max(0.0, settings.farMm - step);
-        if (!checkSettings(settings)) settings.farMm = settings.nearMm + step;
-    }
-    emit edited(settings, dragging);
+    emit edited(turned(shown_, parameter, value, lastGray_), dragging);
 }
 
 void EdgesPanel::show(const Settings& settings) {
     shown_ = settings;
-    if (findParameter("lower")->usedBy(settings)) lastGray_ = settings;
+    if (reads(settings.method, kReadsGray)) lastGray_ = settings;
     if (settings.ratio != kThesisRatio && ratioLocked()) {
         setRatioLocked(false);
     }
@@ -241,12 +224,11 @@ void EdgesPanel::show(const Settings& settings) {
 
 void EdgesPanel::showResult(const Detection& detection) {
     scale_ = detection.gray->scale;
-    noiseMm_ = detection.responses ? detection.responses->noise.at(5.0) : kAutomatic;
-    jumpMm_ = detection.responses ? detection.responses->jumpMm : kAutomatic;
+    measured_ = measuredOf(detection);
     classesKnown_ = detection.classes != nullptr;
     classCounts_ = countClasses(detection);
-    if (CountCurve* below = curve(sweptParameter(detection.settings.method)); below != nullptr && detection.edges)
-        below->showFound(findParameter(sweptParameter(detection.settings.method))->get(detection.settings), detection.edges->size());
+    const Parameter& swept = sweptParameter(detection.settings.method);
+    curve(swept.key)->showFound(swept.get(detection.settings), detection.edges->size());
     showInUse();
     showMeaning();
     showClasses();
@@ -269,27 +251,21 @@ void EdgesPanel::showInUse() {
     const auto folded = [this](const Parameter& p) { return p.advanced && p.usedBy(shown_); };
     fold_->setVisible(std::ranges::any_of(parameters(), folded));
     for (ParameterRow* row : rows_) {
-        const std::string key = row->parameter().key;
-        double inUse = kAutomatic;
-        if (key == "near" && scale_.farMm > 0) inUse = scale_.nearMm;
-        if (key == "far" && scale_.farMm > 0) inUse = scale_.farMm;
-        if (key == "sigma") inUse = smoothsItself(shown_.method) ? kMarrHildrethSigma : 0.3 * ((shown_.kernel - 1) * 0.5 - 1) + 0.8;
-        if (key == "noise") inUse = noiseMm_;
-        if (key == "jump") inUse = jumpMm_;
-        row->show(row->parameter().get(shown_), inUse);
-        row->setVisible(row->parameter().usedBy(shown_));
-        if (CountCurve* below = curve(row->parameter().key)) {
-            below->showValue(row->parameter().get(shown_));
-            below->setVisible(row->parameter().usedBy(shown_));
+        const Parameter& p = row->parameter();
+        row->show(p.get(shown_), p.automatic != nullptr ? p.automatic(shown_, measured_) : kAutomatic);
+        row->setVisible(p.usedBy(shown_));
+        if (CountCurve* below = curve(p.key)) {
+            below->showValue(p.get(shown_));
+            below->setVisible(p.usedBy(shown_));
         }
     }
 }
 
 void EdgesPanel::showUpper() {
-    const bool used = findParameter("ratio")->usedBy(shown_);
+    const bool used = reads(shown_.method, kReadsTwoThresholds);
     upper_->setVisible(used);
     lock_->setVisible(used);
-    const bool share = shown_.method == Method::LogRange; // of the range: it has no levels
+    const bool share = reads(shown_.method, kReadsRangeStep); // of the range: it has no levels
     QString text =
         share ? tr("Strong from  %1 % of range").arg(100 * std::expm1(shown_.ratio * std::log1p(shown_.stepPercent / 100)), 0, 'f', 1)
               : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);

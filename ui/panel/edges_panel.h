@@ -17,10 +17,6 @@ class QGridLayout;
 class QLabel;
 class QToolButton;
 
-namespace edgescan {
-struct Parameter;
-}
-
 namespace edgescan::ui {
 
 class CountCurve;
@@ -82,8 +78,7 @@ private:
     Settings shown_;
     Settings lastGray_ = cannySettings(); // the last ones with gray levels: their threshold is carried over to another method
     GrayScale scale_;
-    double noiseMm_ = kAutomatic;                        // at 5 m, in use
-    double jumpMm_ = kAutomatic;                         // in use
+    Measured measured_;
     std::array<std::size_t, kDepthEdges> classCounts_{}; // by DepthEdge
     bool classesKnown_ = false;
     QColor jumpColour_{0, 255, 0};

@@ -169,7 +169,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
     connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
     grid.addWidget(number_, row, 2);
-    if (!p.canBeAutomatic) return;
+    if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);
     automatic->setObjectName(QString("auto-") + p.key);
     automatic_ = automatic;

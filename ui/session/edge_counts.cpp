@@ -1,7 +1,7 @@
 // How many edges every threshold would give.
 #include "ui/session/edge_counts.h"
 
-#include "core/method/detection_thresholds.h"
+#include "core/method/methods.h"
 #include "core/settings/parameters.h"
 #include "ui/panel/count_curve.h"
 
@@ -19,7 +19,7 @@ EdgeCounts::EdgeCounts(QObject* parent) : QObject(parent) {
 }
 
 void EdgeCounts::want(const std::shared_ptr<const Detection>& detection) {
-    if (counted_ && counted_->scan == detection->scan && sameThresholdMap(counted_->settings, detection->settings)) return;
+    if (counted_ && counted_->scan == detection->scan && sameUpTo(Stage::Edges, counted_->settings, detection->settings)) return;
     counted_.reset();
     wanted_ = detection;
     emit outdated();
@@ -33,10 +33,10 @@ void EdgeCounts::start() {
     const std::shared_ptr<const Detection> detection = counted_;
     job_ = new BackgroundJob(
         [this, detection](const BackgroundJob::Progress&) -> std::function<void()> {
-            const char* key = sweptParameter(detection->settings.method);
-            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*detection), curveThresholds(*findParameter(key)));
-            return [this, detection, key, curve = std::move(curve)] {
-                if (counted_ == detection) emit counted(QString::fromUtf8(key), curve);
+            const Parameter& swept = sweptParameter(detection->settings.method);
+            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*detection), curveThresholds(swept));
+            return [this, detection, &swept, curve = std::move(curve)] {
+                if (counted_ == detection) emit counted(QString::fromUtf8(swept.key), curve);
             };
         },
         this);

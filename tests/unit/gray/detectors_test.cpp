@@ -1,10 +1,10 @@
 // The detectors of the thesis's chapter 3 against sums written out with their masks, small examples worked out by hand, and what a hole
 // must not do.
 #include "core/gray/canny.h"
-#include "core/gray/detector.h"
 #include "core/gray/gradient_masks.h"
 #include "core/gray/log_range.h"
 #include "core/gray/zero_crossings.h"
+#include "tests/support/detectors.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(Detectors, EqualTheirMasksWrittenOut) {
                 for (const Norm norm : {Norm::L1, Norm::L2}) {
                     Settings s;
                     s.norm = norm;
-                    const Grid<float> response = detectorResponse(method, image, &missing, s);
+                    const Grid<float> response = rowOf(method).response(image, &missing, s);
                     for (int i = 0; i < lines; ++i) {
                         for (int j = 0; j < beams; ++j) {
                             const double wanted = missing.at(i, j) != 0 ? 0.0 : expected(method, norm, image, missing, i, j);
@@ -120,20 +120,20 @@ TEST(Detectors, AStepOfTenByHand) {
                                               {Method::Prewitt, 30.0F, 30.0F},
                                               {Method::Kirsch, 150.0F, 90.0F},
                                               {Method::Robinson, 40.0F, 40.0F}}) {
-        const Grid<float> response = detectorResponse(method, image, nullptr, s);
+        const Grid<float> response = rowOf(method).response(image, nullptr, s);
         EXPECT_EQ(response.at(2, 2), left);
         EXPECT_EQ(response.at(2, 3), right);
         EXPECT_EQ(response.at(2, 1), 0.0F);
         EXPECT_EQ(response.at(2, 5), 0.0F);
     }
     // 4-neighbour mask: -10 left of the step, +10 right of it; the change is 20 steep and belongs to the first of two alike.
-    const Grid<float> log = detectorResponse(Method::Log, image, nullptr, s);
+    const Grid<float> log = rowOf(Method::Log).response(image, nullptr, s);
     EXPECT_EQ(log.at(2, 2), 20.0F);
     EXPECT_EQ(log.at(2, 3), 0.0F);
     Settings five;
     five.logMask = LogMask::FiveByFive;
     // Columns of the mask sum to -1 -4 10 -4 -1 (border lines apart): left of the step -50, right of it +50.
-    EXPECT_EQ(detectorResponse(Method::Log, image, nullptr, five).at(2, 2), 100.0F);
+    EXPECT_EQ(rowOf(Method::Log).response(image, nullptr, five).at(2, 2), 100.0F);
 }
 
 TEST(Detectors, TheEightDirectionsAnswerAlikeWhereverAStepPoints) {
@@ -145,7 +145,7 @@ TEST(Detectors, TheEightDirectionsAnswerAlikeWhereverAStepPoints) {
             Grid<std::uint8_t> image(3, 3, std::uint8_t{50});
             const std::array<std::pair<int, int>, 8> places{{{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 2}, {2, 1}, {2, 0}, {1, 0}}};
             for (std::size_t n = 0; n < 8; ++n) image.at(places[n].first, places[n].second) = ring[n];
-            answers.push_back(detectorResponse(method, image, nullptr, Settings{}).at(1, 1));
+            answers.push_back(rowOf(method).response(image, nullptr, Settings{}).at(1, 1));
             std::ranges::rotate(ring, ring.begin() + 1);
         }
         EXPECT_EQ(std::ranges::count(answers, answers.front()), 8);
@@ -233,8 +233,8 @@ TEST(Detectors, AHoleInAFlatImageHasNoEdge) {
     for (const Method method : kAll) {
         Settings s;
         s.lower = 0.001;
-        EXPECT_TRUE(edgeCells(detectorMask(method, image, &missing, s)).empty()) << static_cast<int>(method);
-        EXPECT_FALSE(edgeCells(detectorMask(method, image, nullptr, s)).empty()) << static_cast<int>(method);
+        EXPECT_TRUE(edgeCells(test::detectorMask(method, image, &missing, s)).empty()) << static_cast<int>(method);
+        EXPECT_FALSE(edgeCells(test::detectorMask(method, image, nullptr, s)).empty()) << static_cast<int>(method);
     }
 }
 
@@ -242,10 +242,10 @@ TEST(Detectors, AThresholdIsACompareOfTheResponse) {
     const Grid<std::uint8_t> image = noiseImage(40, 50, 30);
     for (const Method method : kAll) {
         Settings s;
-        const Grid<float> response = detectorResponse(method, image, nullptr, s);
+        const Grid<float> response = rowOf(method).response(image, nullptr, s);
         for (const double threshold : {0.0, 5.0, 77.5, 400.0}) {
             s.lower = threshold;
-            const Grid<std::uint8_t> mask = detectorMask(method, image, nullptr, s);
+            const Grid<std::uint8_t> mask = test::detectorMask(method, image, nullptr, s);
             for (std::size_t k = 0; k < mask.size(); ++k) ASSERT_EQ(mask[k] != 0, response[k] > threshold);
         }
     }

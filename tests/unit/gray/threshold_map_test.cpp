@@ -1,9 +1,9 @@
 // The threshold map against the methods themselves, run at every threshold.
 #include "core/gray/canny.h"
-#include "core/gray/detector.h"
 #include "core/gray/log_range.h"
 #include "core/gray/smooth.h"
 #include "core/gray/threshold_map.h"
+#include "tests/support/detectors.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -99,10 +99,10 @@ TEST(ThresholdMap, EqualsTheDetectorsOfOneThreshold) {
     for (const Method method :
          {Method::Roberts, Method::Sobel, Method::Prewitt, Method::Kirsch, Method::Robinson, Method::MarrHildreth, Method::Log}) {
         Settings s;
-        const ThresholdMap map = responseThresholdMap(detectorResponse(method, image, &missing, s));
+        const ThresholdMap map = responseThresholdMap(rowOf(method).response(image, &missing, s));
         for (const double threshold : thresholdsOf(map, 3)) {
             s.lower = threshold;
-            ASSERT_EQ(edgesAt(map, threshold), detectorMask(method, image, &missing, s)) << threshold;
+            ASSERT_EQ(edgesAt(map, threshold), test::detectorMask(method, image, &missing, s)) << threshold;
         }
     }
 }

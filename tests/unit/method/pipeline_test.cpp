@@ -1,7 +1,9 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
 #include "core/depth/depth_settings.h"
+#include "core/method/methods.h"
 #include "core/method/pipeline.h"
 #include "core/method/worker.h"
+#include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 #include "tests/support/scans.h"
@@ -23,7 +25,7 @@ Settings randomlyTurned(Settings s, std::mt19937& random) {
     const double share = static_cast<double>(random() % 1001) / 1000.0;
     double value =
         p.choices.empty() ? p.minimum + share * std::min(p.maximum - p.minimum, 20000.0) : p.choices[random() % p.choices.size()].value;
-    if (p.canBeAutomatic && random() % 3 == 0) value = kAutomatic;
+    if (p.automatic != nullptr && random() % 3 == 0) value = kAutomatic;
     p.set(s, snapped(p, value));
     return checkSettings(s) ? s : Settings{};
 }
@@ -51,6 +53,68 @@ TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
         EXPECT_EQ(detection->scan, scan);
     }
     EXPECT_EQ(methods.size(), findParameter("method")->choices.size());
+}
+
+void expectAsFromNothing(const Detection& found, const Detection& fresh) {
+    const auto equal = [](const auto& a, const auto& b) { return (a == nullptr) == (b == nullptr) && (a == nullptr || *a == *b); };
+    EXPECT_EQ(found.gray->levels, fresh.gray->levels);
+    EXPECT_EQ(found.gray->saturated, fresh.gray->saturated);
+    EXPECT_TRUE(equal(found.masked, fresh.masked));
+    EXPECT_TRUE(equal(found.smoothed, fresh.smoothed));
+    EXPECT_TRUE(equal(found.mask, fresh.mask));
+    EXPECT_TRUE(equal(found.classes, fresh.classes));
+    EXPECT_TRUE(equal(found.edges, fresh.edges));
+    ASSERT_EQ(found.responses == nullptr, fresh.responses == nullptr);
+    if (!found.responses) return;
+    EXPECT_EQ(found.responses->jump, fresh.responses->jump);
+    EXPECT_EQ(found.responses->crease, fresh.responses->crease);
+    EXPECT_EQ(found.responses->border, fresh.responses->border);
+    EXPECT_EQ(found.responses->jumpMm, fresh.responses->jumpMm);
+}
+
+// Values that a parameter can take, far apart.
+std::vector<double> someValues(const Parameter& p) {
+    std::vector<double> values;
+    for (const Choice& choice : p.choices) values.push_back(choice.value);
+    if (p.several) return {p.minimum, p.maximum, 1.0, 6.0};
+    if (p.automatic != nullptr) values.push_back(kAutomatic);
+    const double most = std::min(p.maximum, p.sliderMaximum);
+    for (const double share : {0.05, 0.3, 0.8}) {
+        if (p.choices.empty()) values.push_back(snapped(p, p.minimum + share * (most - p.minimum)));
+    }
+    return values;
+}
+
+// What a stage depends on is said by the table alone: whatever parameter is turned, of whatever method, nothing old may stay.
+TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
+    const auto scan = std::make_shared<const Scan>(test::boxesScan(30, 40, 4, 0.05));
+    for (const MethodTraits& traits : methodTraits()) {
+        for (const Parameter& p : parameters()) {
+            Pipeline pipeline;
+            Settings settings = cannySettings();
+            settings.method = traits.method;
+            settings.sigma = 1.1; // so that the kernel size alone does not decide
+            (void)pipeline.run(scan, settings);
+            for (const double value : someValues(p)) {
+                SCOPED_TRACE(std::string(traits.key) + " --" + p.key + " " + formatValue(p, value));
+                p.set(settings, value);
+                expectAsFromNothing(*pipeline.run(scan, settings), *detectEdges(scan, settings));
+                if (testing::Test::HasFailure()) return;
+            }
+        }
+    }
+}
+
+TEST(Pipeline, EveryMethodIsTurnedByOneThreshold) {
+    for (const MethodTraits& traits : methodTraits()) {
+        Settings settings;
+        settings.method = traits.method;
+        EXPECT_EQ(
+            std::ranges::count_if(parameters(), [&](const Parameter& p) { return p.feeds == Stage::Threshold && p.usedBy(settings); }), 1)
+            << traits.key;
+        EXPECT_EQ(rowOf(traits.method).method, traits.method);
+        EXPECT_EQ(rowOf(traits.method).response != nullptr, reads(traits.method, kReadsGray)) << traits.key;
+    }
 }
 
 TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {

@@ -32,7 +32,7 @@ TEST(Parameters, EveryValueSurvivesTextJsonAndSettings) {
         std::vector<double> values{p.minimum, p.maximum, p.get(Settings{})};
         for (const Choice& c : p.choices) values.push_back(c.value);
         if (p.choices.empty()) values.push_back(snapped(p, p.minimum + (p.maximum - p.minimum) / 3));
-        if (p.canBeAutomatic) values.push_back(kAutomatic);
+        if (p.automatic != nullptr) values.push_back(kAutomatic);
         for (const double value : values) {
             const Result<double> back = parseValue(p, formatValue(p, value));
             ASSERT_TRUE(back) << back.error().sentence();

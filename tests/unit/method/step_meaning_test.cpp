@@ -1,10 +1,10 @@
 // What thresholds stand for, against scans of steps of known depth.
-#include "core/gray/detector.h"
 #include "core/gray/smooth.h"
-#include "core/gray/step_meaning.h"
+#include "core/method/step_meaning.h"
 #include "core/method/pipeline.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/presets.h"
+#include "tests/support/detectors.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -160,7 +160,7 @@ TEST(StepMeaning, NoUsualThresholdFindsEdgesOnRoundedPlanes) {
                     for (int j = 0; j < 90; ++j)
                         plane.at(i, j) = static_cast<std::uint8_t>(std::lround(40 + alongLines * i + alongBeams * j));
                 }
-                const Grid<std::uint8_t> edges = detectorMask(method, smoothsItself(method) ? plane : smooth(plane, s), nullptr, s);
+                const Grid<std::uint8_t> edges = test::detectorMask(method, reads(method, kReadsKernel) ? smooth(plane, s) : plane, nullptr, s);
                 EXPECT_EQ(std::ranges::count(edges.cells, 0), 90 * 90)
                     << static_cast<int>(method) << ' ' << alongLines << ' ' << alongBeams;
             }

@@ -1,11 +1,9 @@
 // What a threshold stands for.
-#include "core/gray/step_meaning.h"
+#include "core/method/step_meaning.h"
 
 #include "core/base/number_text.h"
-#include "core/gray/detector.h"
-#include "core/gray/gradient.h"
 #include "core/gray/smooth.h"
-#include "core/gray/zero_crossings.h"
+#include "core/method/methods.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 
@@ -19,24 +17,17 @@ namespace {
 constexpr int kStep = 240; // levels; a multiple of 16, so that the 3 x 3 Gaussian rounds nothing
 constexpr int kDark = 8;
 
+bool smoothsFirst(const Settings& settings) { return reads(settings.method, kReadsKernel); }
+
 // Response of every cell of a picture.
 Grid<float> responseOf(const Grid<std::uint8_t>& picture, const Settings& settings) {
-    if (settings.method != Method::Canny)
-        return detectorResponse(settings.method, smoothsItself(settings.method) ? picture : smooth(picture, settings), nullptr, settings);
-    const Gradient gradient = sobelGradient(smooth(picture, settings), nullptr, settings.aperture);
-    Grid<float> response(picture.lines, picture.beams);
-    for (std::size_t k = 0; k < response.size(); ++k) {
-        const std::int32_t magnitude = gradientMagnitude(gradient.alongBeams[k], gradient.alongLines[k], settings.norm);
-        const double size = settings.norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude;
-        response[k] = static_cast<float>(size / gradient.scale);
-    }
-    return response;
+    return rowOf(settings.method).response(smoothsFirst(settings) ? smooth(picture, settings) : picture, nullptr, settings);
 }
 
 // How far from a cell its response is decided, at most.
 int reachOf(const Settings& settings) {
-    const double sigma = std::isnan(settings.sigma) ? kMarrHildrethSigma : settings.sigma;
-    return smoothsItself(settings.method) ? static_cast<int>(std::ceil(4 * sigma)) + 4 : settings.kernel + settings.aperture + 4;
+    if (smoothsFirst(settings)) return settings.kernel + settings.aperture + 4;
+    return static_cast<int>(std::ceil(4 * (std::isnan(settings.sigma) ? automaticSigma(settings) : settings.sigma))) + 4;
 }
 
 // Strongest answer near the middle of a square picture of a step.
@@ -50,7 +41,7 @@ double answer(const Grid<std::uint8_t>& picture, const Settings& settings) {
     return strongest / static_cast<double>(kStep);
 }
 
-bool hasGrayLevels(const Settings& settings) { return settings.method == Method::Canny || hasOneThreshold(settings.method); }
+bool hasGrayLevels(const Settings& settings) { return reads(settings.method, kReadsGray); }
 
 std::string number(double value, int significant) {
     const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
@@ -185,12 +176,12 @@ double lowerWithSameStep(const Settings& before, const Settings& settings) {
     const double from = stepGain(before).straight;
     const double to = stepGain(settings).straight;
     if (from <= 0 || to <= 0) return settings.lower;
-    const bool bothTwo = before.method == Method::Canny && settings.method == Method::Canny;
+    const bool bothTwo = !hasOneThreshold(before.method) && !hasOneThreshold(settings.method);
     // What the lower threshold is multiplied by to compare the two.
-    const auto compared = [&](const Settings& s) { return s.method != Method::Canny ? 1.0 : bothTwo ? s.ratio : 0.5 * (1.0 + s.ratio); };
+    const auto compared = [&](const Settings& s) { return hasOneThreshold(s.method) ? 1.0 : bothTwo ? s.ratio : 0.5 * (1.0 + s.ratio); };
     const double lower = before.lower * compared(before) / from * to / compared(settings);
     const bool changed = before.method != settings.method; // else the threshold was chosen for this very method
-    const double least = changed && settings.method != Method::Canny ? answerToRounding(settings) : 0.0;
+    const double least = changed && hasOneThreshold(settings.method) ? answerToRounding(settings) : 0.0;
     return snapped(*findParameter("lower"), std::max(lower, least));
 }
 
