@@ -83,7 +83,7 @@ std::optional<Error> unknownKey(const std::vector<std::string>& only) {
 }
 
 Result<Done> compare(const CompareFlags& flags) {
-    Result<Scan> opened = openScan(flags.file, openOptions(flags.read));
+    Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
     if (!opened) return opened.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));
     std::optional<TruthSet> truth;

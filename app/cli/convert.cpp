@@ -21,7 +21,7 @@ int run(const Convert& convert) {
                   "use .json, .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx, .obj or .mcap"});
         return kWrongUsage;
     }
-    Result<Scan> opened = openScan(convert.in, openOptions(convert.read));
+    Result<Scan> opened = openAsAsked(convert.in, readingOptions(convert.read));
     if (!opened) {
         complain(opened.error());
         return kRefused;

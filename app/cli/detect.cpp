@@ -78,7 +78,7 @@ bool nothingAskedFor(const Outputs& out) {
 
 Result<Done> detectOne(const Detect& detect, const std::string& file, bool several) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Scan> opened = openScan(file, openOptions(detect.read));
+    Result<Scan> opened = openAsAsked(file, readingOptions(detect.read));
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const Result<Settings> settings = settingsFor(detect.method, *opened);

@@ -17,7 +17,7 @@ struct Info {
 int run(const Info& info) {
     int code = kDone;
     for (const std::string& file : info.files) {
-        const Result<Scan> scan = openScan(file, openOptions(info.read));
+        const Result<Scan> scan = openAsAsked(file, readingOptions(info.read));
         if (!scan) {
             complain(scan.error());
             code = kRefused;

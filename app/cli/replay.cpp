@@ -20,7 +20,7 @@ struct ReplayWanted {
     std::string file;
     double speed = 0.0;
     bool quiet = false;
-    OpenOptions place;
+    ReadingOptions place;
     MethodFlags method;
 };
 

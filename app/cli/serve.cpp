@@ -24,7 +24,7 @@ struct Serve {
 };
 
 Result<std::unique_ptr<EmulatedScanner>> start(const Serve& serve) {
-    const Result<Scan> scan = openScan(serve.file, openOptions(serve.read));
+    const Result<Scan> scan = openAsAsked(serve.file, readingOptions(serve.read));
     if (!scan) return scan.error();
     TelegramStyle style;
     style.remission = serve.remission;

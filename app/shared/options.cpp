@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -38,15 +37,6 @@ std::string hint(const Parameter& p) {
 
 std::atomic<bool> progressLineOpen{false}; // an error must start on a line of its own
 
-const CLI::Validator kFinite(
-    [](std::string& text) {
-        double value = 0;
-        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool fine = code == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-        return fine ? std::string() : "\"" + text + "\" is not a number";
-    },
-    "NUMBER");
-
 // One line per stage on stderr, redrawn in place.
 bool tellProgress(const char* stage, double fraction) {
     std::fprintf(stderr, "\r%-24s %3.0f %%", stage, fraction * 100);
@@ -57,47 +47,44 @@ bool tellProgress(const char* stage, double fraction) {
 
 } // namespace
 
+namespace {
+
+void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptions& options, const char* group) {
+    const std::string name = std::string("--") + option.key;
+    const auto take = [&option, &options](const std::string& text) {
+        if (const auto fits = checked(option, text); !fits) throw CLI::ValidationError(fits.error().where, fits.error().what);
+        option.set(options, text);
+    };
+    CLI::Option* added = nullptr;
+    if (option.kind == ReadingOption::Kind::Switch)
+        added = command.add_flag_function(name, [take](std::int64_t) { take("on"); }, option.help);
+    else if (option.kind == ReadingOption::Kind::ThreeNumbers)
+        added = command
+                    .add_option_function<std::vector<std::string>>(
+                        name, [take](const std::vector<std::string>& xyz) { take(CLI::detail::join(xyz, ",")); }, option.help)
+                    ->delimiter(',')
+                    ->expected(3);
+    else
+        added = command.add_option_function<std::string>(name, take, option.help);
+    if (!option.words.empty()) added->check(CLI::IsMember(option.words));
+    added->group(group);
+}
+
+} // namespace
+
 void addReadFlags(CLI::App& command, ReadFlags& flags) {
-    const char* group = "Reading";
-    command.add_option("--beam-start", flags.options.beamStartDeg, "Angle of the first beam [degrees]")->check(kFinite)->group(group);
-    command.add_option("--beam-step", flags.options.beamStepDeg, "Angle from beam to beam [degrees]")->check(kFinite)->group(group);
-    command.add_option("--line-start", flags.options.lineStartDeg, "Angle of the first line [degrees]")->check(kFinite)->group(group);
-    command.add_option("--line-step", flags.options.lineStepDeg, "Angle from line to line [degrees]")->check(kFinite)->group(group);
-    command.add_option("--axis", flags.axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
-        ->check(CLI::IsMember({"spin", "sweep"}))
-        ->group(group);
-    command.add_option("--unit", flags.unit, "Unit of the numbers in the file, where it does not say")
-        ->check(CLI::IsMember({"mm", "cm", "m"}))
-        ->group(group);
-    command.add_option("--sensor", flags.sensor, "Where a cloud without a grid was taken from, as X,Y,Z [m]")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(kFinite)
-        ->group(group);
-    command
-        .add_option("--grid-step", flags.options.gridStepDeg,
-                    "Cells of a cloud that is projected [degrees]; else from the spacing of its points")
-        ->check(kFinite)
-        ->group(group);
-    command
-        .add_option("--project", flags.project,
-                    "Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), "
-                    "or refuse them (never)")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
-        ->group(group);
-    command
-        .add_flag("--straighten", flags.options.straighten,
-                  "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped")
-        ->group(group);
-    command.add_option("--scan", flags.options.scanIndex, "Which scan of a file that holds several, from 0")->group(group);
-    command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group(group);
+    for (const ReadingOption& option : readingOptionTable()) {
+        if ((option.uses & ReadingOption::kFlag) != 0 && option.kind != ReadingOption::Kind::Path)
+            addReadingFlag(command, option, flags.options, "Reading");
+    }
+    command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group("Reading");
     addPlaceFlags(command, flags.options);
 }
 
-void addPlaceFlags(CLI::App& command, OpenOptions& options) {
-    const char* group = "Place in the mine (docs/coordinates.md)";
-    command.add_option("--pose", options.pose, "Pose file of the scan; a recording may hold its own")->group(group);
-    command.add_option("--calibration", options.calibration, "Calibration file of the robot; a recording may hold its own")->group(group);
+void addPlaceFlags(CLI::App& command, ReadingOptions& options) {
+    for (const ReadingOption& option : readingOptionTable()) {
+        if (option.kind == ReadingOption::Kind::Path) addReadingFlag(command, option, options, "Place in the mine (docs/coordinates.md)");
+    }
 }
 
 void addWriteFlags(CLI::App& command, WriteFlags& flags) {
@@ -130,12 +117,8 @@ ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual) {
     return options;
 }
 
-OpenOptions openOptions(const ReadFlags& flags) {
-    OpenOptions options = flags.options;
-    if (!flags.axis.empty()) options.axis = flags.axis == "spin" ? Axis::Spin : Axis::Sweep;
-    if (!flags.unit.empty()) options.unitMm = flags.unit == "m" ? 1000.0 : flags.unit == "cm" ? 10.0 : 1.0;
-    if (flags.sensor.size() == 3) options.sensorM = Eigen::Vector3d(flags.sensor[0], flags.sensor[1], flags.sensor[2]);
-    options.projection = flags.project == "always" ? Projection::Always : flags.project == "never" ? Projection::Never : Projection::Auto;
+ReadingOptions readingOptions(const ReadFlags& flags) {
+    ReadingOptions options = flags.options;
     if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellProgress;
     return options;
 }

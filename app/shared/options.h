@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/settings/presets.h"
-#include "core/io/open_scan.h"
+#include "core/io/open_as_asked.h"
 #include "core/report/provenance.h"
 #include "core/scan/scan.h"
 
@@ -15,22 +15,18 @@
 
 namespace edgescan::cli {
 
-/// --beam-start --beam-step --line-start --line-step --axis --unit --sensor --grid-step --project --scan --pose --calibration --progress.
+/// One flag per row of the table of reading options, and --progress.
 struct ReadFlags {
-    OpenOptions options;
-    std::string axis;
-    std::string unit;
-    std::vector<double> sensor; ///< x, y, z, metres
-    std::string project = "auto";
+    ReadingOptions options;
     bool progress = false;
 };
 void addReadFlags(CLI::App& command, ReadFlags& flags);
 
 /// --pose and --calibration alone, for what plays recordings.
-void addPlaceFlags(CLI::App& command, OpenOptions& options);
+void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 
 /// The options to open with; progress goes to stderr, on a terminal or with --progress.
-[[nodiscard]] OpenOptions openOptions(const ReadFlags& flags);
+[[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
 /// --frame --ascii --include-attached --operator --role: how clouds and records are written.
 struct WriteFlags {

@@ -51,7 +51,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
 }
 
 SweepSettings sweepOf(const Wanted& wanted) {
-    const OpenOptions options = cli::openOptions(wanted.read);
+    const ReadingOptions options = cli::readingOptions(wanted.read);
     SweepSettings sweep;
     sweep.expectedLines = wanted.expectedLines;
     sweep.ticksPerDeg = wanted.ticksPerDeg;
@@ -89,7 +89,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::optional<Set
     if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines);
     if (wanted.quitAfter > 0) QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, &QApplication::quit);
     if (!wanted.files.empty())
-        window.openFile(QString::fromStdString(wanted.files.front()), cli::openOptions(wanted.read));
+        window.openFile(QString::fromStdString(wanted.files.front()), cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.openDemo();
     if (scanner) window.connectScanner(QString::fromStdString(scanner->host), scanner->port, sweepOf(wanted));

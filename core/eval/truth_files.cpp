@@ -76,7 +76,7 @@ Json rocksJson(const Simulation& simulation) {
 Result<Grid<std::uint16_t>> readNumbers(const fs::path& path) {
     std::error_code failed;
     if (!fs::exists(path, failed)) return Grid<std::uint16_t>();
-    OpenOptions options; // angles that nobody uses: a picture has none
+    ReadingOptions options; // angles that nobody uses: a picture has none
     options.beamStartDeg = 0.0;
     options.beamStepDeg = 0.001;
     options.lineStartDeg = 0.0;

@@ -81,7 +81,8 @@ Why whyCell(const Detection& detection, std::size_t k) {
     const Settings& settings = detection.settings;
     const Decision& decision = rowOf(settings.method).decision;
     const Parameter& parameter = sweptParameter(settings.method);
-    Why why{decision.judge(detection, k)};
+    Why why;
+    static_cast<Judgement&>(why) = decision.judge(detection, k);
     why.probe = probeCell(detection, k);
     why.parameter = parameter.key;
     why.unit = parameter.unit;

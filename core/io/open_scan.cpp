@@ -4,7 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/georef/poses.h"
-#include "core/io/open_options_json.h"
+#include "core/scan/reading_options.h"
 #include "core/pictures/range_image.h"
 #include "core/points/source.h"
 #include "core/points/text_layout.h"
@@ -17,7 +17,6 @@
 #include "core/readers/range_csv.h"
 #include "core/readers/raw_grid.h"
 #include "core/recording/replay.h"
-#include "core/straighten/straighten_scan.h"
 
 #include <array>
 #include <new>
@@ -82,7 +81,7 @@ Result<Scan> readByContent(const Source& source) {
 }
 
 /// The place that --pose and --calibration give. A recording has placed itself already: it may hold one of the two.
-Result<Done> placeAsAsked(Scan& scan, const OpenOptions& options, const std::string& where) {
+Result<Done> placeAsAsked(Scan& scan, const ReadingOptions& options, const std::string& where) {
     if (options.pose.empty() && options.calibration.empty()) return Done{};
     if (options.calibration.empty()) return Error{"a pose needs the robot's calibration", where, "give --calibration ROBOT.json too"};
     if (options.pose.empty()) return Error{"a calibration alone gives no place", where, "give --pose POSE.json too"};
@@ -100,7 +99,7 @@ void applyAngles(std::vector<double>& degrees, std::optional<double> start, std:
     for (std::size_t i = 0; i < degrees.size(); ++i) degrees[i] = step ? first + static_cast<double>(i) * *step : degrees[i] + shift;
 }
 
-void applyOptions(Scan& scan, const OpenOptions& options) {
+void applyOptions(Scan& scan, const ReadingOptions& options) {
     auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return;
     applyAngles(polar->beamDeg, options.beamStartDeg, options.beamStepDeg);
@@ -116,25 +115,23 @@ Result<Scan> readWhole(const Source& source) {
     auto scan = readByContent(source);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
-    if (source.options->straighten)
-        *scan = straightened(std::move(*scan));
-    else if (auto warning = displacementWarning(*scan))
-        scan->warnings.push_back(std::move(*warning));
     if (!source.text().starts_with(kMcapMagic)) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }
-    scan->openedWith = openOptionsText(*source.options);
+    ReadingOptions done = *source.options;
+    done.straighten = false; // openAsAsked() does that
+    scan->openedWith = readingOptionsText(done);
     scan->name = source.path.stem().string();
     if (scan->sha256.empty()) scan->sha256 = sha256Hex(source.bytes);
     if (!source.goOn("opened", 1.0)) return source.cancelled();
     return scan;
 }
 
-/// Memory that runs out on the way is one sentence like everything else.
-template <class Read>
-Result<Scan> withinMemory(const fs::path& path, Read read) {
+} // namespace
+
+Result<Scan> withinMemory(const fs::path& path, const std::function<Result<Scan>()>& make) {
     try {
-        return read();
+        return make();
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for this file", path.string(), "close other programs or open a smaller file"};
     } catch (const std::length_error&) {
@@ -142,9 +139,7 @@ Result<Scan> withinMemory(const fs::path& path, Read read) {
     }
 }
 
-} // namespace
-
-Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
+Result<Scan> openScan(const fs::path& path, const ReadingOptions& options) {
     return withinMemory(path, [&]() -> Result<Scan> {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
         const auto bytes = readWholeFile(path);
@@ -155,7 +150,7 @@ Result<Scan> openScan(const fs::path& path, const OpenOptions& options) {
     });
 }
 
-Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const OpenOptions& options) {
+Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const ReadingOptions& options) {
     const fs::path path("memory" + extension);
     return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}); });
 }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,11 +14,14 @@
 namespace edgescan {
 
 /// The file as a scan of lines x beams cells. Error: one sentence; nothing is loaded by halves.
-Result<Scan> openScan(const std::filesystem::path& path, const OpenOptions& options = {});
+Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {});
 
 /// The same from bytes in memory; `extension` (".pcd") is the hint that a file's name would be. No file is touched: a raw grid is its
 /// description, a NUL byte and its counts.
-Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const OpenOptions& options = {});
+Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const ReadingOptions& options = {});
+
+/// What `make` gives; memory that runs out on the way is one sentence like everything else that can go wrong with the file.
+Result<Scan> withinMemory(const std::filesystem::path& path, const std::function<Result<Scan>()>& make);
 
 /// A kind of file, for dialogs and for looking up by extension.
 struct FileKind {

@@ -10,7 +10,7 @@ constexpr std::size_t kLms511Beams = 1141;
 
 Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source& source) {
     if (beams == kLms511Beams) return Done{};
-    const OpenOptions& options = *source.options;
+    const ReadingOptions& options = *source.options;
     std::string missing;
     const auto need = [&](bool given, const char* flag) {
         if (!given) missing += std::string(missing.empty() ? "" : " ") + flag;
@@ -29,7 +29,7 @@ Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source&
 
 Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const char* what, const Source& source) {
     if (auto known = checkAnglesKnown(beams, what, source); !known) return known.error();
-    const OpenOptions& options = *source.options;
+    const ReadingOptions& options = *source.options;
     AssumedAngles angles;
     const double beamStart = options.beamStartDeg.value_or(-5.0);
     const double beamStep = options.beamStepDeg.value_or(1.0 / 6.0);

@@ -15,7 +15,7 @@ namespace edgescan {
 struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
-    const OpenOptions* options = nullptr;
+    const ReadingOptions* options = nullptr;
     bool inMemory = false; ///< there is no file, and no other may be touched
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }

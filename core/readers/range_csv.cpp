@@ -53,7 +53,7 @@ Result<Ranges> readRanges(const Source& source, const TextLayout& layout, double
 bool looksLikeRangeCsv(const TextLayout& layout, const Source& source) {
     if (!layout.names.empty() || !layout.description.empty()) return false;
     if (layout.columns >= kFewestRangeColumns) return true;
-    const OpenOptions& options = *source.options;
+    const ReadingOptions& options = *source.options;
     return source.extension() == ".csv" && options.beamStepDeg && options.lineStepDeg;
 }
 

@@ -40,7 +40,7 @@ Result<Done> checkSize(const GridDescription& grid, const fs::path& countsPath, 
 }
 
 Result<Done> readGeometry(const GridDescription& grid, const Source& source, Scan& scan) {
-    const OpenOptions& options = *source.options;
+    const ReadingOptions& options = *source.options;
     std::string missing;
     const bool beamsKnown = grid.beamDeg || (options.beamStartDeg && options.beamStepDeg);
     const bool linesKnown = grid.lineDeg || (options.lineStartDeg && options.lineStepDeg);

@@ -241,7 +241,7 @@ struct Known {
     std::optional<PoseTrack> poses;
     std::string source;
 };
-Result<Known> knownOf(RecordedRobot robot, const OpenOptions& options, const std::string& where) {
+Result<Known> knownOf(RecordedRobot robot, const ReadingOptions& options, const std::string& where) {
     Known known{std::move(robot.calibration), std::move(robot.poses), {}};
     known.source = "the recording";
     if (!options.pose.empty()) {
@@ -278,7 +278,7 @@ RecordedRobot recordedRobot(const Recording& recording, double startS, double en
     return robot;
 }
 
-Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const OpenOptions& options, const std::string& where) {
+Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const ReadingOptions& options, const std::string& where) {
     const bool asked = !options.pose.empty() || !options.calibration.empty();
     if (scan.placement && !asked) return Done{};
     const std::vector<double> times = scan.acquisition ? scan.acquisition->lineTimesS : std::vector<double>{};

@@ -23,7 +23,7 @@ struct RecordedRobot {
 /// Gives a sweep of this recording its place: by --pose and --calibration where given, each instead of the recording's own. Without
 /// them a scan that cannot be placed stays in the scanner's frame, with a warning when readings are there. Error: as openPlacement,
 /// or one of the two files is missing and the recording does not make up for it.
-Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const OpenOptions& options, const std::string& where);
+Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const ReadingOptions& options, const std::string& where);
 
 /// Model, serial number and firmware from metadata and from the scanner's recorded answers.
 void nameScanner(Scan& scan, const Recording& recording);

@@ -19,7 +19,7 @@ bool isLine(const RecordedMessage& message) {
 }
 
 /// What the recording says beside its telegrams: grid, scanner, place.
-Result<Scan> described(Scan scan, const Recording& recording, const std::string& where, const OpenOptions& options) {
+Result<Scan> described(Scan scan, const Recording& recording, const std::string& where, const ReadingOptions& options) {
     if (recording.metadata().contains(kMadeFromKey))
         scan.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
     else
@@ -106,7 +106,7 @@ void Replay::advanceTo(std::int64_t timeNs) {
     while (!atEnd() && recording_->messages()[next_].logNs <= timeNs) playOne();
 }
 
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options) {
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options) {
     Replay replay(recording);
     FinishedSweep best;
     int sweeps = 0;

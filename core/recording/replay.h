@@ -70,7 +70,7 @@ private:
 
 /// The longest sweep of a recording, placed as placeRecordedSweep() does. Warnings say what is missing: INCOMPLETE n/N, lost lines, a
 /// cut. Error: no line in it.
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const OpenOptions& options = {});
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {});
 Result<Scan> openRecording(const std::filesystem::path& path);
 /// The same for openScan().
 Result<Scan> readRecording(const Source& source);

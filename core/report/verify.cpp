@@ -5,7 +5,7 @@
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
 #include "core/georef/placement_json.h"
-#include "core/io/open_options_json.h"
+#include "core/io/open_as_asked.h"
 #include "core/method/pipeline.h"
 #include "core/pictures/png.h"
 #include "core/report/find_scan.h"
@@ -74,9 +74,9 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     if (!path) return path.error();
     v.scan = *path;
     const Json openedWith = at(record, "/scan/opened_with");
-    const auto options = parseOpenOptions(openedWith.empty() ? std::string() : openedWith.dump(), v.exported.string());
+    const auto options = parseReadingOptions(openedWith.empty() ? std::string() : openedWith.dump(), v.exported.string());
     if (!options) return options.error();
-    auto opened = openScan(*path, *options);
+    auto opened = openAsAsked(*path, *options);
     if (!opened) return opened.error();
     if (gridSha256(*opened) != wordAt(record, "/scan/grid_sha256"))
         v.findings.emplace_back(

@@ -58,7 +58,7 @@ PointBounds pointsToWrite(ExportContent content, const Detection& detection, con
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {
-    const OpenOptions options;
+    const ReadingOptions options;
     const Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
     const auto format = saveFormatOf(path);
     if (!format) return std::optional<PointBounds>();

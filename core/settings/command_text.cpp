@@ -1,6 +1,7 @@
 // The command line that computes the same edges.
 #include "core/settings/command_text.h"
 
+#include "core/base/shell_quoted.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
@@ -19,12 +20,6 @@ std::vector<std::string> differences(const Settings& from, const Settings& to) {
 }
 
 } // namespace
-
-std::string shellQuoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
 
 std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
     const auto presets = builtInPresets();

@@ -7,9 +7,6 @@
 
 namespace edgescan {
 
-/// In single quotes, as a POSIX shell takes it for one word.
-[[nodiscard]] std::string shellQuoted(const std::string& text);
-
 /// PROGRAM detect 'PATH' READFLAGS --preset NAME --lower 12 ...: the nearest built-in preset and what differs from it. The path is
 /// quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...", may be empty) are taken as they are.
 [[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,

@@ -16,7 +16,7 @@ inline void hold(bool promise) {
 }
 
 inline int openBytes(const std::uint8_t* bytes, std::size_t size, const char* extension) {
-    OpenOptions options;
+    ReadingOptions options;
     options.beamStartDeg = 0; // pictures and tables of ranges have no angles of their own
     options.beamStepDeg = 0.5;
     options.lineStartDeg = 0;

@@ -21,8 +21,8 @@ std::shared_ptr<const Detection> detectionOf(unsigned seed) {
 }
 
 /// Angles that a picture cannot say.
-OpenOptions angles() {
-    OpenOptions options;
+ReadingOptions angles() {
+    ReadingOptions options;
     options.beamStartDeg = 0;
     options.beamStepDeg = 0.5;
     options.lineStartDeg = 30;

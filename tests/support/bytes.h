@@ -9,7 +9,7 @@
 
 namespace edgescan::test {
 
-inline Result<Scan> readBytes(const std::string& bytes, const std::string& extension, const OpenOptions& options = {}) {
+inline Result<Scan> readBytes(const std::string& bytes, const std::string& extension, const ReadingOptions& options = {}) {
     return readScanBytes(std::as_bytes(std::span(bytes)), extension, options);
 }
 
@@ -27,7 +27,7 @@ T valueAt(const std::string& bytes, std::size_t at) {
 }
 
 /// "" when the bytes open.
-inline std::string refusalOf(const std::string& bytes, const std::string& extension, const OpenOptions& options = {}) {
+inline std::string refusalOf(const std::string& bytes, const std::string& extension, const ReadingOptions& options = {}) {
     const auto scan = readBytes(bytes, extension, options);
     return scan ? std::string() : scan.error().sentence();
 }

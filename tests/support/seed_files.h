@@ -23,8 +23,8 @@ struct SeedFile {
 };
 
 /// Pictures and tables of ranges have no angles of their own.
-inline OpenOptions seedOptions() {
-    OpenOptions options;
+inline ReadingOptions seedOptions() {
+    ReadingOptions options;
     options.beamStartDeg = 0;
     options.beamStepDeg = 0.5;
     options.lineStartDeg = 0;

@@ -199,9 +199,9 @@ void MainWindow::startWith(const Preset& preset, const Settings& settings) {
     starting_ = false;
 }
 
-void MainWindow::openFile(const QString& path, const OpenOptions& options) { openSeries({path}, options); }
+void MainWindow::openFile(const QString& path, const ReadingOptions& options) { openSeries({path}, options); }
 
-void MainWindow::openSeries(const QStringList& paths, const OpenOptions& options) {
+void MainWindow::openSeries(const QStringList& paths, const ReadingOptions& options) {
     if (paths.isEmpty()) return;
     series_ = paths;
     seriesPlace_ = 0;

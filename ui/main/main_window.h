@@ -44,9 +44,9 @@ public:
     explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void openFile(const QString& path, const OpenOptions& options = {});
+    void openFile(const QString& path, const ReadingOptions& options = {});
     /// Opens the first; the others follow with Page Down.
-    void openSeries(const QStringList& paths, const OpenOptions& options = {});
+    void openSeries(const QStringList& paths, const ReadingOptions& options = {});
     void openDemo();
     /// Connects to a live scanner; reads and a subscription are all that is sent to it.
     void connectScanner(const QString& host, int port, const SweepSettings& sweep);
@@ -205,7 +205,7 @@ private:
     QTimer workTimer_; // work that ends sooner is not shown
     QString workTitle_;
     QString openedPath_;
-    OpenOptions openOptions_; // those of the file on the screen, for Reload and the series
+    ReadingOptions openOptions_; // those of the file on the screen, for Reload and the series
     QStringList series_;
     int seriesPlace_ = 0;
 };

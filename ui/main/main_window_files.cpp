@@ -64,35 +64,6 @@ const char* nameTail(Session::Export what) {
     return "";
 }
 
-// The reading flags that give these options on the command line.
-std::string readFlags(const OpenOptions& options) {
-    std::string flags;
-    const auto add = [&](const char* flag, const std::string& value) {
-        if (!flags.empty()) flags += ' ';
-        flags += flag;
-        flags += ' ';
-        flags += value;
-    };
-    const auto number = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
-    if (options.beamStartDeg) add("--beam-start", number(*options.beamStartDeg));
-    if (options.beamStepDeg) add("--beam-step", number(*options.beamStepDeg));
-    if (options.lineStartDeg) add("--line-start", number(*options.lineStartDeg));
-    if (options.lineStepDeg) add("--line-step", number(*options.lineStepDeg));
-    if (options.axis) add("--axis", *options.axis == Axis::Spin ? "spin" : "sweep");
-    if (options.sensorM) {
-        const Eigen::Vector3d& at = *options.sensorM;
-        add("--sensor", number(at.x()) + "," + number(at.y()) + "," + number(at.z()));
-    }
-    if (options.gridStepDeg) add("--grid-step", number(*options.gridStepDeg));
-    if (options.projection != Projection::Auto) add("--project", options.projection == Projection::Always ? "always" : "never");
-    if (!options.pose.empty()) add("--pose", shellQuoted(options.pose));
-    if (!options.calibration.empty()) add("--calibration", shellQuoted(options.calibration));
-    if (options.straighten) flags += flags.empty() ? "--straighten" : " --straighten";
-    if (options.scanIndex > 0) add("--scan", std::to_string(options.scanIndex));
-    if (options.unitMm) add("--unit", *options.unitMm == 1000.0 ? "m" : *options.unitMm == 10.0 ? "cm" : "mm");
-    return flags;
-}
-
 } // namespace
 
 void MainWindow::askOpen() {
@@ -208,7 +179,7 @@ void MainWindow::copyCommand() {
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
     QGuiApplication::clipboard()->setText(QString::fromStdString(
-        detectCommand(program.toStdString(), path.toStdString(), readFlags(openOptions_), shown_->detection->settings)));
+        detectCommand(program.toStdString(), path.toStdString(), readingFlags(openOptions_), shown_->detection->settings)));
     notice_->showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

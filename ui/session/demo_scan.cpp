@@ -24,7 +24,7 @@ QString cachedPath() {
 Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress) {
     const std::string path = cachedPath().toStdString();
     if (QFile::exists(cachedPath())) {
-        OpenOptions options;
+        ReadingOptions options;
         options.progress = progress;
         Result<Scan> cached = openScan(path, options);
         if (cached && cached->lines() == SimulationSettings{}.lines) {

@@ -2,6 +2,7 @@
 #include "ui/session/session.h"
 
 #include "core/georef/placed_points.h"
+#include "core/io/open_as_asked.h"
 #include "core/report/provenance.h"
 #include "ui/session/demo_scan.h"
 
@@ -75,12 +76,12 @@ Session::Session(QObject* parent)
 
 Session::~Session() = default;
 
-void Session::open(const QString& path, const OpenOptions& options) {
+void Session::open(const QString& path, const ReadingOptions& options) {
     const std::string file = path.toStdString();
     startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const BackgroundJob::Progress& progress) {
-        OpenOptions withProgress = options;
+        ReadingOptions withProgress = options;
         withProgress.progress = progress;
-        return openScan(file, withProgress);
+        return openAsAsked(file, withProgress);
     });
 }
 

@@ -170,7 +170,7 @@ TEST(MineExport, FormatsOfSurveyAndCadHoldAMillimetreToo) {
                 SCOPED_TRACE(std::string(name) + " " + std::to_string(seed) + " frame " + std::to_string(static_cast<int>(frame)));
                 const auto bytes = cloudBytes(scan, name, nullptr, {.frame = frame});
                 ASSERT_TRUE(bytes) << bytes.error().sentence();
-                const OpenOptions options;
+                const ReadingOptions options;
                 const Source source{name, std::as_bytes(std::span(*bytes)), &options};
                 std::vector<Eigen::Vector3d> found;
                 if (source.extension() == ".las") found = readLasPoints(source)->points;

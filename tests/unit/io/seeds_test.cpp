@@ -13,9 +13,9 @@ using namespace edgescan::test;
 
 namespace {
 
-OpenOptions optionsFor(const SeedFile& seed) {
+ReadingOptions optionsFor(const SeedFile& seed) {
     const bool ranges = seed.reader == "picture" || seed.reader == "range_csv";
-    return ranges ? seedOptions() : OpenOptions{};
+    return ranges ? seedOptions() : ReadingOptions{};
 }
 
 void holdsSoundly(const std::string& bytes, const SeedFile& seed) {

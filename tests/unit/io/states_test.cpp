@@ -88,7 +88,7 @@ TEST(CellsAccountedFor, PtxAndPicturesKnowNoReturnOnly) {
             for (CellState& state : scan.state.cells) state = state == CellState::Valid ? state : CellState::NoReturn;
             ASSERT_TRUE(saveScan(whole, folder / "s.ptx"));
             EXPECT_EQ(lostOnSaving(whole, folder / "s.ptx").empty(), loss != Loss::EveryState);
-            OpenOptions angles;
+            ReadingOptions angles;
             const auto& polar = std::get<PolarGeometry>(scan.geometry);
             angles.axis = polar.axis;
             const auto ptx = openScan(folder / "s.ptx", angles);

@@ -18,9 +18,9 @@ using namespace edgescan::test;
 
 namespace {
 
-OpenOptions anglesOf(const Scan& scan) {
+ReadingOptions anglesOf(const Scan& scan) {
     const auto& polar = std::get<PolarGeometry>(scan.geometry);
-    OpenOptions options;
+    ReadingOptions options;
     options.beamStartDeg = polar.beamDeg[0];
     options.beamStepDeg = polar.beamDeg[1] - polar.beamDeg[0];
     options.lineStartDeg = polar.lineDeg[0];
@@ -127,7 +127,7 @@ TEST(RangeTiff, DamageIsOneSentence) {
     const Scan scan = makeScan({});
     writeTiff(scan, folder / "range.tif", {COMPRESSION_LZW});
     const std::string tiff = readText(folder / "range.tif");
-    const OpenOptions options = anglesOf(scan);
+    const ReadingOptions options = anglesOf(scan);
     for (std::size_t length = 5; length < tiff.size(); length += 97) {
         const std::string sentence = refusalOf(tiff.substr(0, length), ".tif", options);
         EXPECT_FALSE(sentence.empty()) << length;

@@ -100,7 +100,7 @@ TEST(Ptx, OneOfSeveralScansIsOpenedAndTold) {
         return std::any_of(scan.warnings.begin(), scan.warnings.end(), [&](const auto& w) { return w.find(part) != std::string::npos; });
     };
     EXPECT_TRUE(told(*opened, "holds 2 scans; this is number 1"));
-    OpenOptions options;
+    ReadingOptions options;
     options.scanIndex = 1;
     const auto other = readBytes(both, ".ptx", options);
     ASSERT_TRUE(other) << other.error().sentence();

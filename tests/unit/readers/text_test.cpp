@@ -154,7 +154,7 @@ TEST(PointText, CancelStopsAndSaysSo) {
     const Folder folder;
     writeText(folder / "list.xyz", rows());
     int calls = 0;
-    OpenOptions options;
+    ReadingOptions options;
     options.progress = [&](const char*, double fraction) {
         EXPECT_GE(fraction, 0);
         EXPECT_LE(fraction, 1);
@@ -168,7 +168,7 @@ TEST(PointText, CancelStopsAndSaysSo) {
 TEST(PointText, AxisAndUnitOptionsAreObeyed) {
     const Folder folder;
     writeText(folder / "list.xyz", rows());
-    OpenOptions options;
+    ReadingOptions options;
     options.unitMm = 1;
     const auto scan = openScan(folder / "list.xyz", options);
     ASSERT_TRUE(scan);
@@ -206,7 +206,7 @@ TEST(RangeCsv, OtherWidthsNeedTheirGeometry) {
     for (int i = 0; i < 3; ++i)
         text += "1000,1001,1002,1003,1004,1005,1006,1007,1008,1009,1010,1011,1012,1013,1014,1015,1016,1017,1018,1019\n";
     writeText(folder / "ranges.csv", text);
-    OpenOptions options;
+    ReadingOptions options;
     options.beamStartDeg = 10;
     const auto missing = openScan(folder / "ranges.csv", options);
     ASSERT_FALSE(missing);

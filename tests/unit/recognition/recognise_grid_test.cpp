@@ -74,7 +74,7 @@ TEST(RecogniseGrid, CompleteListsKeepEveryCell) {
             c.shape.seed = seed;
             const Scan expected = makeScan(c.shape);
             writeText(folder / "list.xyz", textOf(listOf(expected, c.style), c.style));
-            OpenOptions options;
+            ReadingOptions options;
             // Centimetres that are no whole millimetres could as well be metres; only the user knows.
             if (c.style.perMetre == 100 && c.shape.fraction > 0) options.unitMm = 10;
             const auto found = openScan(folder / "list.xyz", options);
@@ -259,7 +259,7 @@ TEST(RecogniseGrid, CorridorFilesEqualTheirRawGrids) {
 
 TEST(RecogniseGrid, RealCloudsWithoutGridAreRefusedWhereTheyMustNotBeProjected) {
     if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
-    OpenOptions options;
+    ReadingOptions options;
     options.projection = Projection::Never;
     for (const std::string name :
          {"traps/livox_bin_unorganized.pcd", "traps/airborne_utm_float32.pcd", "otira_rocks/Otira_1cm_grains.ply"}) {

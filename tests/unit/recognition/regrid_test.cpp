@@ -41,7 +41,7 @@ std::string asPly(const std::vector<Eigen::Vector3d>& points) {
     return text;
 }
 
-Result<Scan> readText(const std::string& text, const char* extension, const OpenOptions& options) {
+Result<Scan> readText(const std::string& text, const char* extension, const ReadingOptions& options) {
     return readScanBytes(std::as_bytes(std::span(text)), extension, options);
 }
 
@@ -146,7 +146,7 @@ TEST(Regrid, WrongPlacesAreToldByNumbers) {
 TEST(Regrid, OpenedCloudsKeepTheirPointsAndTellTheNumbers) {
     const Eigen::Vector3d sensor(620100.5, 6200050.25, 300);
     const auto points = ballBeforeWall(20000, sensor, 7);
-    OpenOptions options;
+    ReadingOptions options;
     options.sensorM = sensor;
     const auto scan = readText(asPly(points), ".ply", options);
     ASSERT_TRUE(scan) << scan.error().sentence();
@@ -208,7 +208,7 @@ TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndTold) {
 
 TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
-    OpenOptions options;
+    ReadingOptions options;
     options.sensorM = Eigen::Vector3d(23.5, 10, -6); // five metres above and six before the river bed
     auto scan = openScan(shared("otira_rocks/Otira_1cm_grains.ply"), options);
     ASSERT_TRUE(scan) << scan.error().sentence();
@@ -226,7 +226,7 @@ TEST(Regrid, ASensorFarAwayIsInMetresWhateverTheNumbersOfTheFileAre) {
     const Eigen::Vector3d sensor(512766, 5403705, 1900);
     auto points = ballBeforeWall(20000, Eigen::Vector3d::Zero(), 9);
     for (Eigen::Vector3d& p : points) p = sensor + 180 * Eigen::Vector3d(p.z(), p.y(), -p.x());
-    OpenOptions options;
+    ReadingOptions options;
     options.sensorM = sensor;
     const auto metres = readText(asPly(points), ".ply", options);
     ASSERT_TRUE(metres) << metres.error().sentence();
@@ -248,7 +248,7 @@ TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
     ASSERT_FALSE(airborne);
     for (const char* part : {"38010 points", "in one direction", "told apart by about 0.5", "--sensor"})
         EXPECT_NE(airborne.error().sentence().find(part), std::string::npos) << airborne.error().sentence();
-    OpenOptions above;
+    ReadingOptions above;
     above.sensorM = Eigen::Vector3d(512766, 5403705, 1000);
     const auto fromAbove = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromAbove) << fromAbove.error().sentence();

@@ -52,7 +52,7 @@ json talin(double east, int status = 0) {
 }
 
 /// Thirty lines at 25 Hz; readings as given: seconds after the start, and easting.
-Result<Scan> recorded(const SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt, const OpenOptions& options = {},
+Result<Scan> recorded(const SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt, const ReadingOptions& options = {},
                       int status = 0) {
     std::vector<RecordingMessagePtr> messages;
     for (int line = 0; line < 30; ++line) messages.push_back(lineMessage(line));
@@ -153,7 +153,7 @@ TEST(RecordedPlace, FilesTakeThePlaceOfWhatTheRecordingHolds) {
     other.headInRobotM = {1, 1, 1};
     writeText(folder / "robot.json", calibrationText(other));
     writeText(folder / "pose.json", kPoseText);
-    OpenOptions options;
+    ReadingOptions options;
     options.calibration = (folder / "robot.json").string();
     SweepMetadata bare = robotMetadata();
     bare.erase("R_IA");
@@ -180,7 +180,7 @@ TEST(PlaceByFlags, AnyFormatIsPlacedAndHalfAPlaceIsRefused) {
     const Scan made = makeScan({.axis = Axis::Spin, .lines = 12, .beams = 20, .lineStart = 0, .lineStep = 0.18});
     for (const char* name : {"scan.pcd", "scan.json", "scan.csv"}) {
         ASSERT_TRUE(saveScan(made, folder / name));
-        OpenOptions options;
+        ReadingOptions options;
         options.pose = (folder / "pose.json").string();
         const auto half = openScan(folder / name, options);
         ASSERT_FALSE(half) << name;

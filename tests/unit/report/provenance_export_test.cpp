@@ -252,7 +252,7 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
         cloud += numberText("%.6f ", x) + numberText("%.6f ", x * y) + numberText("%.6f\n", x * z);
     }
     writeText(folder / "cloud.ply", cloud);
-    OpenOptions coarse;
+    ReadingOptions coarse;
     coarse.sensorM = Eigen::Vector3d::Zero();
     coarse.gridStepDeg = 2.5;
     coarse.projection = Projection::Always;
@@ -345,7 +345,7 @@ TEST(Provenance, WhatTheUserSaidOnOpeningIsPartOfTheRecord) {
         for (int j = 0; j < 30; ++j) table += std::to_string(1000 + 100 * ((i / 5 + j / 7) % 3)) + (j == 29 ? "\n" : ",");
     }
     writeText(folder / "ranges.csv", table);
-    OpenOptions options;
+    ReadingOptions options;
     options.beamStartDeg = 60;
     options.beamStepDeg = 0.25;
     options.lineStartDeg = 10;

@@ -1,7 +1,6 @@
 // Angles that the surfaces of a sweep tell: interlaced beams and slipped lines come back to where they were measured.
 #include "core/straighten/straighten_scan.h"
 
-#include "core/io/open_options_json.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
@@ -104,15 +103,6 @@ TEST(Straighten, LinesBehindASlipAreMovedOn) {
     EXPECT_NEAR(after.lineDeg[static_cast<std::size_t>(cut)] - before.lineDeg[static_cast<std::size_t>(cut)], lost * stepDeg,
                 0.6 * stepDeg);
     EXPECT_NEAR(after.lineDeg[240] - before.lineDeg[240], lost * stepDeg, 0.6 * stepDeg);
-}
-
-TEST(Straighten, WhetherItWasDoneIsRemembered) {
-    OpenOptions options;
-    options.straighten = true;
-    const Result<OpenOptions> again = parseOpenOptions(openOptionsText(options), "test");
-    ASSERT_TRUE(again) << again.error().sentence();
-    EXPECT_TRUE(again->straighten);
-    EXPECT_EQ(openOptionsText({}), "");
 }
 
 } // namespace
