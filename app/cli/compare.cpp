@@ -1,9 +1,9 @@
 // edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/whole_file.h"
 #include "core/eval/truth_fit.h"
 #include "core/pictures/png.h"
-#include "core/base/whole_file.h"
 #include "core/report/comparison_pictures.h"
 #include "core/report/comparison_report.h"
 #include "core/report/report.h"

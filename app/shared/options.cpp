@@ -57,7 +57,8 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
     };
     CLI::Option* added = nullptr;
     if (option.kind == ReadingOption::Kind::Switch)
-        added = command.add_flag_function(name, [take](std::int64_t) { take("on"); }, option.help);
+        added = command.add_flag_function(
+            name, [take](std::int64_t) { take("on"); }, option.help);
     else if (option.kind == ReadingOption::Kind::ThreeNumbers)
         added = command
                     .add_option_function<std::vector<std::string>>(
@@ -67,6 +68,7 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
     else
         added = command.add_option_function<std::string>(name, take, option.help);
     if (!option.words.empty()) added->check(CLI::IsMember(option.words));
+    if (option.kind == ReadingOption::Kind::Number || option.kind == ReadingOption::Kind::ThreeNumbers) added->type_name("NUMBER");
     added->group(group);
 }
 

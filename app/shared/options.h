@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/settings/presets.h"
 #include "core/io/open_as_asked.h"
 #include "core/report/provenance.h"
 #include "core/scan/scan.h"
+#include "core/settings/presets.h"
 
 #include <CLI/CLI.hpp>
 

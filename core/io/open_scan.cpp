@@ -4,7 +4,6 @@
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/georef/poses.h"
-#include "core/scan/reading_options.h"
 #include "core/pictures/range_image.h"
 #include "core/points/source.h"
 #include "core/points/text_layout.h"
@@ -17,6 +16,7 @@
 #include "core/readers/range_csv.h"
 #include "core/readers/raw_grid.h"
 #include "core/recording/replay.h"
+#include "core/scan/reading_options.h"
 
 #include <array>
 #include <new>

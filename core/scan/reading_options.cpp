@@ -138,7 +138,7 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
                       : option.kind == Kind::ThreeNumbers ? numbers.size() == 3
                       : option.kind == Kind::Whole        ? numbers.size() == 1 && numbers[0] == std::floor(numbers[0]) &&
                                                          numbers[0] >= kWholeLimits.least && numbers[0] <= kWholeLimits.most
-                                                          : true;
+                                                   : true;
     if (!fits) return Error{"\"" + text + "\" is not a number", flag, option.kind == Kind::ThreeNumbers ? "give three: X,Y,Z" : "give one"};
     if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end())
         return Error{"\"" + text + "\" is none of its values", flag, "see --help for these"};

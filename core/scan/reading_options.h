@@ -50,8 +50,8 @@ struct ReadingOption {
     int uses;        ///< Use: typed on the command line, kept in records, or both
     Kind kind;
     const char* help;
-    std::vector<std::string> words; ///< the only values of a Word
-    std::string (*get)(const ReadingOptions&); ///< as typed ("1,2,3" for three numbers, "on" for a switch); empty: not said
+    std::vector<std::string> words;                   ///< the only values of a Word
+    std::string (*get)(const ReadingOptions&);        ///< as typed ("1,2,3" for three numbers, "on" for a switch); empty: not said
     void (*set)(ReadingOptions&, const std::string&); ///< of a text that checked() accepts
 };
 

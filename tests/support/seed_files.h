@@ -1,9 +1,9 @@
 // One small whole file per reader and kind, made in memory: seeds for the fuzzers and for the test that damages them.
 #pragma once
 
-#include "core/pictures/png.h"
-#include "core/io/save_scan.h"
 #include "core/georef/poses.h"
+#include "core/io/save_scan.h"
+#include "core/pictures/png.h"
 #include "core/recording/save_recording.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"

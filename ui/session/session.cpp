@@ -69,10 +69,13 @@ Session::Export exportOf(ExportContent content) {
 }
 
 Session::Session(QObject* parent)
-    : QObject(parent), worker_([this] { present(); },
-                               [this](const std::shared_ptr<const Scan>& scan, const Settings& settings) { return run(scan, settings); }) {
-    worker_.post(settings_);
-}
+    : QObject(parent), worker_([this](const Asked& asked) { return run(asked); },
+                               [this] {
+                                   // One event at a time: it takes whatever is newest when it arrives.
+                                   if (told_.exchange(true)) return;
+                                   QMetaObject::invokeMethod(
+                                       this, [this] { takePicture(); }, Qt::QueuedConnection);
+                               }) {}
 
 Session::~Session() = default;
 
@@ -104,26 +107,22 @@ void Session::follow(const std::shared_ptr<const Scan>& scan, const PictureSourc
 }
 
 void Session::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
-    posted_ = scan;
-    {
-        const std::lock_guard lock(slotMutex_);
-        postedScan_ = scan;
-        postedSource_ = source;
-    }
-    worker_.post(scan);
+    asked_.scan = scan;
+    asked_.source = source;
+    worker_.post(asked_);
 }
 
 void Session::setSettings(const Settings& settings) {
-    if (settings == settings_) return;
-    settings_ = settings;
-    worker_.post(settings_);
+    if (settings == asked_.settings) return;
+    asked_.settings = settings;
+    if (asked_.scan) worker_.post(asked_);
     emit settingsChanged();
 }
 
 bool Session::behind() const {
-    if (posted_ == nullptr) return false;
-    return picture_ == nullptr || picture_->detection->scan != posted_ || !(picture_->asked == settings_) ||
-           !(picture_->source == postedSource_); // only this thread changes it
+    if (asked_.scan == nullptr) return false;
+    return picture_ == nullptr || picture_->detection->scan != asked_.scan || !(picture_->asked == asked_.settings) ||
+           !(picture_->source == asked_.source);
 }
 
 void Session::save(Export what, const QString& path, const std::optional<ExportOptions>& options) {
@@ -182,58 +181,36 @@ BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work)
     return job;
 }
 
-std::shared_ptr<const Detection> Session::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
-    PictureSource source;
+std::shared_ptr<const Picture> Session::run(const Asked& asked) {
     std::vector<std::shared_ptr<const Picture>> retired;
     {
-        const std::lock_guard lock(slotMutex_);
+        const std::lock_guard lock(retiredMutex_);
         retired.swap(retired_);
-        if (postedScan_ != scan) return nullptr; // a newer scan was posted; its own detection follows
-        source = postedSource_;
     }
-    if (cloudScan_ != scan) {
+    retired.clear();
+    if (cloudScan_ != asked.scan) {
         cloud_ = nullptr;
         cloudScan_ = nullptr;
-        cloud_ = makeCloudGeometry(*scan);
-        cloudScan_ = scan;
+        cloud_ = makeCloudGeometry(*asked.scan);
+        cloudScan_ = asked.scan;
     }
-    source_ = source;
-    asked_ = settings;
-    return pipeline_.run(scan, settings, source.growth);
-}
-
-void Session::present() {
-    if (const std::string failure = worker_.takeFailure(); !failure.empty()) {
-        QMetaObject::invokeMethod(
-            this, [this, text = QString::fromStdString(failure)] { emit failed(text); }, Qt::QueuedConnection);
-    }
-    const std::shared_ptr<const Detection> detection = worker_.take();
-    if (!detection) return;
-    lastMade_ = makePicture(detection, source_, asked_, cloud_, lastMade_);
-    bool unread = false;
-    {
-        const std::lock_guard lock(slotMutex_);
-        unread = slot_ != nullptr;
-        slot_ = lastMade_;
-    }
-    // One event at a time: an unread picture was overwritten, and its event is still on the way.
-    if (!unread)
-        QMetaObject::invokeMethod(
-            this, [this] { takePicture(); }, Qt::QueuedConnection);
+    const auto detection = pipeline_.run(asked.scan, asked.settings, asked.source.growth);
+    return lastMade_ = makePicture(detection, asked.source, asked.settings, cloud_, lastMade_);
 }
 
 void Session::takePicture() {
-    std::shared_ptr<const Picture> newest;
-    {
-        const std::lock_guard lock(slotMutex_);
-        newest = std::exchange(slot_, nullptr);
-    }
+    told_ = false;
+    // The picture before stays on the screen; OpenCV reports a lack of memory in its own words.
+    if (const std::string failure = worker_.takeFailure(); !failure.empty())
+        emit failed(
+            tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(QString::fromStdString(failure)));
+    std::optional<std::shared_ptr<const Picture>> newest = worker_.take();
     if (!newest) return;
-    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
+    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(*newest));
     emit pictureReady();
     // Now that nothing shows it any more the worker's thread lets go of it: giving back so much memory, line after line, takes its time.
     if (!last || !last->source.growth.growing) return;
-    const std::lock_guard lock(slotMutex_);
+    const std::lock_guard lock(retiredMutex_);
     retired_.push_back(std::move(last));
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/io/open_scan.h"
-#include "core/method/worker.h"
+#include "core/live/growing_pipeline.h"
 #include "core/report/provenance.h"
 #include "core/settings/settings.h"
 #include "ui/session/background_job.h"
@@ -12,6 +13,7 @@
 #include <QObject>
 #include <QString>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -42,7 +44,7 @@ public:
     [[nodiscard]] static std::uint64_t newStream();
 
     void setSettings(const Settings& settings);
-    [[nodiscard]] const Settings& settings() const { return settings_; }
+    [[nodiscard]] const Settings& settings() const { return asked_.settings; }
     /// The picture shown was not computed with settings(), or not of the scan posted last.
     [[nodiscard]] bool behind() const;
 
@@ -71,32 +73,31 @@ private:
     void startOpening(const QString& title, const QString& path, OpenWork work);
     BackgroundJob* startJob(const QString& title, BackgroundJob::Work work);
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    [[nodiscard]] std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan,
-                                                       const Settings& settings); // worker's thread
-    void present();                                                               // worker's thread
+    /// What a picture is made of.
+    struct Asked {
+        std::shared_ptr<const Scan> scan;
+        Settings settings;
+        PictureSource source;
+    };
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // worker's thread
     void takePicture();
 
-    Settings settings_;
+    Asked asked_; // no scan: nothing was posted yet
     std::shared_ptr<const Picture> picture_;
-    std::shared_ptr<const Scan> posted_;
     BackgroundJob* opening_ = nullptr; // child
     int jobs_ = 0;                     // under way, openings given up included
 
-    std::mutex slotMutex_;
-    std::shared_ptr<const Picture> slot_;                 // newest picture that the GUI thread did not take yet
+    std::atomic<bool> told_{false}; // an event is on its way to the GUI thread
+    std::mutex retiredMutex_;
     std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
-    std::shared_ptr<const Scan> postedScan_;
-    PictureSource postedSource_;
 
     // Worker's thread only.
     GrowingPipeline pipeline_;
     std::shared_ptr<const CloudGeometry> cloud_;
     std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
-    PictureSource source_;                  // of the last run
-    Settings asked_;
     std::shared_ptr<const Picture> lastMade_;
 
-    Worker worker_; // last: its thread uses all of the above, and is joined before they go
+    Worker<Asked, std::shared_ptr<const Picture>> worker_; // last: its thread uses all of the above, and is joined before they go
 };
 
 /// The same thing by the report's name and by the session's.

@@ -3,7 +3,7 @@
 #include "core/io/save_scan.h"
 #include "core/sim/simulate.h"
 #include "core/straighten/straighten_scan.h"
-#include "tests/support/scans.h"
+#include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
     settings.beams = 286;
     settings.seed = 3;
     settings.interlaceDeg = 0.36;
-    const test::TemporaryFolder folder;
+    const test::Folder folder;
     const auto path = folder / "interlaced.json";
     ASSERT_TRUE(saveScan(simulate(settings)->scan, path));
 

@@ -1,6 +1,6 @@
 // Whatever drops out of a scan, every cell stays accounted for in every format that carries cells, and no index moves.
-#include "core/pictures/png.h"
 #include "core/io/save_scan.h"
+#include "core/pictures/png.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"

@@ -1,8 +1,8 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
+#include "core/base/worker.h"
 #include "core/depth/depth_settings.h"
 #include "core/method/methods.h"
 #include "core/method/pipeline.h"
-#include "core/method/worker.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
@@ -14,6 +14,7 @@
 #include <atomic>
 #include <chrono>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 namespace edgescan {
@@ -195,38 +196,65 @@ TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
     EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
 }
 
+using EdgeWorker = Worker<Settings, std::shared_ptr<const Detection>>;
+
+void waitFor(const EdgeWorker& worker) {
+    while (worker.busy()) std::this_thread::yield();
+}
+
 TEST(Worker, ManyPostingsEndWithTheLastOne) {
     std::atomic<int> ready{0};
-    Worker worker([&] { ++ready; });
     const auto scan = std::make_shared<const Scan>(test::boxesScan(200, 300, 2));
-    worker.post(scan);
+    Pipeline pipeline;
+    EdgeWorker worker([&](const Settings& settings) { return pipeline.run(scan, settings); }, [&] { ++ready; });
     Settings settings = cannySettings();
     for (int i = 0; i < 200; ++i) {
         settings.lower = 5 + i;
         worker.post(settings);
     }
-    while (worker.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    waitFor(worker);
     const auto detection = worker.take();
-    ASSERT_NE(detection, nullptr);
-    EXPECT_EQ(detection->settings.lower, 204);
-    EXPECT_EQ(*detection->mask, *detectEdges(scan, settings)->mask);
-    EXPECT_EQ(worker.take(), nullptr);
-    EXPECT_GE(ready.load(), 1);
+    ASSERT_TRUE(detection);
+    EXPECT_EQ((*detection)->settings.lower, 204);
+    EXPECT_EQ(*(*detection)->mask, *detectEdges(scan, settings)->mask);
+    EXPECT_FALSE(worker.take());
+    EXPECT_EQ(worker.takeFailure(), "");
+    while (ready.load() == 0) std::this_thread::yield(); // told after the result is there
     EXPECT_LE(ready.load(), 201);
 }
 
-TEST(Worker, SettingsPostedBeforeAScanAreKeptAndStoppingNeverHangs) {
+TEST(Worker, AFailureIsToldOnceAndTheNextRunWorks) {
+    const auto scan = std::make_shared<const Scan>(test::boxesScan(20, 20, 2));
+    Pipeline pipeline;
+    EdgeWorker worker(
+        [&](const Settings& settings) {
+            if (settings.lower == 1) throw std::runtime_error("no memory");
+            return pipeline.run(scan, settings);
+        },
+        [] {});
+    Settings settings = cannySettings();
+    settings.lower = 1;
+    worker.post(settings);
+    waitFor(worker);
+    EXPECT_FALSE(worker.take());
+    EXPECT_EQ(worker.takeFailure(), "no memory");
+    EXPECT_EQ(worker.takeFailure(), "");
+    settings.lower = 33;
+    worker.post(settings);
+    waitFor(worker);
+    EXPECT_EQ((*worker.take())->settings.lower, 33);
+}
+
+TEST(Worker, StoppingNeverHangs) {
+    const auto scan = std::make_shared<const Scan>(test::boxesScan(20, 20, 2));
     for (int round = 0; round < 50; ++round) {
-        std::atomic<int> ready{0};
-        Worker worker([&] { ++ready; });
-        Settings settings;
-        settings.lower = 33;
-        worker.post(settings);
+        Pipeline pipeline;
+        EdgeWorker worker([&](const Settings& settings) { return pipeline.run(scan, settings); }, [] {});
         EXPECT_FALSE(worker.busy());
-        worker.post(std::make_shared<const Scan>(test::boxesScan(20, 20, 2)));
+        worker.post(Settings{});
         if (round % 2 == 0) continue; // destroyed with work under way
-        while (worker.busy()) std::this_thread::yield();
-        EXPECT_EQ(worker.take()->settings.lower, 33);
+        waitFor(worker);
+        EXPECT_TRUE(worker.take());
     }
 }
 

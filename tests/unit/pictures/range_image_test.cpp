@@ -1,6 +1,6 @@
 // Range pictures: PNG through our own writer and libpng's rules, TIFF as libtiff writes it.
-#include "core/pictures/png.h"
 #include "core/io/save_scan.h"
+#include "core/pictures/png.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"

@@ -1,9 +1,9 @@
 // Where a scan stands: by --pose and --calibration, by what a recording holds, by the matrix of a PTX file.
 #include "core/base/utc_time.h"
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
 #include "core/georef/placed_points.h"
 #include "core/georef/poses.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
 #include "core/recording/recorded_robot.h"
 #include "core/recording/recording.h"
 #include "core/recording/save_recording.h"
@@ -52,8 +52,8 @@ json talin(double east, int status = 0) {
 }
 
 /// Thirty lines at 25 Hz; readings as given: seconds after the start, and easting.
-Result<Scan> recorded(const SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt, const ReadingOptions& options = {},
-                      int status = 0) {
+Result<Scan> recorded(const SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt,
+                      const ReadingOptions& options = {}, int status = 0) {
     std::vector<RecordingMessagePtr> messages;
     for (int line = 0; line < 30; ++line) messages.push_back(lineMessage(line));
     for (const auto& [seconds, east] : eastAt) {

@@ -1,0 +1,98 @@
+// A thread that works on what was asked for last. Newest wins, both ways: posting overwrites what waits, an unread result is overwritten.
+#pragma once
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace edgescan {
+
+template <class Request, class Result>
+class Worker {
+public:
+    /// Both are called on the worker's thread: `run` with the newest request; `ready` whenever take() or takeFailure() has something new.
+    /// The next run waits until it returns.
+    Worker(std::function<Result(const Request&)> run, std::function<void()> ready)
+        : run_(std::move(run)), ready_(std::move(ready)), thread_([this] { loop(); }) {}
+    ~Worker() {
+        {
+            const std::lock_guard lock(mutex_);
+            stop_ = true;
+        }
+        wake_.notify_one();
+        thread_.join();
+    }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    void post(Request request) {
+        {
+            const std::lock_guard lock(mutex_);
+            waiting_ = std::move(request);
+        }
+        wake_.notify_one();
+    }
+
+    /// The newest result that nobody took yet.
+    [[nodiscard]] std::optional<Result> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(unread_, std::nullopt);
+    }
+
+    /// What the last run threw; empty when it gave a result. Asking clears it.
+    [[nodiscard]] std::string takeFailure() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(failure_, {});
+    }
+
+    /// Something was posted whose result is not ready yet.
+    [[nodiscard]] bool busy() const {
+        const std::lock_guard lock(mutex_);
+        return waiting_ || running_;
+    }
+
+private:
+    void loop() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            wake_.wait(lock, [this] { return waiting_ || stop_; });
+            if (stop_) return;
+            const Request request = *std::exchange(waiting_, std::nullopt);
+            running_ = true;
+            lock.unlock();
+            std::optional<Result> result;
+            std::string failure;
+            try {
+                result = run_(request);
+            } catch (const std::exception& error) {
+                failure = error.what();
+            }
+            lock.lock();
+            running_ = false;
+            failure_ = std::move(failure);
+            if (result) std::swap(unread_, result);
+            lock.unlock();
+            result.reset();
+            ready_();
+            lock.lock();
+        }
+    }
+
+    std::function<Result(const Request&)> run_;
+    std::function<void()> ready_;
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::optional<Request> waiting_;
+    std::optional<Result> unread_;
+    std::string failure_;
+    bool running_ = false;
+    bool stop_ = false;
+    std::thread thread_; // last: starts when all the rest is there
+};
+
+} // namespace edgescan
