@@ -2,7 +2,6 @@
 #include "core/sweep/growing_sweep.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace edgescan {
@@ -13,11 +12,6 @@ constexpr int kAnglesWaitedFor = 8;     // rows that a reading of the stepper ma
 constexpr int kMostCells = 50'000'000;  // of one sweep
 
 } // namespace
-
-std::uint64_t GrowingSweep::newGrowth() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
 
 int GrowingSweep::rowOf(std::int64_t slot) const {
     const std::int64_t place = slot - origin_;
@@ -83,7 +77,6 @@ void GrowingSweep::rebuild() {
         turns_[part] = static_cast<int>((after % count + count) % count);
     }
     laidOut_ = true;
-    growth_ = newGrowth();
     grid_ = SweepGrid(weave_.beams);
     facts_.clear();
     missing_.clear();

@@ -35,8 +35,6 @@ public:
 
     /// Rows that nothing can be added to any more.
     [[nodiscard]] int wholeRows() const { return wholeRows_; }
-    /// The same as long as rows that are whole stay as they are; no other sweep in this process has it.
-    [[nodiscard]] std::uint64_t growth() const { return growth_; }
     /// No more lines will come: the last row is as whole as it gets.
     void finish() { wholeRows_ = grid_.rows(); }
 
@@ -70,7 +68,6 @@ private:
         SweepLine line;
         std::int64_t slot = 0;
     };
-    static std::uint64_t newGrowth();
     bool layOut(std::span<const BeamGrid> grids);
     void rebuild();
     void grow(int rows);
@@ -86,7 +83,6 @@ private:
     bool laidOut_ = false;
     std::deque<Early> early_;
 
-    std::uint64_t growth_ = newGrowth();
     SweepGrid grid_;
     std::vector<LineFacts> facts_;
     std::vector<int> missing_;

@@ -16,7 +16,6 @@ namespace edgescan {
 /// How far a sweep is. Lines: rows of the grid; telegrams: what they are made of.
 struct SweepProgress {
     int number = 0;                               ///< of this sweep since the start, from 0
-    std::uint64_t growth = 0;                     ///< alike in scans of which one continues the other, in this process
     bool growing = false;                         ///< more lines are to come
     int lines = 0;                                ///< rows so far, lost ones included
     int received = 0;                             ///< rows of which nothing is missing

@@ -39,7 +39,6 @@ SweepProgress SweepAssembler::progress() const {
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
         progress.deviceEver = sweep_->deviceEver();
         progress.number = number_;
-        progress.growth = sweep_->growth();
     } else {
         progress = finishedProgress_;
     }

@@ -1,8 +1,8 @@
 // serve, record and replay from outside: what is served, recorded and played again has the edges of the file.
-#include "core/method/pipeline.h"
+#include "core/gray/steady_window.h"
 #include "core/io/save_scan.h"
-#include "core/live/growing_pipeline.h"
 #include "core/live/live_feed.h"
+#include "core/method/pipeline.h"
 #include "core/report/report.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
@@ -73,7 +73,8 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     sweep.degPerLine = 0.18;
     sweep.axis = Axis::Sweep;
     LiveFeed feed(scanner, sweep, [] {});
-    GrowingPipeline pipeline;
+    Pipeline pipeline;
+    SteadyWindow window;
     Settings canny;
     canny.method = Method::Canny;
     SweepSoFar now;
@@ -82,7 +83,7 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
         now = feed.sweep();
         if (now.scan && !now.progress.growing) break;
         if (now.scan) {
-            static_cast<void>(pipeline.run(now.scan, canny, {now.progress.growth, true, 1000}));
+            static_cast<void>(pipeline.run(now.scan, window.fix(*now.scan, canny)));
             ++looks;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -90,11 +91,10 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     ASSERT_TRUE(now.scan && !now.progress.growing) << now.progress.text() << ' ' << feed.status().session.sentence;
     EXPECT_TRUE(now.progress.complete()) << now.progress.text();
     EXPECT_GT(looks, 3);
-    EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny, {now.progress.growth, false, 1000})->mask), hashOf(bell + " --method canny"));
+    EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));
     EXPECT_EQ(maskSha256(*detectEdges(now.scan, Settings{})->mask), hashOf(bell));
     // Kept growing until the end, with the window of the whole: the same again.
-    EXPECT_EQ(maskSha256(*GrowingPipeline().run(now.scan, canny, {now.progress.growth, true, 1000})->mask),
-              hashOf(bell + " --method canny"));
+    EXPECT_EQ(maskSha256(*detectEdges(now.scan, SteadyWindow().fix(*now.scan, canny))->mask), hashOf(bell + " --method canny"));
 }
 
 TEST_F(Live, LostLinesAreTold) {

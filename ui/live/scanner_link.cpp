@@ -145,7 +145,7 @@ void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
     posted_ = sweep.scan;
     awaiting_ = true;
     sincePost_.restart();
-    session_.follow(sweep.scan, {stream_, {sweep.progress.growth, growing, sweep.progress.expected}});
+    session_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});
 }
 
 void ScannerLink::startRecording(const QString& path) {

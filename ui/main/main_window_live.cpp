@@ -147,13 +147,13 @@ void MainWindow::tellSweepEnded() {
 void MainWindow::showReplayed(const ReplayedSweep& at) {
     const auto& picture = session_.picture();
     if (!picture || !at.sweep.scan) return;
-    if (!fileScan_ && picture->source.growth.id == 0) fileScan_ = picture->detection->scan;
+    if (!fileScan_ && picture->source.growth.sweep < 0) fileScan_ = picture->detection->scan;
     const std::uint64_t stream = picture->source.stream;
     const SweepProgress& progress = at.sweep.progress;
     if (fileScan_ && at.position == timeline_->home())
         session_.follow(fileScan_, {stream, {}});
     else
-        session_.follow(at.sweep.scan, {stream, {progress.growth, progress.growing, progress.expected}});
+        session_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
 }
 
 void MainWindow::addLiveCommands(QMenu& file) {

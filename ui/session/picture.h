@@ -1,7 +1,6 @@
 // What the window shows of one detection: the detection itself and the images made of it off the GUI thread.
 #pragma once
 
-#include "core/live/growing_pipeline.h"
 #include "core/method/detection.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/edge_cells.h"
@@ -18,6 +17,15 @@ struct DisplayLevels {
     int black = 0;
     int white = 255;
     bool operator==(const DisplayLevels&) const = default;
+};
+
+/// How far the sweep is that a scan was taken from.
+struct Growth {
+    int sweep = -1;        ///< SweepProgress::number; -1: a whole file
+    bool growing = false;  ///< more lines are to come
+    int expectedLines = 0; ///< of the whole sweep; 0: not known
+
+    bool operator==(const Growth&) const = default;
 };
 
 /// Where a picture comes from.

@@ -194,8 +194,16 @@ std::shared_ptr<const Picture> Session::run(const Asked& asked) {
         cloud_ = makeCloudGeometry(*asked.scan);
         cloudScan_ = asked.scan;
     }
-    const auto detection = pipeline_.run(asked.scan, asked.settings, asked.source.growth);
-    return lastMade_ = makePicture(detection, asked.source, asked.settings, cloud_, lastMade_);
+    const PictureSource& source = asked.source;
+    if (source.stream != lastSource_.stream || source.growth.sweep != lastSource_.growth.sweep) window_.nextSweep();
+    lastSource_ = source;
+    try {
+        const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
+        return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
+    } catch (...) { // what is half done is begun anew
+        pipeline_ = Pipeline();
+        throw;
+    }
 }
 
 void Session::takePicture() {

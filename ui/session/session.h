@@ -3,8 +3,9 @@
 
 #include "core/base/result.h"
 #include "core/base/worker.h"
+#include "core/gray/steady_window.h"
 #include "core/io/open_scan.h"
-#include "core/live/growing_pipeline.h"
+#include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/settings/settings.h"
 #include "ui/session/background_job.h"
@@ -92,9 +93,11 @@ private:
     std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
 
     // Worker's thread only.
-    GrowingPipeline pipeline_;
+    Pipeline pipeline_;
+    SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
     std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
+    PictureSource lastSource_; // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
     Worker<Asked, std::shared_ptr<const Picture>> worker_; // last: its thread uses all of the above, and is joined before they go
