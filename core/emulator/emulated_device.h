@@ -1,4 +1,4 @@
-// The emulated scanner's brain: what an LMS511 answers to a request, without any socket.
+// What an LMS511 answers to a request, without any socket.
 #pragma once
 
 #include "core/lms/cola_commands.h"
@@ -6,40 +6,31 @@
 
 #include <map>
 #include <string>
-#include <vector>
+
+namespace edgescan {
+class ColaWriter;
+}
 
 namespace edgescan::sim {
 
-/// What the device remembers of one connection.
-struct Visitor {
-    int accessLevel = 0;
-    bool subscribed = false;
-};
-
-class ColaDeviceAnswers; // the handlers, in the .cpp
-
-/// Settings of the device and its answers. Not for several threads at once.
+/// Settings of the device and its answers. It takes no settings: whatever would change it is refused, as without logging in.
 class EmulatedDevice {
 public:
-    /// Configured as the telegrams are; `likeThis` is the first of them.
-    explicit EmulatedDevice(const ScanTelegram& likeThis);
+    /// Configured as the telegrams are; `likeThis` is the first of them. `refusals`: name -> code of sFA given whatever is asked.
+    EmulatedDevice(const ScanTelegram& likeThis, std::map<std::string, int> refusals);
 
-    /// The payload of the answer. Empty: this was "sRN LMDscandata", to be answered with a telegram.
-    [[nodiscard]] Bytes answer(ByteView request, Dialect dialect, Visitor& visitor);
-
-    std::map<std::string, int> refusals; ///< name -> code of sFA given whatever is asked
-    std::string firmware = "V1.80    ";
-    std::string location;
-    ScanConfiguration scan;
-    OutputRange range;
-    TelegramContent content;
-    int echoFilter = 2;
-    bool measuring = true;
-    bool stored = false; ///< mEEwriteall was called
+    /// The payload of the answer. Empty: this was "sRN LMDscandata", to be answered with a telegram. `subscribed`: whether the client
+    /// that asks gets telegrams, before and after.
+    [[nodiscard]] Bytes answer(ByteView request, Dialect dialect, bool& subscribed) const;
 
 private:
-    friend class ColaDeviceAnswers;
-    OutputRange widest_; ///< what the telegrams hold
+    bool writeVariable(ColaWriter& writer, std::string_view name) const;
+
+    std::map<std::string, int> refusals_;
+    std::string location_;
+    ScanConfiguration scan_;
+    OutputRange range_;
+    TelegramContent content_;
 };
 
 } // namespace edgescan::sim

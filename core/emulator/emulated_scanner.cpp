@@ -33,7 +33,7 @@ struct EmulatedScanner::Server {
         explicit Client(tcp::socket accepted, std::optional<Dialect> only) : socket(std::move(accepted)), stream(only) {}
         tcp::socket socket;
         ColaStream stream;
-        sim::Visitor visitor;
+        bool subscribed = false;
         Dialect dialect = Dialect::B;
         std::array<std::uint8_t, 4096> piece{};
         std::deque<Bytes> queue;
@@ -44,9 +44,7 @@ struct EmulatedScanner::Server {
     using ClientPointer = std::shared_ptr<Client>;
 
     Server(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& given)
-        : settings(given), device(telegrams->front()), sweep(std::move(telegrams), given) {
-        device.refusals = given.refusals;
-    }
+        : settings(given), device(telegrams->front(), given.refusals), sweep(std::move(telegrams), given) {}
 
     Result<Done> listen();
     void accept();
@@ -131,9 +129,9 @@ void EmulatedScanner::Server::answer(const ClientPointer& client, const ColaFram
     client->dialect = frame.dialect;
     const std::string_view text(reinterpret_cast<const char*>(frame.payload().data()), std::min<std::size_t>(frame.payload().size(), 3));
     if (text != "sRN" && text != "sEN") count([](auto& s) { ++s.writes; });
-    Bytes payload = device.answer(frame.payload(), frame.dialect, client->visitor);
+    Bytes payload = device.answer(frame.payload(), frame.dialect, client->subscribed);
     if (payload.empty()) {
-        auto step = sweep.next(device);
+        auto step = sweep.next();
         if (!step) return;
         step->telegram.polled = true;
         payload = encodeScanTelegram(step->telegram, frame.dialect);
@@ -178,10 +176,10 @@ bool EmulatedScanner::Server::eager() const { return settings.linesPerSecond <= 
 
 /// Whether a line is to be measured now or at the next tick.
 bool EmulatedScanner::Server::wanted() const {
-    if (!device.measuring || sweep.finished()) return false;
+    if (sweep.finished()) return false;
     bool subscribed = false;
     for (const ClientPointer& client : clients) {
-        if (!client->visitor.subscribed) continue;
+        if (!client->subscribed) continue;
         if (eager() && client->waiting >= kEager) return false;
         subscribed = true;
     }
@@ -211,11 +209,11 @@ void EmulatedScanner::Server::tick() {
 }
 
 void EmulatedScanner::Server::advance() {
-    const auto step = sweep.next(device);
+    const auto step = sweep.next();
     if (!step) return;
     bool anyone = false;
     for (const ClientPointer& client : clients) {
-        if (!client->visitor.subscribed) continue;
+        if (!client->subscribed) continue;
         anyone = true;
         if (!step->lost) send(client, *step);
     }

@@ -1,8 +1,6 @@
 // The order, counters and mishaps of an emulated scanner's telegrams.
 #include "core/emulator/emulated_sweep.h"
 
-#include "core/emulator/emulated_telegram.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +8,8 @@ namespace edgescan::sim {
 
 EmulatedSweep::EmulatedSweep(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& settings)
     : contaminationWarning(settings.contaminationWarning), contaminationError(settings.contaminationError),
-      telegrams_(std::move(telegrams)), atEnd_(settings.atEnd), faults_(settings.faults), random_(settings.faults.seed) {}
+      telegrams_(std::move(telegrams)), periodUs_(1e8 / (telegrams_->front().scanFrequency > 0 ? telegrams_->front().scanFrequency : 2500)),
+      atEnd_(settings.atEnd), faults_(settings.faults), random_(settings.faults.seed) {}
 
 bool EmulatedSweep::finished() const { return atEnd_ == AtEnd::Stop && inList_ >= telegrams_->size(); }
 
@@ -28,36 +27,23 @@ std::size_t EmulatedSweep::listIndex() const {
 }
 
 /// A telegram of the list with counters, clocks and status of now. A list with gaps keeps them in the first pass.
-ScanTelegram EmulatedSweep::stamped(const EmulatedDevice& device) const {
+ScanTelegram EmulatedSweep::stamped() const {
     const ScanTelegram& first = telegrams_->front();
     ScanTelegram telegram = (*telegrams_)[listIndex()];
     const std::uint32_t transmission = telegram.transmittedUs - telegram.sinceStartUs;
     telegram.telegramCounter = static_cast<std::uint16_t>(first.telegramCounter + told_);
-    telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + scans_);
+    telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + told_);
     telegram.sinceStartUs = static_cast<std::uint32_t>(first.sinceStartUs + static_cast<std::uint64_t>(std::llround(clockUs_)));
     telegram.transmittedUs = telegram.sinceStartUs + transmission;
-    telegram.scanFrequency = device.scan.frequency;
     telegram.status[0] =
         static_cast<std::uint8_t>((telegram.status[0] & 1U) | (contaminationWarning ? 2U : 0U) | (contaminationError ? 4U : 0U));
-    if (device.content.time) {
-        const auto seconds = static_cast<std::uint32_t>((first.sinceStartUs + clockUs_) / 1e6);
-        telegram.clock = ScanClock{1970,
-                                   1,
-                                   static_cast<std::uint8_t>(1 + seconds / 86400 % 28),
-                                   static_cast<std::uint8_t>(seconds / 3600 % 24),
-                                   static_cast<std::uint8_t>(seconds / 60 % 60),
-                                   static_cast<std::uint8_t>(seconds % 60),
-                                   static_cast<std::uint32_t>(std::fmod(first.sinceStartUs + clockUs_, 1e6))};
-    } else {
-        telegram.clock.reset();
-    }
-    return trimmedTelegram(std::move(telegram), device.range, device.content);
+    return telegram;
 }
 
-std::optional<SweepStep> EmulatedSweep::next(const EmulatedDevice& device) {
+std::optional<SweepStep> EmulatedSweep::next() {
     if (finished()) return std::nullopt;
     SweepStep step;
-    step.telegram = stamped(device);
+    step.telegram = stamped();
     if (burstLeft_ > 0) {
         --burstLeft_;
         step.lost = true;
@@ -70,20 +56,16 @@ std::optional<SweepStep> EmulatedSweep::next(const EmulatedDevice& device) {
     step.corrupt = happens(faults_.corruptEvery);
     step.stall = happens(faults_.stallEvery);
     step.drop = happens(faults_.dropEvery);
-    const int interval = std::max<int>(device.content.everyNth, 1);
     ++told_;
-    scans_ += static_cast<std::uint64_t>(interval);
-    inList_ += static_cast<std::uint64_t>(interval);
-    clockUs_ += interval * 1e8 / std::max<std::uint32_t>(device.scan.frequency, 1);
+    ++inList_;
+    clockUs_ += periodUs_;
     // Lines that the list leaves out were measured all the same.
     if (inList_ < telegrams_->size()) {
-        const auto gap = [&](std::uint16_t ScanTelegram::*counter) {
-            return static_cast<std::uint16_t>((*telegrams_)[inList_].*counter - (*telegrams_)[inList_ - 1].*counter) - 1;
-        };
-        const int missing = interval == 1 ? std::clamp(gap(&ScanTelegram::telegramCounter), 0, 60000) : 0;
+        const auto counted =
+            static_cast<std::uint16_t>((*telegrams_)[inList_].telegramCounter - (*telegrams_)[inList_ - 1].telegramCounter);
+        const int missing = std::clamp(counted - 1, 0, 60000);
         told_ += static_cast<std::uint64_t>(missing);
-        scans_ += static_cast<std::uint64_t>(missing);
-        clockUs_ += missing * 1e8 / std::max<std::uint32_t>(device.scan.frequency, 1);
+        clockUs_ += missing * periodUs_;
     }
     return step;
 }

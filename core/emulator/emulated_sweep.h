@@ -1,7 +1,6 @@
 // The order, counters and mishaps of an emulated scanner's telegrams: everything about them that needs no socket.
 #pragma once
 
-#include "core/emulator/emulated_device.h"
 #include "core/emulator/emulated_scanner.h"
 
 #include <memory>
@@ -26,7 +25,7 @@ public:
     EmulatedSweep(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& settings);
 
     /// The next line, or nothing at the end (AtEnd::Stop).
-    [[nodiscard]] std::optional<SweepStep> next(const EmulatedDevice& device);
+    [[nodiscard]] std::optional<SweepStep> next();
     [[nodiscard]] bool finished() const;
 
     /// Bytes as they might come from a bad cable.
@@ -42,13 +41,13 @@ public:
 private:
     [[nodiscard]] bool happens(int every);
     [[nodiscard]] std::size_t listIndex() const;
-    [[nodiscard]] ScanTelegram stamped(const EmulatedDevice& device) const;
+    [[nodiscard]] ScanTelegram stamped() const;
 
     std::shared_ptr<const std::vector<ScanTelegram>> telegrams_;
+    double periodUs_;
     AtEnd atEnd_;
     ScannerFaults faults_;
     std::mt19937 random_;
-    std::uint64_t scans_ = 0;  ///< taken so far
     std::uint64_t told_ = 0;   ///< telegrams counted so far, lost ones included
     std::uint64_t inList_ = 0; ///< lines taken from the list so far
     double clockUs_ = 0.0;     ///< since the first line

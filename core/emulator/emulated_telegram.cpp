@@ -81,21 +81,7 @@ bool lineLost(const Scan& scan, int line) {
     return scan.beams() > 0 && std::all_of(cells, cells + scan.beams(), [](CellState state) { return state == CellState::Lost; });
 }
 
-/// Keeps the beams from `start` to `stop`.
-void cut(ScanChannel& channel, std::int32_t start, std::int32_t stop) {
-    if (channel.step == 0 || channel.values.empty()) return;
-    const std::int64_t count = static_cast<std::int64_t>(channel.values.size());
-    const double step = snappedDeg(channel.step / 1e4) * 1e4;
-    const double first = snappedDeg(channel.startAngle / 1e4) * 1e4;
-    const std::int64_t from = std::clamp<std::int64_t>(std::llround(std::ceil((start - first) / step - 0.01)), 0, count);
-    const std::int64_t to = std::clamp<std::int64_t>(std::llround(std::floor((stop - first) / step + 0.01)) + 1, from, count);
-    if (from == 0 && to == count) return;
-    channel.startAngle = static_cast<std::int32_t>(std::lround(first + static_cast<double>(from) * step));
-    channel.values = {channel.values.begin() + from, channel.values.begin() + to};
-}
-
-} // namespace
-
+/// 1, or 2 when a range does not fit 16 bits of millimetres.
 float telegramScale(const Scan& scan) {
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         const bool hasRange =
@@ -105,12 +91,7 @@ float telegramScale(const Scan& scan) {
     return 1.0F;
 }
 
-Result<ScanTelegram> telegramOf(const Scan& scan, int line, const TelegramStyle& style) {
-    const auto fan = fanOf(scan);
-    if (!fan) return fan.error();
-    if (line < 0 || line >= scan.lines()) return Error{"there is no line " + std::to_string(line), scan.path, {}};
-    return lineOf(scan, line, *fan, telegramScale(scan), style);
-}
+} // namespace
 
 Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramStyle& style) {
     const auto fan = fanOf(scan);
@@ -121,17 +102,6 @@ Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramSt
         if (!lineLost(scan, line)) telegrams.push_back(lineOf(scan, line, *fan, scale, style));
     }
     return telegrams;
-}
-
-ScanTelegram trimmedTelegram(ScanTelegram telegram, const OutputRange& range, const TelegramContent& content) {
-    if (!content.remission) telegram.channels8.clear();
-    if (content.encoder == 0) telegram.encoders.clear();
-    if (!content.deviceName) telegram.deviceName.reset();
-    if (!content.comment) telegram.comment.reset();
-    for (auto* channels : {&telegram.channels16, &telegram.channels8}) {
-        for (ScanChannel& channel : *channels) cut(channel, range.startAngle, range.stopAngle);
-    }
-    return telegram;
 }
 
 } // namespace edgescan

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/lms/cola_commands.h"
 #include "core/lms/scan_telegram.h"
 #include "core/scan/scan.h"
 
@@ -21,16 +20,8 @@ struct TelegramStyle {
     bool remission = false;             ///< RSSI1, made up from the range: scans carry none
 };
 
-/// 1, or 2 when a range does not fit 16 bits of millimetres (docs/protocol.md, "Ranges").
-[[nodiscard]] float telegramScale(const Scan& scan);
-
-/// One line. Ranges are whole counts; NoReturn is 0, DeviceStatus its code. Error: beams that no fan of this scanner could be.
-[[nodiscard]] Result<ScanTelegram> telegramOf(const Scan& scan, int line, const TelegramStyle& style = {});
-
-/// All lines; those that are Lost from end to end are left out, and the counters show it.
+/// All lines; those that are Lost from end to end are left out, and the counters show it. Ranges are whole counts; NoReturn is 0,
+/// DeviceStatus its code. Error: beams that no fan of this scanner could be.
 [[nodiscard]] Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramStyle& style = {});
-
-/// The telegram cut to what the scanner is configured to send.
-[[nodiscard]] ScanTelegram trimmedTelegram(ScanTelegram telegram, const OutputRange& range, const TelegramContent& content);
 
 } // namespace edgescan

@@ -19,16 +19,6 @@ auto parsed(const ColaAnswer& answer, Read read) -> Result<decltype(read(std::de
     return error;
 }
 
-ScanConfiguration readScanConfiguration(ColaReader& reader) {
-    ScanConfiguration configuration;
-    configuration.frequency = reader.u32("the scan frequency");
-    configuration.sectors = reader.u16("the number of sectors");
-    configuration.step = reader.u32("the angle step");
-    configuration.startAngle = reader.i32("the start angle");
-    configuration.stopAngle = reader.i32("the stop angle");
-    return configuration;
-}
-
 } // namespace
 
 Result<int> parseNumber8(const ColaAnswer& answer) {
@@ -43,7 +33,17 @@ Result<std::string> parseText(const ColaAnswer& answer) {
     return parsed(answer, [](ColaReader& reader) { return reader.text("the text"); });
 }
 
-Result<ScanConfiguration> parseScanConfiguration(const ColaAnswer& answer) { return parsed(answer, readScanConfiguration); }
+Result<ScanConfiguration> parseScanConfiguration(const ColaAnswer& answer) {
+    return parsed(answer, [](ColaReader& reader) {
+        ScanConfiguration configuration;
+        configuration.frequency = reader.u32("the scan frequency");
+        configuration.sectors = reader.u16("the number of sectors");
+        configuration.step = reader.u32("the angle step");
+        configuration.startAngle = reader.i32("the start angle");
+        configuration.stopAngle = reader.i32("the stop angle");
+        return configuration;
+    });
+}
 
 Result<OutputRange> parseOutputRange(const ColaAnswer& answer) {
     return parsed(answer, [](ColaReader& reader) {
@@ -84,32 +84,6 @@ Result<DeviceIdentity> parseDeviceIdentity(const ColaAnswer& answer) {
     });
 }
 
-Result<ScanConfigurationTaken> parseScanConfigurationTaken(const ColaAnswer& answer) {
-    return parsed(answer, [](ColaReader& reader) {
-        ScanConfigurationTaken taken;
-        taken.status = reader.u8("the status");
-        taken.configuration = readScanConfiguration(reader);
-        return taken;
-    });
-}
-
-const char* scanConfigurationProblem(int status) {
-    switch (status) {
-    case 0:
-        return "taken";
-    case 1:
-        return "the frequency is not possible";
-    case 2:
-        return "the angle step is not possible";
-    case 3:
-        return "neither frequency nor angle step is possible";
-    case 4:
-        return "the scan area is not possible";
-    default:
-        return "not possible for a reason that is not documented";
-    }
-}
-
 Result<MeasuringState> parseMeasuringState(const ColaAnswer& answer) {
     return parsed(answer, [](ColaReader& reader) {
         MeasuringState state;
@@ -119,11 +93,6 @@ Result<MeasuringState> parseMeasuringState(const ColaAnswer& answer) {
         state.date = reader.text("the date");
         return state;
     });
-}
-
-const char* measuringStateText(int state) {
-    constexpr const char* kTexts[] = {"undefined", "initialising", "configuring", "idle", "rotating", "preparing", "ready", "measuring"};
-    return state >= 0 && state < 8 ? kTexts[state] : "unknown";
 }
 
 const char* deviceStateText(int state) {

@@ -1,19 +1,16 @@
 // CoLa A and B framing over a byte stream (docs/protocol.md, "Framing"): bytes in, whole frames out, resynchronising after anything.
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/lms/host_time.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace edgescan {
-
-using Bytes = std::vector<std::uint8_t>;
-using ByteView = std::span<const std::uint8_t>;
 
 /// A: text between STX and ETX. B: binary with length and checksum.
 enum class Dialect : std::uint8_t { A, B };

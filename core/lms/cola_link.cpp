@@ -127,13 +127,13 @@ void ColaLink::Socket::count() {
 ColaLink::ColaLink(Hooks hooks) : socket_(std::make_unique<Socket>(std::move(hooks))) {}
 ColaLink::~ColaLink() { close(); }
 
-Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Clock::duration patience) {
+Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Clock::duration timeout) {
     Socket& s = *socket_;
     close();
     s.earlier = counts();
     s.stream = ColaStream();
     s.where = addressText(host, port);
-    const auto deadline = Clock::now() + patience;
+    const auto deadline = Clock::now() + timeout;
     const auto addresses = lookUp(host, deadline, [&](Clock::duration duration) {
         pause(duration);
         return !s.stop;
@@ -145,13 +145,13 @@ Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Cloc
         const auto literal = asio::ip::make_address(address, problem);
         if (problem) continue;
         // Each address in turn gets its time; a host has one or two.
-        outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + patience / 2));
+        outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + timeout / 2));
         if (outcome || s.stop) return outcome;
     }
     return outcome;
 }
 
-Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration patience) {
+Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration timeout) {
     Socket& s = *socket_;
     const ColaFrame frame{dialect, framed(payload, dialect), hostNow(), 0, 0};
     error_code problem;
@@ -160,7 +160,7 @@ Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration p
         problem = outcome;
         done = true;
     });
-    if (!s.run(done, Clock::now() + patience)) {
+    if (!s.run(done, Clock::now() + timeout)) {
         error_code ignored;
         s.socket.cancel(ignored);
         s.drain(done);

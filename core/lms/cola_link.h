@@ -29,8 +29,8 @@ public:
     ColaLink& operator=(const ColaLink&) = delete;
 
     /// Host name, IPv4 or IPv6 address. An earlier connection is closed; the byte stream begins anew.
-    Result<Done> connect(const std::string& host, std::uint16_t port, Clock::duration patience);
-    Result<Done> send(ByteView payload, Dialect dialect, Clock::duration patience);
+    Result<Done> connect(const std::string& host, std::uint16_t port, Clock::duration timeout);
+    Result<Done> send(ByteView payload, Dialect dialect, Clock::duration timeout);
     /// The frames of the next piece that arrives; none when the deadline passes or somebody interrupts. Error: the connection is gone.
     Result<std::vector<ColaFrame>> receive(Clock::time_point deadline);
     void close();

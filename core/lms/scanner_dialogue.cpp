@@ -18,7 +18,7 @@ std::string degrees(double tenThousandths) { return significantText(tenThousandt
 template <class Value, class Parse>
 Result<Done> readInto(ScannerDialogue& dialogue, const char* name, Parse parse, std::optional<Value>& value,
                       std::vector<std::string>& refused) {
-    const auto answer = dialogue.ask(readRequest(name));
+    const auto answer = dialogue.ask({ColaRequest::Kind::Read, name});
     if (!answer) return answer.error();
     if (auto parsed = parse(*answer)) {
         value = std::move(*parsed);
@@ -43,8 +43,8 @@ std::string ScannerIdentity::words() const {
     return text;
 }
 
-Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& request, std::chrono::milliseconds patience) {
-    auto deadline = ColaLink::Clock::now() + patience;
+Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& request, std::chrono::milliseconds timeout) {
+    const auto deadline = ColaLink::Clock::now() + timeout;
     std::optional<ColaAnswer> found;
     while (!found && !link_.interrupted() && ColaLink::Clock::now() < deadline) {
         const auto frames = link_.receive(deadline);
@@ -52,22 +52,19 @@ Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& requ
         for (const ColaFrame& frame : *frames) {
             onFrame_(frame);
             auto answer = parseAnswer(frame.payload(), frame.dialect);
-            if (!answer) continue;
-            if (answer->kind == AnswerKind::Accepted && answer->name == request.name)
-                deadline = ColaLink::Clock::now() + patience_.slowAnswer;
-            if (!found && answers(*answer, request)) found = std::move(*answer);
+            if (!found && answer && answers(*answer, request)) found = std::move(*answer);
         }
     }
     return found;
 }
 
 Result<int> ScannerDialogue::detect(Dialect first, bool onlyThat) {
-    const ColaRequest request = readRequest("SCdevicestate");
+    const ColaRequest request{ColaRequest::Kind::Read, "SCdevicestate"};
     const Dialect second = first == Dialect::B ? Dialect::A : Dialect::B;
     for (const Dialect dialect : {first, second}) {
         if (onlyThat && dialect != first) break;
-        if (const auto sent = link_.send(encodeRequest(request, dialect), dialect, patience_.answer); !sent) return sent.error();
-        const auto answer = await(request, patience_.detect);
+        if (const auto sent = link_.send(encodeRequest(request, dialect), dialect, timeouts_.answer); !sent) return sent.error();
+        const auto answer = await(request, timeouts_.detect);
         if (!answer) return answer.error();
         if (!*answer) continue;
         dialect_ = (*answer)->dialect; // a scanner set to A may answer a question in B, but in A
@@ -79,11 +76,8 @@ Result<int> ScannerDialogue::detect(Dialect first, bool onlyThat) {
 }
 
 Result<ColaAnswer> ScannerDialogue::ask(const ColaRequest& request) {
-    if (!mayWrite_ && !request.readsOnly())
-        return Error{requestText(request) + " was not sent, because only reading is allowed", {}, "allow configuring the scanner"};
-    const bool slow = request.name == "mEEwriteall" || request.name == "Run";
-    if (const auto sent = link_.send(encodeRequest(request, dialect_), dialect_, patience_.answer); !sent) return sent.error();
-    auto answer = await(request, slow ? patience_.slowAnswer : patience_.answer);
+    if (const auto sent = link_.send(encodeRequest(request, dialect_), dialect_, timeouts_.answer); !sent) return sent.error();
+    auto answer = await(request, timeouts_.answer);
     if (!answer) return answer.error();
     if (!*answer) return Error{"no answer to \"" + requestText(request) + "\"", {}, "check the connection"};
     return std::move(**answer);

@@ -1,5 +1,5 @@
-// Question and answer with a scanner, one at a time, and finding out who it is. Reads only unless writing is allowed.
-// (docs/protocol.md, "Dialect", "Requests and answers".)
+// Question and answer with a scanner, one at a time, and finding out what it is. Nothing is sent that changes it
+// (docs/protocol.md, "Dialect", "Requests and answers").
 #pragma once
 
 #include "core/lms/cola_commands.h"
@@ -35,46 +35,39 @@ struct ScannerIdentity {
 };
 
 /// How long to wait for what.
-struct ScannerPatience {
+struct ScannerTimeouts {
     std::chrono::milliseconds connect{5000};
     std::chrono::milliseconds detect{1000};
     std::chrono::milliseconds answer{2000};
-    std::chrono::milliseconds slowAnswer{20000}; ///< mEEwriteall and Run
-    std::chrono::milliseconds ready{30000};      ///< from Run to measuring
     std::chrono::milliseconds firstScan{5000};
-    std::chrono::milliseconds leastWatchdog{1000};
-    std::vector<std::chrono::milliseconds> backOff{std::chrono::milliseconds(500), std::chrono::milliseconds(1000),
-                                                   std::chrono::milliseconds(2000), std::chrono::milliseconds(4000),
-                                                   std::chrono::milliseconds(5000)};
+    std::chrono::milliseconds startUp{30000}; ///< the same of a scanner that is still starting
+    std::chrono::milliseconds silence{1000};  ///< between two scans; at least ten of their periods
+    /// Before connecting again, the last one over and over.
+    std::vector<std::chrono::milliseconds> rests{std::chrono::milliseconds(500), std::chrono::milliseconds(1000),
+                                                 std::chrono::milliseconds(2000), std::chrono::milliseconds(4000),
+                                                 std::chrono::milliseconds(5000)};
 };
 
 class ScannerDialogue {
 public:
     /// `onFrame`: every frame that arrives while an answer is awaited; scans keep coming. Must outlive this: `link`.
-    ScannerDialogue(ColaLink& link, const ScannerPatience& patience, std::function<void(const ColaFrame&)> onFrame)
-        : link_(link), patience_(patience), onFrame_(std::move(onFrame)) {}
+    ScannerDialogue(ColaLink& link, const ScannerTimeouts& timeouts, std::function<void(const ColaFrame&)> onFrame)
+        : link_(link), timeouts_(timeouts), onFrame_(std::move(onFrame)) {}
 
-    /// Which dialect the scanner answers in; `first` is tried first (docs/protocol.md, "Dialect"). Its state is the answer.
+    /// Finds out in which dialect the scanner answers, trying `first` first. Gives the device state, -1 where that is not to be read.
     Result<int> detect(Dialect first, bool onlyThat);
     [[nodiscard]] Dialect dialect() const { return dialect_; }
 
-    /// The only way to anything that changes the scanner.
-    void allowWriting() { mayWrite_ = true; }
-
-    /// The answer, which may be a refusal. Error: none came, the connection is gone, or writing is not allowed.
+    /// The answer, which may be a refusal. Error: none came, or the connection is gone.
     Result<ColaAnswer> ask(const ColaRequest& request);
 
-    [[nodiscard]] ColaLink& link() { return link_; }
-    [[nodiscard]] const ScannerPatience& patience() const { return patience_; }
-
 private:
-    Result<std::optional<ColaAnswer>> await(const ColaRequest& request, std::chrono::milliseconds patience);
+    Result<std::optional<ColaAnswer>> await(const ColaRequest& request, std::chrono::milliseconds timeout);
 
     ColaLink& link_;
-    const ScannerPatience& patience_;
+    const ScannerTimeouts& timeouts_;
     std::function<void(const ColaFrame&)> onFrame_;
     Dialect dialect_ = Dialect::B;
-    bool mayWrite_ = false;
 };
 
 /// Reads everything that tells who and how the scanner is. A refused read is no error.

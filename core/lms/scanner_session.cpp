@@ -60,14 +60,11 @@ void ScannerSession::run() {
         scansHere_ = 0;
         Error end = connection();
         link_.close();
-        if (link_.interrupted() || givenUp_) {
-            enter(SessionPhase::Stopped, givenUp_ ? end.sentence() : where() + ": disconnected.");
-            return;
-        }
+        if (link_.interrupted()) return enter(SessionPhase::Stopped, where() + ": disconnected.");
         if (end.where.empty()) end.where = where();
         if (scansHere_ > 0) failures = 0;
-        const auto& backOff = settings_.patience.backOff;
-        const auto rest = backOff.empty() ? std::chrono::milliseconds(0) : backOff[std::min(failures, backOff.size() - 1)];
+        const auto& rests = settings_.timeouts.rests;
+        const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
         ++failures;
         enter(SessionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".");
         link_.pause(rest);
@@ -76,11 +73,11 @@ void ScannerSession::run() {
 
 Error ScannerSession::connection() {
     enter(SessionPhase::Connecting, "Connecting to " + where() + ".");
-    if (const auto connected = link_.connect(settings_.host, settings_.port, settings_.patience.connect); !connected)
+    if (const auto connected = link_.connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
         return connected.error();
     ++connections_;
     enter(SessionPhase::Identifying, where() + " accepts the connection; asking what it is.");
-    ScannerDialogue dialogue(link_, settings_.patience, [this](const ColaFrame& frame) { noticeScan(frame); });
+    ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
     if (const auto started = start(dialogue); !started) return started.error();
     return watch();
 }
@@ -90,25 +87,15 @@ Result<Done> ScannerSession::start(ScannerDialogue& dialogue) {
     const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
     if (!deviceState) return deviceState.error();
     dialect_ = dialogue.dialect();
-    if (settings_.setup) {
-        const auto outcome = setUpScanner(dialogue, *settings_.setup, events_.setupStep);
-        if (!outcome) return outcome.error();
-        if (!outcome->problems.empty()) {
-            givenUp_ = true;
-            return Error{"the scanner is not set up as wanted: " +
-                             outcome->problems.front().substr(0, outcome->problems.front().size() - 1),
-                         where(), "correct the settings and connect again, or connect without configuring"};
-        }
-    }
     const auto who = identify(dialogue, *deviceState);
     if (!who) return who.error();
     if (link_.interrupted()) return Error{"interrupted", where(), {}};
     everyNth_ = who->content ? std::max<std::uint16_t>(who->content->everyNth, 1) : std::uint16_t{1};
     // A scanner that is still running up is allowed to take its time.
     const bool ready = *deviceState == 1 || (who->measuring && who->measuring->state == 7);
-    firstScanPatience_ = ready ? settings_.patience.firstScan : std::max(settings_.patience.firstScan, settings_.patience.ready);
+    firstScanTimeout_ = ready ? settings_.timeouts.firstScan : std::max(settings_.timeouts.firstScan, settings_.timeouts.startUp);
     if (events_.identified) events_.identified(*who);
-    const auto answer = dialogue.ask(subscribeRequest("LMDscandata", true));
+    const auto answer = dialogue.ask({ColaRequest::Kind::Subscribe, "LMDscandata"});
     if (!answer) return answer.error();
     if (answer->kind == AnswerKind::Refused)
         return Error{"the scanner refuses to send scans: " + std::string(refusalText(answer->refusal)), where(), "check what else uses it"};
@@ -117,7 +104,7 @@ Result<Done> ScannerSession::start(ScannerDialogue& dialogue) {
 
 ScannerSession::Clock::duration ScannerSession::watchdog() const {
     const auto tenPeriods = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(10.0 * periodS_));
-    return std::max<Clock::duration>(settings_.patience.leastWatchdog, tenPeriods);
+    return std::max<Clock::duration>(settings_.timeouts.silence, tenPeriods);
 }
 
 void ScannerSession::noticeScan(const ColaFrame& frame) {
@@ -138,11 +125,11 @@ Error ScannerSession::watch() {
     if (scansHere_ > 0) enter(SessionPhase::Live, where() + " is sending.");
     while (!link_.interrupted()) {
         const bool begun = scansHere_ > 0;
-        const auto patience = begun ? watchdog() : firstScanPatience_;
+        const auto timeout = begun ? watchdog() : firstScanTimeout_;
         const auto silentSince = begun ? lastScan_ : subscribed;
         const auto phase = state().phase;
         const bool live = phase == SessionPhase::Live;
-        const auto frames = link_.receive(silentSince + (live ? patience / 2 : patience));
+        const auto frames = link_.receive(silentSince + (live ? timeout / 2 : timeout));
         if (!frames) return frames.error();
         const std::uint64_t before = scansHere_;
         for (const ColaFrame& frame : *frames) noticeScan(frame);
@@ -151,9 +138,9 @@ Error ScannerSession::watch() {
             continue;
         }
         const auto silence = Clock::now() - silentSince;
-        if (silence >= patience)
-            return {"no scan for " + seconds(patience), where(), "check the cable and whether the scanner's mirror turns"};
-        if (live && silence >= patience / 2) enter(SessionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
+        if (silence >= timeout)
+            return {"no scan for " + seconds(timeout), where(), "check the cable and whether the scanner's mirror turns"};
+        if (live && silence >= timeout / 2) enter(SessionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
     }
     return {"interrupted", where(), {}};
 }

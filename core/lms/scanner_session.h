@@ -1,8 +1,7 @@
-// A scanner kept alive: connect, identify, subscribe, watch, reconnect; on a thread of its own. Reads only, unless a set-up is given.
+// A scanner kept alive: connect, identify, subscribe, watch, reconnect; on a thread of its own. It only reads.
 #pragma once
 
 #include "core/lms/scanner_dialogue.h"
-#include "core/lms/scanner_setup.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -21,7 +20,7 @@ enum class SessionPhase : std::uint8_t {
     Live,
     Stale,   ///< connected, but no scan for half of the watchdog's time
     Lost,    ///< not connected; tries again by itself
-    Stopped, ///< for good, because stop() was called or the scanner refused to be set up
+    Stopped, ///< for good, because stop() was called
 };
 [[nodiscard]] const char* sessionPhaseName(SessionPhase phase);
 
@@ -34,9 +33,8 @@ struct SessionState {
 struct SessionSettings {
     std::string host; ///< name, IPv4 or IPv6 address
     std::uint16_t port = 2112;
-    std::optional<Dialect> dialect;    ///< empty: find out
-    std::optional<ScannerSetup> setup; ///< given: configure the scanner at every connection. Empty: nothing but sRN and sEN is sent
-    ScannerPatience patience;
+    std::optional<Dialect> dialect; ///< empty: find out
+    ScannerTimeouts timeouts;
 };
 
 /// All are called on the session's thread and hold up receiving while they run; none may be called after stop() returned.
@@ -45,7 +43,6 @@ struct SessionEvents {
     std::function<void(const ScannerIdentity&)> identified; ///< at every connection
     std::function<void(const ColaFrame&)> frameReceived;    ///< every frame as it was on the wire, before anything looks into it
     std::function<void(const ColaFrame&)> frameSent;        ///< `received` is the time of sending
-    std::function<void(const SetupStep&)> setupStep;        ///< configuring only: every command with its answer
 };
 
 struct SessionStatistics {
@@ -92,9 +89,8 @@ private:
     double periodS_ = 0.0;        ///< between telegrams; 0 while unknown
     std::uint64_t scansHere_ = 0; ///< on this connection
     Clock::time_point lastScan_;
-    Clock::duration firstScanPatience_{};
+    Clock::duration firstScanTimeout_{};
     std::uint16_t everyNth_ = 1;
-    bool givenUp_ = false;
 
     ColaLink link_;
     std::thread thread_; // last: starts when all the rest is there

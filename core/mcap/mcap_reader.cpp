@@ -2,7 +2,6 @@
 #include "core/mcap/mcap_reader.h"
 
 #include "core/base/memory.h"
-#include "core/mcap/crc32.h"
 #include "core/mcap/mcap_unpack.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
-// Little-endian bytes.
+// Little-endian bytes and their checksum.
 #include "core/mcap/mcap_records.h"
+
+#include <zlib.h>
 
 #include <cstring>
 
@@ -15,5 +17,7 @@ void McapBytes::put(const void* from, std::size_t count) {
     bytes_.resize(start + count);
     std::memcpy(bytes_.data() + start, from, count);
 }
+
+std::uint32_t crc32(ByteView bytes) { return static_cast<std::uint32_t>(::crc32_z(0, bytes.data(), bytes.size())); }
 
 } // namespace edgescan

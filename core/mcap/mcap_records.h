@@ -1,19 +1,17 @@
 // The records of an MCAP file (public specification, mcap.dev/spec) and the little-endian bytes that they are made of.
 #pragma once
 
+#include "core/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace edgescan {
-
-using Bytes = std::vector<std::uint8_t>;
-using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
@@ -104,6 +102,9 @@ private:
     void put(const void* from, std::size_t count);
     Bytes bytes_;
 };
+
+/// CRC-32 as MCAP, zip and PNG use it.
+[[nodiscard]] std::uint32_t crc32(ByteView bytes);
 
 /// Takes numbers and strings off the front; once something is missing it is bad() and gives zeros and nothing.
 class McapCursor {

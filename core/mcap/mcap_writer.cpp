@@ -1,8 +1,6 @@
 // MCAP records, chunks and summary.
 #include "core/mcap/mcap_writer.h"
 
-#include "core/mcap/crc32.h"
-
 #include <algorithm>
 
 namespace edgescan {

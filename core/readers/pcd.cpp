@@ -3,7 +3,8 @@
 
 #include "core/base/memory.h"
 #include "core/points/point_columns.h"
-#include "core/readers/lzf.h"
+
+#include <liblzf/lzf.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostFields = 4096;
 constexpr std::uint64_t kLargestRecord = 1U << 20U;
+constexpr std::uint64_t kMostPerPackedByte = 132; // three bytes of LZF stand for 264 at most
 
 struct PcdHeader {
     std::vector<std::string> names;
@@ -187,8 +189,10 @@ Result<Done> readCompressed(PointTable& table, const PcdHeader& header, const Pc
     }
     if (size != layout.points * layout.recordBytes || size / kMostPerPackedByte > packedSize) return tooShort(source, layout, size);
     if (auto enough = checkMemory(size, source.path.string()); !enough) return enough.error();
-    const auto unpacked = unpackLzf(held.subspan(8, packedSize), size);
-    if (unpacked.empty()) return source.refused("the compressed points are damaged", "copy the file again");
+    std::vector<std::byte> unpacked(size);
+    const bool sound = packedSize > 0 && lzf_decompress(held.data() + 8, static_cast<unsigned>(packedSize), unpacked.data(),
+                                                        static_cast<unsigned>(size)) == size;
+    if (!sound) return source.refused("the compressed points are damaged", "copy the file again");
     if (!readRecords(table, layout.fields, layout.points, unpacked, false, source)) return source.cancelled();
     return Done{};
 }

@@ -1,10 +1,10 @@
 // Scan telegrams made in memory, for tests of what comes after the wire.
 #pragma once
 
-#include "core/recording/recording.h"
 #include "core/lms/scan_telegram.h"
-#include "core/sweep/sweep.h"
+#include "core/recording/recording.h"
 #include "core/scan/scan.h"
+#include "core/sweep/sweep.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,11 +1,12 @@
 // A scanner session and what it told, for tests; an emulated scanner with few beams.
 #pragma once
 
-#include "core/sweep/counters.h"
-#include "core/lms/scanner_session.h"
 #include "core/emulator/emulated_scanner.h"
 #include "core/emulator/emulated_telegram.h"
+#include "core/lms/scanner_session.h"
+#include "core/sweep/counters.h"
 #include "tests/support/scans.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +20,15 @@ namespace edgescan::test {
 using namespace std::chrono_literals;
 
 /// Short waits, so that a test of failures is quick.
-inline ScannerPatience hasty() {
-    ScannerPatience patience;
-    patience.connect = 1s;
-    patience.detect = 150ms;
-    patience.answer = 1s;
-    patience.firstScan = 1s;
-    patience.leastWatchdog = 100ms; // ten periods of 25 Hz are more: 400 ms
-    patience.backOff = {20ms, 40ms};
-    return patience;
+inline ScannerTimeouts hasty() {
+    ScannerTimeouts timeouts;
+    timeouts.connect = 1s;
+    timeouts.detect = 150ms;
+    timeouts.answer = 1s;
+    timeouts.firstScan = 1s;
+    timeouts.silence = 100ms; // ten periods of 25 Hz are more: 400 ms
+    timeouts.rests = {20ms, 40ms};
+    return timeouts;
 }
 
 /// Everything that a session told. Destroy the session first.
@@ -35,21 +36,20 @@ class Listener {
 public:
     [[nodiscard]] SessionEvents events() {
         return {[this](const SessionState& state) { add(states_, state); }, [this](const ScannerIdentity& who) { add(identities_, who); },
-                [this](const ColaFrame& frame) { add(frames_, frame); }, [this](const ColaFrame& frame) { add(sent_, frame); },
-                [this](const SetupStep& step) { add(steps_, step); }};
+                [this](const ColaFrame& frame) { add(frames_, frame); }, [this](const ColaFrame& frame) { add(sent_, frame); }};
     }
 
     /// True as soon as `done` is, which sees this listener locked.
     template <class Condition>
-    [[nodiscard]] bool waitFor(Condition done, std::chrono::milliseconds patience = 5000ms) {
+    [[nodiscard]] bool waitFor(Condition done, std::chrono::milliseconds timeout = 20s) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, patience, [&] { return done(*this); });
+        return changed_.wait_for(lock, timeout, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(SessionPhase phase, std::chrono::milliseconds patience = 5000ms) {
-        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, patience);
+    [[nodiscard]] bool waitForPhase(SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
+        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, timeout);
     }
-    [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds patience = 5000ms) {
-        return waitFor([count](const Listener& l) { return l.scans_ >= count; }, patience);
+    [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds timeout = 20s) {
+        return waitFor([count](const Listener& l) { return l.scans_ >= count; }, timeout);
     }
 
     // After the session is gone, or inside waitFor.
@@ -57,7 +57,6 @@ public:
     [[nodiscard]] const std::vector<ScannerIdentity>& identities() const { return identities_; }
     [[nodiscard]] const std::vector<ColaFrame>& frames() const { return frames_; }
     [[nodiscard]] const std::vector<ColaFrame>& sent() const { return sent_; }
-    [[nodiscard]] const std::vector<SetupStep>& steps() const { return steps_; }
     [[nodiscard]] long entered(SessionPhase phase) const {
         return std::count_if(states_.begin(), states_.end(), [phase](const SessionState& state) { return state.phase == phase; });
     }
@@ -106,7 +105,6 @@ private:
     std::vector<ScannerIdentity> identities_;
     std::vector<ColaFrame> frames_;
     std::vector<ColaFrame> sent_;
-    std::vector<SetupStep> steps_;
     std::size_t scans_ = 0;
 };
 
@@ -127,7 +125,7 @@ inline SessionSettings settingsFor(const EmulatedScanner& scanner) {
     SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
-    settings.patience = hasty();
+    settings.timeouts = hasty();
     return settings;
 }
 

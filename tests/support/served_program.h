@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/run_program.h"
+#include "tests/support/wait_until.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +24,7 @@ public:
             execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
             _exit(127);
         }
-        for (int wait = 0; wait < 400 && fileText(folder_ / "out").find('\n') == std::string::npos; ++wait)
-            std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        static_cast<void>(waitUntil([&] { return fileText(folder_ / "out").find('\n') != std::string::npos; }));
         const auto said = nlohmann::json::parse(fileText(folder_ / "out"), nullptr, false);
         if (said.is_object()) port_ = said.value("port", 0);
     }

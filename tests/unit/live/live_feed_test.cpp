@@ -1,4 +1,5 @@
 // What the operator is told of a live scan, and what a recording holds that is begun late.
+#include "core/io/open_scan.h"
 #include "core/live/live_health.h"
 #include "core/scan/placement.h"
 #include "tests/support/live_session.h"
@@ -36,6 +37,25 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     EXPECT_EQ(healthOf(status).badge, "LOST 2 h");
     status.session.phase = SessionPhase::Stopped;
     EXPECT_EQ(healthOf(status).badge, "STOPPED");
+}
+
+TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
+    LiveStatus status;
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.1;
+    status.lines = 312;
+    status.sweep.lines = status.sweep.received = 312;
+    status.sweep.newestNs = 9'000'000'000;
+    status.sweep.growing = true;
+    SweepProgress shown = status.sweep;
+    shown.lines = shown.received = 280;
+    shown.newestNs -= 1'800'000'000;
+    EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "LIVE");
+    EXPECT_EQ(healthOf(status, nullptr, &shown).lines, "280/280 lines");
+    status.secondsSinceLine = 0.3; // nothing else came meanwhile: the picture is 2.1 s old, the newest line is not
+    EXPECT_EQ(healthOf(status).badge, "LIVE");
+    EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "STALE 2 s");
+    EXPECT_TRUE(healthOf(status, nullptr, &shown).stale());
 }
 
 TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
@@ -98,14 +118,14 @@ TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
     {
         LiveFeed feed(settingsFor(*scanner), sweep, [] {});
         // In the middle of the second sweep.
-        for (int wait = 0; wait < 2000 && feed.status().lines < 110; ++wait) std::this_thread::sleep_for(2ms);
+        ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 110; }));
         ASSERT_TRUE(feed.startRecording(folder / "late.mcap"));
         EXPECT_FALSE(feed.startRecording(folder / "again.mcap"));
-        for (int wait = 0; wait < 2000 && feed.status().lines < 165; ++wait) std::this_thread::sleep_for(2ms);
+        ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 165; }));
         EXPECT_NEAR(feed.status().linesPerSecond, 300, 150);
         ASSERT_TRUE(feed.stopRecording());
     }
-    const auto opened = openRecording(folder / "late.mcap");
+    const auto opened = openScan(folder / "late.mcap");
     ASSERT_TRUE(opened) << opened.error().sentence();
     ASSERT_EQ(opened->lines(), 80);
     for (int i = 0; i < 80; ++i) {

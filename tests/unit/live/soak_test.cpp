@@ -145,8 +145,8 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = port;
-    settings.patience = hasty();
-    settings.patience.detect = 1s;
+    settings.timeouts = hasty();
+    settings.timeouts.detect = 1s;
     LiveFeed feed(
         settings, soakSweep(), [] {}, kKeptBytes);
     Collected all;

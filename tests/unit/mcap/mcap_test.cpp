@@ -1,5 +1,4 @@
 // MCAP written and read: every byte where the specification wants it, and nothing but the damaged part lost.
-#include "core/mcap/crc32.h"
 #include "core/mcap/mcap_reader.h"
 #include "core/mcap/mcap_unpack.h"
 #include "core/mcap/mcap_writer.h"
@@ -118,9 +117,6 @@ TEST(Mcap, Crc32IsThatOfZip) {
     const Bytes bytes(digits.begin(), digits.end());
     EXPECT_EQ(crc32(bytes), 0xCBF43926U);
     EXPECT_EQ(crc32({}), 0U);
-    const Bytes longer = payloadOf(3, 1000);
-    const ByteView view(longer);
-    for (const std::size_t cut : {0, 1, 7, 8, 9, 500, 999, 1000}) EXPECT_EQ(crc32(view.subspan(cut), crc32(view.first(cut))), crc32(view));
 }
 
 TEST(Mcap, WhatIsWrittenIsRead) {

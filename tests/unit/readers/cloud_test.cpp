@@ -1,10 +1,10 @@
 // PCD and PLY of every kind: encodings, types, extra fields, organised or not.
-#include "core/readers/lzf.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
+#include <liblzf/lzf.h>
 
 #include <cmath>
 #include <cstring>
@@ -22,14 +22,9 @@ void append(std::string& bytes, T value, bool bigEndian = false) {
     bytes.append(raw, sizeof(T));
 }
 
-/// Packs with literal runs only, which every LZF reader must take.
 std::string packed(const std::string& bytes) {
-    std::string out;
-    for (std::size_t at = 0; at < bytes.size(); at += 32) {
-        const std::string run = bytes.substr(at, 32);
-        out += static_cast<char>(run.size() - 1);
-        out += run;
-    }
+    std::string out(2 * bytes.size() + 64, '\0');
+    out.resize(lzf_compress(bytes.data(), static_cast<unsigned>(bytes.size()), out.data(), static_cast<unsigned>(out.size())));
     return out;
 }
 
@@ -143,16 +138,22 @@ TEST(Pcd, SentencesSayWhatIsWrong) {
     refused("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\n", "no DATA line");
 }
 
-TEST(Lzf, BackReferencesAndDamage) {
-    // "ab" and then eight bytes from two before: abababababab would need overlap
-    const std::vector<std::byte> good{std::byte{1}, std::byte{'a'}, std::byte{'b'}, std::byte{0xE0}, std::byte{0}, std::byte{1}};
-    const auto out = unpackLzf(good, 11);
-    ASSERT_EQ(out.size(), 11U);
-    EXPECT_EQ(std::string(reinterpret_cast<const char*>(out.data()), 11), "abababababa");
-    EXPECT_TRUE(unpackLzf(good, 10).empty());
-    EXPECT_TRUE(unpackLzf(good, 12).empty());
-    const std::vector<std::byte> before{std::byte{0}, std::byte{'a'}, std::byte{0x20}, std::byte{9}};
-    EXPECT_TRUE(unpackLzf(before, 4).empty());
+TEST(Pcd, DamagedCompressedPointsAreRefused) {
+    const Folder folder;
+    const auto sentence = [&](const std::string& points) {
+        std::string bytes = header(3, 1, kFloats, "binary_compressed");
+        append(bytes, static_cast<std::uint32_t>(points.size()));
+        append<std::uint32_t>(bytes, 36);
+        writeText(folder / "cloud.pcd", bytes + points);
+        const auto scan = openScan(folder / "cloud.pcd");
+        return scan ? std::string() : scan.error().sentence();
+    };
+    // Twelve bytes as they are, then 24 from twelve before, which overlap.
+    const std::string run = "\x0b" + std::string(12, 'a');
+    EXPECT_EQ(sentence(run + "\xe0\x0f\x0b").find("the compressed points are damaged"), std::string::npos);
+    for (const std::string& bad :
+         {std::string(), run, run + "\xe0", run + "\xe0\x0f", run + "\xe0\x0f\x0c", run + "\xe0\x0e\x0b", run + "\xe0\x10\x0b"})
+        EXPECT_NE(sentence(bad).find("the compressed points are damaged"), std::string::npos) << sentence(bad);
 }
 
 TEST(Ply, EncodingsAndExtraProperties) {
