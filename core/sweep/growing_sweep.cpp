@@ -15,20 +15,20 @@ constexpr int kMostCells = 50'000'000;  // of one sweep
 
 int GrowingSweep::rowOf(std::int64_t slot) const {
     const std::int64_t place = slot - origin_;
-    return place < 0 ? -1 : static_cast<int>(place / weave_.parts);
+    return place < 0 ? -1 : static_cast<int>(place / beams_.parts);
 }
 
 /// The slot after `lost` lost ones that this part can have.
 std::int64_t GrowingSweep::slotOf(int part, std::int64_t lost) const {
     std::int64_t slot = lastSlot_ + 1 + lost;
-    if (!laidOut_ || weave_.parts == 1) return slot;
+    if (!laidOut_ || beams_.parts == 1) return slot;
     const std::int64_t wanted = origin_ + turns_[static_cast<std::size_t>(part)];
-    const std::int64_t ahead = (wanted - slot) % weave_.parts;
-    return slot + (ahead < 0 ? ahead + weave_.parts : ahead);
+    const std::int64_t ahead = (wanted - slot) % beams_.parts;
+    return slot + (ahead < 0 ? ahead + beams_.parts : ahead);
 }
 
 GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings) {
-    auto part = weave_.partOf(line.beams);
+    auto part = beams_.partOf(line.beams);
     const bool early = lastSlot_ < 0 || (!early_.empty() && early_.size() < kEarlyLines);
     const std::int64_t next = lastSlot_ + 1 + lost;
     if (early && (!part || lastSlot_ < 0)) {
@@ -42,27 +42,27 @@ GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost,
     }
     if (!part) return Place::Misfit;
     const std::int64_t slot = slotOf(*part, lost);
-    const int allowed = std::min(settings.mostLines, kMostCells / std::max(weave_.beams, 1));
+    const int allowed = std::min(settings.mostLines, kMostCells / std::max(beams_.beams, 1));
     const int most = settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
-    if (slot - origin_ >= static_cast<std::int64_t>(most) * weave_.parts) return Place::Full;
+    if (slot - origin_ >= static_cast<std::int64_t>(most) * beams_.parts) return Place::Full;
     if (early) early_.push_back({line, slot});
     write(line, slot, *part);
     return Place::Taken;
 }
 
 bool GrowingSweep::layOut(std::span<const BeamGrid> grids) {
-    const auto weave = weaveOf(grids);
-    if (!weave) return false;
-    weave_ = *weave;
+    const auto beams = interlacedBeams(grids);
+    if (!beams) return false;
+    beams_ = *beams;
     return true;
 }
 
-/// Places all early lines anew after the weave has changed.
+/// Places all early lines anew after the beams have changed.
 void GrowingSweep::rebuild() {
-    const auto parts = static_cast<std::size_t>(weave_.parts);
+    const auto parts = static_cast<std::size_t>(beams_.parts);
     std::vector<std::int64_t> firstSlot(parts, -1);
     for (const Early& early : early_) {
-        std::int64_t& first = firstSlot[static_cast<std::size_t>(weave_.partOf(early.line.beams).value_or(0))];
+        std::int64_t& first = firstSlot[static_cast<std::size_t>(beams_.partOf(early.line.beams).value_or(0))];
         if (first < 0) first = early.slot;
     }
     // A row begins with part 0: what came before the first of them is no whole row and is left out.
@@ -77,12 +77,12 @@ void GrowingSweep::rebuild() {
         turns_[part] = static_cast<int>((after % count + count) % count);
     }
     laidOut_ = true;
-    grid_ = SweepGrid(weave_.beams);
+    grid_ = SweepGrid(beams_.beams);
     facts_.clear();
     missing_.clear();
     wholeRows_ = 0;
     firstFlagged_ = -1;
-    for (const Early& early : early_) write(early.line, early.slot, weave_.partOf(early.line.beams).value_or(0));
+    for (const Early& early : early_) write(early.line, early.slot, beams_.partOf(early.line.beams).value_or(0));
 }
 
 void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
@@ -90,7 +90,7 @@ void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
     const int row = rowOf(slot);
     if (row < 0) return;
     grow(row + 1);
-    grid_.write(row, part, weave_.parts, line.ranges.rangeMm, line.ranges.state);
+    grid_.write(row, part, beams_.parts, line.ranges.rangeMm, line.ranges.state);
     --missing_[static_cast<std::size_t>(row)];
     LineFacts& facts = facts_[static_cast<std::size_t>(row)];
     if (!facts.received) {
@@ -98,7 +98,7 @@ void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
         facts.received = true;
         facts.turns = turns_[static_cast<std::size_t>(part)];
     }
-    wholeRows_ = std::max(wholeRows_, turns_[static_cast<std::size_t>(part)] == weave_.parts - 1 ? row + 1 : row);
+    wholeRows_ = std::max(wholeRows_, turns_[static_cast<std::size_t>(part)] == beams_.parts - 1 ? row + 1 : row);
     if (unitMm_ != line.unitMm && row == 0) unitMm_ = line.unitMm;
     noteStatus(line, row);
 }
@@ -107,7 +107,7 @@ void GrowingSweep::grow(int rows) {
     if (rows <= grid_.rows()) return;
     grid_.grow(rows);
     facts_.resize(static_cast<std::size_t>(rows));
-    missing_.resize(static_cast<std::size_t>(rows), weave_.parts);
+    missing_.resize(static_cast<std::size_t>(rows), beams_.parts);
 }
 
 void GrowingSweep::loseRest(int rows) {
@@ -157,9 +157,9 @@ std::optional<int> GrowingSweep::reversal(const SweepSettings& settings) {
 GrowingSweep GrowingSweep::cutFrom(int row) {
     GrowingSweep rest;
     const auto first = static_cast<std::ptrdiff_t>(row);
-    rest.weave_ = weave_;
+    rest.beams_ = beams_;
     rest.turns_ = turns_;
-    rest.origin_ = origin_ + static_cast<std::int64_t>(row) * weave_.parts;
+    rest.origin_ = origin_ + static_cast<std::int64_t>(row) * beams_.parts;
     rest.lastSlot_ = lastSlot_;
     rest.laidOut_ = true;
     rest.grid_ = grid_.cutFrom(row);

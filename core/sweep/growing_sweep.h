@@ -48,7 +48,7 @@ public:
 
     [[nodiscard]] SweepGrid& grid() { return grid_; }
     [[nodiscard]] const SweepGrid& grid() const { return grid_; }
-    [[nodiscard]] const BeamWeave& weave() const { return weave_; }
+    [[nodiscard]] const InterlacedBeams& beams() const { return beams_; }
     /// Mirror turns after the row's first part at which each part is measured.
     [[nodiscard]] const std::vector<int>& turnsOf() const { return turns_; }
     [[nodiscard]] std::span<LineFacts> facts() { return facts_; }
@@ -76,7 +76,7 @@ private:
     [[nodiscard]] int rowOf(std::int64_t slot) const;
     void noteStatus(const SweepLine& line, int row);
 
-    BeamWeave weave_;
+    InterlacedBeams beams_;
     std::vector<int> turns_{0};
     std::int64_t origin_ = 0;    // slot of the first part of row 0
     std::int64_t lastSlot_ = -1; // a slot is the place of one telegram

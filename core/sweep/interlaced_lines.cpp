@@ -1,4 +1,4 @@
-// Weaving interlaced lines.
+// Laying interlaced lines out.
 #include "core/sweep/interlaced_lines.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ int partAt(double offset, int parts) {
 
 } // namespace
 
-std::optional<int> BeamWeave::partOf(const BeamGrid& grid) const {
+std::optional<int> InterlacedBeams::partOf(const BeamGrid& grid) const {
     if (std::abs(grid.stepDeg - stepDeg) > kSameDeg) return std::nullopt;
     if (parts == 1) return std::abs(grid.startDeg - startDeg) <= kSameDeg && grid.beams <= beams ? std::optional(0) : std::nullopt;
     const int part = partAt((grid.startDeg - startDeg) / stepDeg, parts);
     return part >= 0 && grid.beams <= beamsOf(part) ? std::optional(part) : std::nullopt;
 }
 
-std::vector<double> BeamWeave::beamDeg() const {
+std::vector<double> InterlacedBeams::beamDeg() const {
     std::vector<double> degrees;
     degrees.reserve(static_cast<std::size_t>(beams));
     // As beamAnglesDeg() for part 0, and snapped again for the starts of the others.
@@ -40,24 +40,24 @@ std::vector<double> BeamWeave::beamDeg() const {
     return degrees;
 }
 
-std::optional<BeamWeave> weaveOf(std::span<const BeamGrid> grids) {
+std::optional<InterlacedBeams> interlacedBeams(std::span<const BeamGrid> grids) {
     if (grids.empty()) return std::nullopt;
-    BeamWeave weave{grids[0].startDeg, grids[0].stepDeg, 1, 0};
-    for (const BeamGrid& grid : grids) weave.startDeg = std::min(weave.startDeg, grid.startDeg);
+    InterlacedBeams all{grids[0].startDeg, grids[0].stepDeg, 1, 0};
+    for (const BeamGrid& grid : grids) all.startDeg = std::min(all.startDeg, grid.startDeg);
     const auto fits = [&](int parts) {
         return std::all_of(grids.begin(), grids.end(), [&](const BeamGrid& grid) {
-            if (std::abs(grid.stepDeg - weave.stepDeg) > kSameDeg) return false;
-            if (std::abs(grid.startDeg - weave.startDeg) <= kSameDeg) return true;
-            return weave.stepDeg > 0 && partAt((grid.startDeg - weave.startDeg) / weave.stepDeg, parts) >= 0;
+            if (std::abs(grid.stepDeg - all.stepDeg) > kSameDeg) return false;
+            if (std::abs(grid.startDeg - all.startDeg) <= kSameDeg) return true;
+            return all.stepDeg > 0 && partAt((grid.startDeg - all.startDeg) / all.stepDeg, parts) >= 0;
         });
     };
-    while (weave.parts <= kMostParts && !fits(weave.parts)) ++weave.parts;
-    if (weave.parts > kMostParts) return std::nullopt;
+    while (all.parts <= kMostParts && !fits(all.parts)) ++all.parts;
+    if (all.parts > kMostParts) return std::nullopt;
     for (const BeamGrid& grid : grids) {
-        const int part = weave.parts == 1 ? 0 : partAt((grid.startDeg - weave.startDeg) / weave.stepDeg, weave.parts);
-        if (grid.beams > 0) weave.beams = std::max(weave.beams, part + (grid.beams - 1) * weave.parts + 1);
+        const int part = all.parts == 1 ? 0 : partAt((grid.startDeg - all.startDeg) / all.stepDeg, all.parts);
+        if (grid.beams > 0) all.beams = std::max(all.beams, part + (grid.beams - 1) * all.parts + 1);
     }
-    return weave;
+    return all;
 }
 
 } // namespace edgescan

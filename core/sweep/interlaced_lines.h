@@ -10,22 +10,22 @@
 namespace edgescan {
 
 /// A grid line's beams as `parts` telegrams bring them: beam p + parts * i of the line is beam i of part p.
-struct BeamWeave {
+struct InterlacedBeams {
     double startDeg = 0.0; ///< of part 0, the one with the smallest angle
     double stepDeg = 0.0;  ///< between beams of one part
     int parts = 1;
     int beams = 0; ///< of the whole line
 
-    /// The part that these beams are, or nothing when they belong to another weave.
+    /// The part that these beams are, or nothing when they do not fit in.
     [[nodiscard]] std::optional<int> partOf(const BeamGrid& grid) const;
     /// Beams of a part.
     [[nodiscard]] int beamsOf(int part) const { return part < beams ? (beams - part + parts - 1) / parts : 0; }
     [[nodiscard]] std::vector<double> beamDeg() const;
 
-    bool operator==(const BeamWeave&) const = default;
+    bool operator==(const InterlacedBeams&) const = default;
 };
 
-/// The smallest weave that holds all these beams; nothing when they cannot belong together.
-[[nodiscard]] std::optional<BeamWeave> weaveOf(std::span<const BeamGrid> grids);
+/// The fewest parts that hold all these beams; nothing when they cannot belong together.
+[[nodiscard]] std::optional<InterlacedBeams> interlacedBeams(std::span<const BeamGrid> grids);
 
 } // namespace edgescan
