@@ -64,12 +64,12 @@ Result<Scan> readText(const Source& source) {
     return scan;
 }
 
-Result<Scan> readByContent(const Source& source) {
+Result<Scan> readByContent(const Source& source, const LinePlayed& played) {
     const std::string_view text = source.text();
     if (text.empty()) return source.refused("the file is empty", "copy it again or choose another");
     if (source.extension() == ".u16") return readRawGridCounts(source);
     if (const char* kind = foreignKind(text)) return source.refused(std::string("this is ") + kind + ", not a scan", "choose a scan file");
-    if (text.starts_with(kMcapMagic)) return readRecording(source);
+    if (text.starts_with(kMcapMagic)) return readRecording(source, played);
     if (looksLikePcd(text)) return readPcd(source);
     if (looksLikePly(text)) return readPly(source);
     if (looksLikeLas(text)) return readLas(source);
@@ -107,12 +107,8 @@ void applyOptions(Scan& scan, const ReadingOptions& options) {
     if (options.axis) polar->axis = *options.axis;
 }
 
-} // namespace
-
-namespace {
-
-Result<Scan> readWhole(const Source& source) {
-    auto scan = readByContent(source);
+Result<Scan> readWhole(const Source& source, const LinePlayed& played) {
+    auto scan = readByContent(source, played);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
     if (!source.text().starts_with(kMcapMagic)) {
@@ -139,12 +135,12 @@ Result<Scan> withinMemory(const fs::path& path, const std::function<Result<Scan>
     }
 }
 
-Result<Scan> openScan(const fs::path& path, const ReadingOptions& options) {
+Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const LinePlayed& played) {
     return withinMemory(path, [&]() -> Result<Scan> {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
         const auto bytes = readWholeFile(path);
         if (!bytes) return bytes.error();
-        auto scan = readWhole({path, *bytes, &options});
+        auto scan = readWhole({path, *bytes, &options}, played);
         if (scan) scan->path = path.string();
         return scan;
     });
@@ -152,7 +148,7 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options) {
 
 Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const ReadingOptions& options) {
     const fs::path path("memory" + extension);
-    return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}); });
+    return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}, {}); });
 }
 
 const std::vector<FileKind>& readableKinds() {

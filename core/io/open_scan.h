@@ -13,8 +13,12 @@
 
 namespace edgescan {
 
-/// The file as a scan of lines x beams cells. Error: one sentence; nothing is loaded by halves.
-Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {});
+class Replay;
+
+/// The file as a scan of lines x beams cells. `played`: called behind every line of a recording. Error: one sentence; nothing is loaded
+/// by halves.
+Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {},
+                      const std::function<void(const Replay&)>& played = {});
 
 /// The same from bytes in memory; `extension` (".pcd") is the hint that a file's name would be. No file is touched: a raw grid is its
 /// description, a NUL byte and its counts.

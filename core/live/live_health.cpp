@@ -16,17 +16,23 @@ std::string ageText(double seconds) {
     return fixedText(std::floor(seconds / 3600.0), 0) + " h";
 }
 
-Liveness livenessOf(const LiveStatus& status) {
+/// Seconds since the newest line that is shown arrived; empty before the first.
+std::optional<double> ageOf(const LiveStatus& status, const SweepProgress* shown) {
+    if (!status.secondsSinceLine || shown == nullptr) return status.secondsSinceLine;
+    return *status.secondsSinceLine + static_cast<double>(status.sweep.newestNs - shown->newestNs) * 1e-9;
+}
+
+Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
     const SessionPhase phase = status.session.phase;
     if (phase == SessionPhase::Stopped) return Liveness::Stopped;
-    if (!status.secondsSinceLine) return phase == SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
+    if (!ageSeconds) return phase == SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
     if (phase == SessionPhase::Lost || phase == SessionPhase::Connecting) return Liveness::Lost;
-    const bool late = phase != SessionPhase::Live || *status.secondsSinceLine >= kStaleAfterSeconds;
+    const bool late = phase != SessionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
     return late ? Liveness::Stale : Liveness::Live;
 }
 
-std::string badgeOf(Liveness liveness, const LiveStatus& status) {
-    const std::string age = status.secondsSinceLine ? " " + ageText(*status.secondsSinceLine) : std::string();
+std::string badgeOf(Liveness liveness, std::optional<double> ageSeconds) {
+    const std::string age = ageSeconds ? " " + ageText(*ageSeconds) : std::string();
     switch (liveness) {
     case Liveness::Connecting:
         return "CONNECTING";
@@ -78,16 +84,18 @@ void tellRecording(LiveHealth& health, const RecordingState& recording) {
 
 } // namespace
 
-LiveHealth healthOf(const LiveStatus& status, const Placement* placement) {
+LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const SweepProgress* shown) {
     const SweepProgress& sweep = status.sweep;
+    const SweepProgress& lines = shown != nullptr ? *shown : sweep;
+    const std::optional<double> age = ageOf(status, shown);
     LiveHealth health;
-    health.liveness = livenessOf(status);
-    health.badge = badgeOf(health.liveness, status);
+    health.liveness = livenessOf(status, age);
+    health.badge = badgeOf(health.liveness, age);
     health.sentence = status.session.sentence;
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
-        health.lines = sweep.text();
-        health.noReturn = noReturnOf(sweep);
+        health.lines = lines.text();
+        health.noReturn = noReturnOf(lines);
         health.end = endOf(status);
         tellWindow(health, sweep);
         health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
@@ -95,7 +103,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement) {
                              : sweep.device.error             ? "DEVICE ERROR"
                                                               : "DEVICE ERROR earlier in this sweep";
     }
-    if (!sweep.lost.empty()) health.lost = std::to_string(sweep.lost.size()) + " lost: " + rowsText(sweep.lost, 4);
+    if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + rowsText(lines.lost, 4);
     if (placement == nullptr)
         health.pose = "no pose";
     else

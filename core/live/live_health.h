@@ -47,7 +47,8 @@ struct LiveHealth {
     bool operator==(const LiveHealth&) const = default;
 };
 
-/// `placement`: of the scan shown; null: none.
-[[nodiscard]] LiveHealth healthOf(const LiveStatus& status, const Placement* placement = nullptr);
+/// `placement`: of the scan shown; null: none. `shown`: of the growing sweep that the picture on the screen was computed from, where it
+/// follows the scanner: lines and age are those of the picture, which may be older than what has arrived.
+[[nodiscard]] LiveHealth healthOf(const LiveStatus& status, const Placement* placement = nullptr, const SweepProgress* shown = nullptr);
 
 } // namespace edgescan

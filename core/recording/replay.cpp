@@ -18,21 +18,6 @@ bool isLine(const RecordedMessage& message) {
     return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
 }
 
-/// What the recording says beside its telegrams: grid, scanner, place.
-Result<Scan> described(Scan scan, const Recording& recording, const std::string& where, const ReadingOptions& options) {
-    if (recording.metadata().contains(kMadeFromKey))
-        scan.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
-    else
-        nameScanner(scan, recording);
-    if (options.unitMm && *options.unitMm != scan.unitMm)
-        return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};
-    auto whole = withRecordedGrid(std::move(scan), recording.metadata(), where);
-    if (!whole) return whole;
-    if (options.axis) std::get<PolarGeometry>(whole->geometry).axis = *options.axis;
-    if (auto placed = placeRecordedSweep(*whole, recording, options, where); !placed) return placed.error();
-    return whole;
-}
-
 } // namespace
 
 bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
@@ -106,7 +91,25 @@ void Replay::advanceTo(std::int64_t timeNs) {
     while (!atEnd() && recording_->messages()[next_].logNs <= timeNs) playOne();
 }
 
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options) {
+Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options) {
+    const SweepMetadata& metadata = recording.metadata();
+    sweep.format = "recording";
+    if (const auto note = metadata.find("note"); note != metadata.end()) sweep.note = note->second;
+    if (metadata.contains(kMadeFromKey))
+        sweep.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
+    else
+        nameScanner(sweep, recording);
+    if (options.unitMm && *options.unitMm != sweep.unitMm)
+        return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};
+    auto whole = withRecordedGrid(std::move(sweep), metadata, where);
+    if (!whole) return whole;
+    if (options.axis) std::get<PolarGeometry>(whole->geometry).axis = *options.axis;
+    if (auto placed = placeRecordedSweep(*whole, recording, options, where); !placed) return placed.error();
+    return whole;
+}
+
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options,
+                    const LinePlayed& played) {
     Replay replay(recording);
     FinishedSweep best;
     int sweeps = 0;
@@ -116,44 +119,35 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
             if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
         }
     };
-    while (replay.step()) collect();
+    while (replay.step()) {
+        collect();
+        if (played && replay.position() > 0) played(replay);
+    }
     collect();
+    const std::int64_t undecodable = replay.feed().undecodable();
     if (!best.scan) {
-        const bool undecodable = replay.feed().undecodable() > 0;
-        return Error{undecodable ? "none of the scan telegrams in this recording can be decoded" : "this recording holds no scan telegram",
+        return Error{undecodable > 0 ? "none of the scan telegrams in this recording can be decoded"
+                                     : "this recording holds no scan telegram",
                      where, "choose another recording"};
     }
     Scan scan = *best.scan;
-    scan.format = "recording";
     scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
     if (sweeps > 1) {
         scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
                                 std::to_string(best.progress.number + 1) + ", the one with most lines, was opened.");
     }
-    if (replay.feed().undecodable() > 0)
-        scan.warnings.push_back(std::to_string(replay.feed().undecodable()) + " scan telegrams could not be decoded.");
+    if (undecodable > 0) scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded.");
     if (!recording->clean() && best.progress.expected == 0)
         scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
                                 " lines are there, how many there were is not known.");
-    if (const auto note = recording->metadata().find("note"); note != recording->metadata().end()) scan.note = note->second;
-    return described(std::move(scan), *recording, where, options);
+    return describedSweep(std::move(scan), *recording, where, options);
 }
 
-Result<Scan> openRecording(const std::filesystem::path& path) {
-    const auto recording = Recording::open(path);
-    if (!recording) return recording.error();
-    auto scan = scanOf(*recording, path.string());
-    if (!scan) return scan;
-    scan->path = path.string();
-    scan->name = path.stem().string();
-    return scan;
-}
-
-Result<Scan> readRecording(const Source& source) {
+Result<Scan> readRecording(const Source& source, const LinePlayed& played) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
     const auto recording = Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string());
     if (!recording) return recording.error();
-    return scanOf(*recording, source.path.string(), *source.options);
+    return scanOf(*recording, source.path.string(), *source.options, played);
 }
 
 } // namespace edgescan

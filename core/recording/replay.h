@@ -5,7 +5,7 @@
 #include "core/recording/recorded.h"
 #include "core/sweep/sweep.h"
 
-#include <filesystem>
+#include <functional>
 
 namespace edgescan {
 
@@ -68,11 +68,18 @@ private:
     int position_ = 0;
 };
 
-/// The longest sweep of a recording, placed as placeRecordedSweep() does. Warnings say what is missing: INCOMPLETE n/N, lost lines, a
-/// cut. Error: no line in it.
-Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {});
-Result<Scan> openRecording(const std::filesystem::path& path);
+/// A sweep of this recording, whole or growing, as it is shown and measured: with the grid, the scanner and the place that the recording
+/// names beside its telegrams. `where` goes into errors.
+Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
+
+/// Called behind every line that is played.
+using LinePlayed = std::function<void(const Replay&)>;
+
+/// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost
+/// lines, a cut. Error: no line in it.
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {},
+                    const LinePlayed& played = {});
 /// The same for openScan().
-Result<Scan> readRecording(const Source& source);
+Result<Scan> readRecording(const Source& source, const LinePlayed& played = {});
 
 } // namespace edgescan

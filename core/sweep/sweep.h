@@ -26,8 +26,9 @@ struct SweepProgress {
     int restarts = 0;                             ///< of the scanner, since the start
     std::array<std::size_t, kCellStates> cells{}; ///< by CellState; they add up to lines x beams
     AngleSource angleSource = AngleSource::Steps;
-    DeviceFlags device;     ///< at the newest line
-    DeviceFlags deviceEver; ///< at any line of the sweep
+    std::int64_t newestNs = 0; ///< host time of the newest line, by the clock of push()
+    DeviceFlags device;        ///< at the newest line
+    DeviceFlags deviceEver;    ///< at any line of the sweep
 
     /// Nothing is missing and as many rows are there as were expected.
     [[nodiscard]] bool complete() const { return received == lines && (expected == 0 || lines >= expected); }

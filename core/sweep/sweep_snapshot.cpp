@@ -44,6 +44,7 @@ SweepProgress SweepAssembler::progress() const {
     }
     progress.expected = settings_.expectedLines;
     progress.growing = sweep_ && (progress.expected == 0 || progress.lines < progress.expected);
+    if (last_) progress.newestNs = last_->hostNs;
     progress.device = device_;
     progress.duplicates = duplicates_;
     progress.misfits = misfits_;
@@ -67,7 +68,7 @@ void SweepAssembler::describe(Scan& scan) {
     const auto rows = static_cast<std::size_t>(now.lines);
     LineAngles angles = lineAngles(sweep_->facts().first(rows), settings_);
     PolarGeometry polar;
-    polar.beamDeg = sweep_->weave().beamDeg();
+    polar.beamDeg = sweep_->beams().beamDeg();
     polar.lineDeg = std::move(angles.lineDeg);
     polar.axis = settings_.axis;
     polar.lineDirection = settings_.lineDirection;

@@ -4,13 +4,18 @@
 #include "core/live/live_feed.h"
 #include "core/method/pipeline.h"
 #include "core/report/report.h"
+#include "tests/support/live_lines.h"
+#include "tests/support/point_lists.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/support/served_program.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <random>
 #include <sstream>
 #include <thread>
 
@@ -79,16 +84,15 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     canny.method = Method::Canny;
     SweepSoFar now;
     int looks = 0;
-    for (int wait = 0; wait < 2500; ++wait) {
+    const bool ended = test::waitUntil([&] {
         now = feed.sweep();
-        if (now.scan && !now.progress.growing) break;
-        if (now.scan) {
-            static_cast<void>(pipeline.run(now.scan, window.fix(*now.scan, canny)));
-            ++looks;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    ASSERT_TRUE(now.scan && !now.progress.growing) << now.progress.text() << ' ' << feed.status().session.sentence;
+        if (!now.scan) return false;
+        if (!now.progress.growing) return true;
+        static_cast<void>(pipeline.run(now.scan, window.fix(*now.scan, canny)));
+        ++looks;
+        return false;
+    });
+    ASSERT_TRUE(ended) << now.progress.text() << ' ' << feed.status().session.sentence;
     EXPECT_TRUE(now.progress.complete()) << now.progress.text();
     EXPECT_GT(looks, 3);
     EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));
@@ -115,6 +119,71 @@ TEST_F(Live, ARecordingOfASimulationOpensAsTheSameScan) {
     EXPECT_EQ(hashOf(recording), hashOf(scan));
     ASSERT_EQ(runCli("convert " + scan + " " + (folder / "converted.mcap").string()).code, 0);
     EXPECT_EQ(hashOf((folder / "converted.mcap").string()), hashOf(scan));
+}
+
+// Played line by line or opened at once: the same report but for the times.
+void expectReplayAsDetect(const std::string& recording) {
+    SCOPED_TRACE(recording);
+    const auto replay = runCli("replay --quiet " + recording);
+    const auto detect = runCli("detect --json - " + recording);
+    ASSERT_EQ(replay.code, detect.code) << replay.err << detect.err;
+    if (detect.code != 0) {
+        EXPECT_EQ(replay.err, detect.err);
+        return;
+    }
+    json played = json::parse(replay.out)["result"];
+    json opened = json::parse(detect.out);
+    played.erase("timings_ms");
+    opened.erase("timings_ms");
+    EXPECT_EQ(played, opened);
+}
+
+// A scan with cells that telegrams alone cannot tell: masked, out of the window, lost, status codes, unlike beams.
+Scan scanOfManyStates(unsigned seed) {
+    Scan scan = test::makeScan({.axis = seed % 2 == 0 ? Axis::Spin : Axis::Sweep, .lines = 60, .beams = 80, .seed = seed});
+    std::mt19937 random(seed);
+    for (const CellState state : {CellState::Masked, CellState::OutOfWindow, CellState::Lost, CellState::Masked}) {
+        const std::size_t first = random() % scan.cells();
+        for (std::size_t k = first; k < std::min(scan.cells(), first + 300); ++k) scan.state[k] = state;
+    }
+    scan.statusCodes = {32759};
+    for (std::size_t k = 7; k < scan.cells(); k += 97) {
+        scan.rangeMm[k] = 32759;
+        scan.state[k] = CellState::DeviceStatus;
+    }
+    return scan;
+}
+
+TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const std::string states = (folder / ("states" + std::to_string(seed) + ".mcap")).string();
+        ASSERT_TRUE(saveScan(scanOfManyStates(seed), states));
+        expectReplayAsDetect(states);
+        const std::string bell = (folder / ("bell" + std::to_string(seed) + ".mcap")).string();
+        ASSERT_EQ(runCli("simulate -o " + bell + " --lines 50 --beams 120 --seed " + std::to_string(seed)).code, 0);
+        expectReplayAsDetect(bell);
+    }
+    // Of two sweeps the one counts of which more was received, not the one with more rows.
+    std::vector<RecordingMessagePtr> messages;
+    for (int n = 0; n < 110; ++n) {
+        const bool lost = n < 60 && n % 3 == 1;
+        if (!lost) messages.push_back(test::lineMessage(n));
+        messages.push_back(stepperMessage({n, n < 60 ? 0.2 * n : 0.2 * (120 - n), n < 60 ? 5.0 : -5.0, true, test::hostNsOfLine(n)}));
+    }
+    const std::string twoSweeps = (folder / "two-sweeps.mcap").string();
+    ASSERT_TRUE(saveMessages(twoSweeps, metadataOf(SweepSettings{}), messages));
+    EXPECT_EQ(json::parse(runCli("detect --json - " + twoSweeps).out)["lines"], 49);
+    expectReplayAsDetect(twoSweeps);
+}
+
+TEST_F(Live, ReplayAndDetectSayTheSameOfTheSharedRecordings) {
+    const std::filesystem::path shared = EDGESCAN_SHARED_DIR;
+    std::vector<std::filesystem::path> recordings{shared / "protocol/vectors/sweep_demo.mcap"};
+    if (!std::filesystem::exists(recordings.front())) GTEST_SKIP() << "../shared is absent: its recordings cannot be played";
+    for (const auto& entry : std::filesystem::directory_iterator(shared / "data/hostile")) {
+        if (entry.path().extension() == ".mcap") recordings.push_back(entry.path());
+    }
+    for (const auto& recording : recordings) expectReplayAsDetect(recording.string());
 }
 
 TEST_F(Live, NobodyThereIsSaid) {

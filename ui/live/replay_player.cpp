@@ -1,8 +1,6 @@
 // Playing a recording off the GUI thread.
 #include "ui/live/replay_player.h"
 
-#include "core/recording/recorded_grid.h"
-
 #include <QMetaObject>
 
 #include <algorithm>
@@ -16,7 +14,8 @@ constexpr std::size_t kMostStarts = 500; // copies kept; a recording of more swe
 
 } // namespace
 
-ReplayPlayer::ReplayPlayer(const std::filesystem::path& path, QObject* parent) : QObject(parent) {
+ReplayPlayer::ReplayPlayer(const std::filesystem::path& path, const ReadingOptions& options, QObject* parent)
+    : QObject(parent), options_(options) {
     thread_ = std::thread([this, path] {
         try {
             work(path);
@@ -109,8 +108,7 @@ ReplayedSweep ReplayPlayer::at(Replay& replay, int line) {
     static_cast<void>(replay.feed().assembler().takeFinished());
     ReplayedSweep there{replay.position(), {replay.snapshot(), replay.progress()}};
     if (there.sweep.scan) {
-        // As scanOf() does with the whole sweep.
-        auto scan = withRecordedGrid(*there.sweep.scan, replay.recording().metadata(), std::string());
+        auto scan = describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);
         if (scan) there.sweep.scan = std::make_shared<const Scan>(std::move(*scan));
     }
     return there;

@@ -36,8 +36,8 @@ struct ReplayedSweep {
 class ReplayPlayer : public QObject {
     Q_OBJECT
 public:
-    /// Starts to read at once.
-    explicit ReplayPlayer(const std::filesystem::path& path, QObject* parent = nullptr);
+    /// Starts to read at once. `options`: as the file was opened with.
+    ReplayPlayer(const std::filesystem::path& path, const ReadingOptions& options, QObject* parent = nullptr);
     ~ReplayPlayer() override;
 
     /// To just behind `line` lines. What was asked for before and is not done yet is dropped.
@@ -55,6 +55,7 @@ private:
     ReplayedSweep at(Replay& replay, int line);
     [[nodiscard]] bool stopping() const;
 
+    const ReadingOptions options_;
     std::vector<Replay> starts_; // a copy at the beginning of each sweep; the thread's own
     mutable std::mutex mutex_;
     std::condition_variable wake_;

@@ -19,6 +19,7 @@ ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), s
     connect(&session_, &Session::pictureReady, this, [this] {
         if (!awaiting_ || session_.picture()->source.stream != stream_) return;
         awaiting_ = false;
+        if (session_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
         // As long as it took to make it, the worker is left to the sliders.
         restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
     });
@@ -42,7 +43,7 @@ void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings&
     stream_ = Session::newStream();
     heldNumber_ = -1;
     finished_.reset();
-    posted_ = nullptr;
+    posted_ = {};
     awaiting_ = recordingTroubleTold_ = false;
     restMs_ = 0;
     sincePost_.start();
@@ -88,7 +89,7 @@ void ScannerLink::follow(bool on) {
     const bool wanted = on && feed_ != nullptr;
     if (wanted == following_) return;
     following_ = wanted;
-    posted_ = nullptr;
+    posted_ = {};
     if (wanted) finished_.reset();
     emit followingChanged(following_);
     emit healthChanged();
@@ -105,7 +106,8 @@ void ScannerLink::tick() {
     noticeTroubles(status);
     const auto& picture = session_.picture();
     const bool shown = picture && picture->source.stream == stream_;
-    LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr);
+    const bool grows = shown && following_ && picture->source.growth.growing && shown_.growing;
+    LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
     const bool changed = !(now == health_);
     health_ = std::move(now);
     for (const FinishedSweep& sweep : feed_->takeFinished()) {
@@ -124,9 +126,9 @@ void ScannerLink::noticeTroubles(const LiveStatus& status) {
 void ScannerLink::showSweep() {
     if (!following_ || session_.opening() || (awaiting_ && session_.behind()) || sincePost_.elapsed() < restMs_) return;
     if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
-    if (!news_->exchange(false) && posted_) return;
+    if (!news_->exchange(false) && posted_.scan) return;
     const SweepSoFar sweep = feed_->sweep();
-    if (!sweep.scan || sweep.scan == posted_) return;
+    if (!sweep.scan || sweep.scan == posted_.scan) return;
     if (sweep.progress.growing)
         post(sweep, true);
     else if (sweep.progress.number > heldNumber_)
@@ -142,7 +144,7 @@ void ScannerLink::showFinal(const SweepSoFar& sweep) {
 }
 
 void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
-    posted_ = sweep.scan;
+    posted_ = sweep;
     awaiting_ = true;
     sincePost_.restart();
     session_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});

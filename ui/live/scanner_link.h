@@ -23,7 +23,7 @@ public:
     explicit ScannerLink(Session& session, QObject* parent = nullptr);
     ~ScannerLink() override;
 
-    /// Hangs up first where there is a connection. Reads and a subscription are all that is sent, unless `scanner` holds a set-up.
+    /// Hangs up first where there is a connection. Reads and a subscription are all that is sent.
     void connectTo(const SessionSettings& scanner, const SweepSettings& sweep);
     /// Ends recording and connection; the sweep stays on the screen as it is.
     void hangUp();
@@ -79,7 +79,8 @@ private:
     bool recordingTroubleTold_ = false;
     int heldNumber_ = -1; // newest sweep that was shown whole
     std::optional<SweepSoFar> finished_;
-    std::shared_ptr<const Scan> posted_;
+    SweepSoFar posted_;   // the newest that was given to the session
+    SweepProgress shown_; // that the picture on the screen was computed from
     QElapsedTimer sincePost_;
     qint64 restMs_ = 0; // from the last post to the next one
     bool awaiting_ = false;

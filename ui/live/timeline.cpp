@@ -56,9 +56,9 @@ Timeline::Timeline(QWidget* parent)
     hide();
 }
 
-void Timeline::load(const std::filesystem::path& path) {
+void Timeline::load(const std::filesystem::path& path, const ReadingOptions& options) {
     clear();
-    player_ = std::make_unique<ReplayPlayer>(path);
+    player_ = std::make_unique<ReplayPlayer>(path, options);
     connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::take);
     connect(player_.get(), &ReplayPlayer::refused, this, &Timeline::refused);
     connect(player_.get(), &ReplayPlayer::arrived, this, [this](const ReplayedSweep& at) {

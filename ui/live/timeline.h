@@ -24,7 +24,7 @@ public:
     explicit Timeline(QWidget* parent = nullptr);
 
     /// Shows itself once the recording is read and has more than one line.
-    void load(const std::filesystem::path& path);
+    void load(const std::filesystem::path& path, const ReadingOptions& options);
     void clear();
     /// There is something to play.
     [[nodiscard]] bool active() const { return lines() > 0; }

@@ -86,7 +86,7 @@ void MainWindow::connectLive() {
     connect(&session_, &Session::opened, this, [this](const QString& path) {
         fileScan_ = nullptr;
         if (QFileInfo(path).suffix().compare("mcap", Qt::CaseInsensitive) == 0)
-            timeline_->load(path.toStdString());
+            timeline_->load(path.toStdString(), openOptions_);
         else
             timeline_->clear();
     });
