@@ -27,7 +27,7 @@ struct MethodRow {
     const Decision& decision;
     /// To gray levels, in units of the thresholds: lines x beams. Null for a method without gray levels. `missing` may be null.
     Grid<float> (*response)(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
-    MaskDirection (*direction)(const Ring& ring); ///< null where the response has none of its own
+    MaskDirection (*direction)(const Neighbours& at); ///< null where the response has none of its own
 };
 
 [[nodiscard]] const MethodRow& rowOf(Method method);
