@@ -173,10 +173,6 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     return result;
 }
 
-DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
-    return depthResponses(depthSurface(scan, settings.straighten), settings);
-}
-
 DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;
@@ -205,10 +201,6 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
         result.kind[k] = DepthEdge::Border;
     }
     return result;
-}
-
-DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings) {
-    return decideDepthEdges(depthResponses(scan, settings), settings);
 }
 
 } // namespace edgescan

@@ -61,13 +61,7 @@ struct DepthSurface {
 /// Steps 2 to 5.
 [[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);
 
-/// Steps 1 to 6, for a scan that is looked at once.
-[[nodiscard]] DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings);
-
 /// Step 7: classes, hysteresis and minimum length.
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);
-
-/// All steps.
-[[nodiscard]] DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings);
 
 } // namespace edgescan

@@ -16,8 +16,8 @@ constexpr double kOffsetMm = 20.0;
 constexpr double kUnknownShare = 0.05; // where too few cells tell the noise
 constexpr double kFewest = 0.85;       // a scan itself has over 0.9, another bell with the same wall 0.75
 
-} // namespace
-
+// Share of the ranges (lone ones left out) that agree with the clean ranges: within five standard deviations of the scan's own noise + 1 %
+// + 20 mm. Near 1 for the scan itself, whatever its noise, drop-outs, dust or slips; 1 where the truth has no clean ranges.
 double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
     if (truth.cleanMm.size() == 0) return 1.0;
     const InverseRange inverse = inverseRange(scan);
@@ -37,6 +37,8 @@ double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
     }
     return measured == 0 ? 1.0 : static_cast<double>(fitting) / static_cast<double>(measured);
 }
+
+} // namespace
 
 Result<Done> checkTruthFits(const Scan& scan, const TruthSet& truth, const std::string& folder) {
     const double share = shareOfTrueRanges(scan, truth);

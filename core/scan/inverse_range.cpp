@@ -136,7 +136,7 @@ InverseRange inverseRange(const Scan& scan) {
     const auto beams = static_cast<std::size_t>(scan.beams());
     InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), hugePageVector<float>(scan.cells())),
                          Grid<Support>(scan.lines(), scan.beams())};
-    IsolatedLines isolatedLines(scan, 0);
+    IsolatedLines isolatedLines(scan);
     std::vector<std::uint8_t> isolated(beams);
     LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0
     std::vector<std::uint8_t> gapEnds(beams);

@@ -48,18 +48,16 @@ Grid<std::uint8_t> missingCells(const Scan& scan) {
     return missing;
 }
 
-Grid<std::uint8_t> isolatedCells(const Scan& scan) { return isolatedCells(scan, 0, scan.lines()); }
-
-Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine) {
-    Grid<std::uint8_t> isolated(endLine - firstLine, scan.beams());
-    IsolatedLines lines(scan, firstLine);
+Grid<std::uint8_t> isolatedCells(const Scan& scan) {
+    Grid<std::uint8_t> isolated(scan.lines(), scan.beams());
+    IsolatedLines lines(scan);
     for (int i = 0; i < isolated.lines; ++i) lines.next(isolated.line(i));
     return isolated;
 }
 
-IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), line_(firstLine) {
-    takeRanges(ranges_[1], scan, firstLine - 1);
-    takeRanges(ranges_[2], scan, firstLine);
+IsolatedLines::IsolatedLines(const Scan& scan) : scan_(&scan) {
+    takeRanges(ranges_[1], scan, -1);
+    takeRanges(ranges_[2], scan, 0);
 }
 
 void IsolatedLines::next(std::uint8_t* isolated) {

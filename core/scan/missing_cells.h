@@ -14,19 +14,17 @@ namespace edgescan {
 
 /// 255 where a valid cell stands alone: fewer than 2 of its 8 neighbours lie within 8 % of its range + 60 mm (docs/method.md, "Step 1").
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
-/// Only the lines [firstLine, endLine).
-[[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan, int firstLine, int endLine);
 
 /// The same line by line. The scan must outlive it.
 class IsolatedLines {
 public:
-    IsolatedLines(const Scan& scan, int firstLine);
+    explicit IsolatedLines(const Scan& scan);
     /// Beams values of the next line.
     void next(std::uint8_t* isolated);
 
 private:
     const Scan* scan_;
-    int line_;                                 // next one
+    int line_ = 0;                             // next one
     std::array<std::vector<float>, 3> ranges_; // of the lines before, at and after
 };
 

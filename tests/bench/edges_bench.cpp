@@ -1,12 +1,12 @@
 // What EdgeScan+ costs beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
 // build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
 #include "core/gray/canny.h"
-#include "core/depth/depth_edges.h"
 #include "core/gray/gray.h"
-#include "core/settings/presets.h"
 #include "core/gray/smooth.h"
 #include "core/io/open_scan.h"
+#include "core/settings/presets.h"
 #include "core/sim/simulate.h"
+#include "tests/support/depth_edges.h"
 
 #include <opencv2/core/utility.hpp>
 
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     const DepthResponses responses = depthResponses(surface, depth);
     std::vector<Stage> stages{
         {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
-        {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(scan, depth); }},
+        {"EdgeScan+ responses, from the scan on", [&] { (void)test::depthResponses(scan, depth); }},
         {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
         {"  slips of beams and lines", [&] { (void)straighten(inverse); }},
         {"  noise", [&] { (void)rangeNoise(surface.inverse); }},

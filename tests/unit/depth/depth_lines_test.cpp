@@ -1,10 +1,10 @@
 // The stages of EdgeScan+ line by line, against the same and against plainer ones on the whole sweep.
 #include "core/base/order_statistic.h"
-#include "core/depth/depth_edges.h"
 #include "core/depth/depth_jump.h"
 #include "core/depth/mixed_pixels.h"
 #include "core/depth/surface_lines.h"
 #include "core/scan/missing_cells.h"
+#include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -253,7 +253,7 @@ TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
     DepthEdgeSettings settings;
     settings.noiseAt5mMm = 6.75;
     settings.straighten = false;
-    const DepthResponses whole = depthResponses(scan, settings);
+    const DepthResponses whole = test::depthResponses(scan, settings);
     for (const auto& [lines, beams] : {std::array{1, 0}, std::array{0, 1}, std::array{7, 13}, std::array{33, 9}}) {
         Scan part = test::makeScan(130 - lines, 140 - beams, [&](int i, int j) {
             const std::size_t k = scan.rangeMm.index(i + lines, j + beams);
@@ -263,7 +263,7 @@ TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
         const auto& from = std::get<PolarGeometry>(scan.geometry);
         polar.beamDeg.assign(from.beamDeg.begin() + beams, from.beamDeg.end());
         polar.lineDeg.assign(from.lineDeg.begin() + lines, from.lineDeg.end());
-        const DepthResponses some = depthResponses(part, settings);
+        const DepthResponses some = test::depthResponses(part, settings);
         int compared = 0;
         for (int i = kFar; i < part.lines(); ++i) {
             ASSERT_TRUE(sameBits(some.jump.line(i) + kFar, whole.jump.line(i + lines) + kFar + beams, part.beams() - kFar)) << i;

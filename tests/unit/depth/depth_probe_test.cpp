@@ -6,6 +6,7 @@
 #include "core/method/pipeline.h"
 #include "core/report/why_report.h"
 #include "core/sim/simulate.h"
+#include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ bool besideFilled(const InverseRange& inverse, int line, int beam) {
 
 // Every part of what is told must agree with the responses of the whole scan, to the last bit where it is a strength.
 void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int cells) {
-    const DepthResponses whole = depthResponses(scan, settings);
+    const DepthResponses whole = test::depthResponses(scan, settings);
     const InverseRange inverse = inverseRange(scan);
     std::mt19937 random(7);
     int exact = 0;

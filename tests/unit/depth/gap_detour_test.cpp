@@ -1,7 +1,7 @@
 // Edges round lost ranges, and ranges that are hardly any.
 #include "core/base/order_statistic.h"
-#include "core/depth/depth_edges.h"
 #include "core/depth/gap_detour.h"
+#include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(GapDetour, GoesRoundAsCellByCell) {
 
 TEST(DepthEdges, RangesThatAreHardlyAnyAreNone) {
     const Scan scan = test::makeScan(30, 30, [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 1e-40; });
-    const DepthEdges edges = depthEdges(scan, {});
+    const DepthEdges edges = test::depthEdges(scan, {});
     for (const float strength : edges.strength.cells) EXPECT_TRUE(std::isfinite(strength));
     const std::array<float, 4> zeros{-0.0F, 0.0F, 2.0F, 1.0F};
     EXPECT_EQ(nthSmallest(zeros, 1), 0.0F);

@@ -1,8 +1,8 @@
 // Ground truth, score, and the detector that measures surfaces against straight lines in inverse range.
-#include "core/depth/depth_edges.h"
 #include "core/method/pipeline.h"
 #include "core/settings/presets.h"
 #include "core/straighten/interlace.h"
+#include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
 #include "tests/support/scores.h"
 
@@ -73,7 +73,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     for (const char* scene : {"hangup", "pile"}) {
         const Simulation bell = simulated(scene, 21);
         const EdgeTruth truth = edgeTruth(*bell.truth);
-        depth += test::scoreEdges(depthEdges(bell.scan, {}).mask, truth, 2);
+        depth += test::scoreEdges(test::depthEdges(bell.scan, {}).mask, truth, 2);
         gray += test::scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
     }
     std::printf("all edges, 286 x 250: depth edges F %.3f, gray levels F %.3f\n", depth.all.f(), gray.all.f());
@@ -89,17 +89,17 @@ TEST(DepthEdges, AFlatWallWithHolesHasNone) {
         const bool hole = (i > 40 && i < 90 && j > 50 && j < 150) || random() % 100 < 5;
         return hole ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random));
     });
-    const DepthEdges edges = depthEdges(wall, {});
+    const DepthEdges edges = test::depthEdges(wall, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
 TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {
     // A plate before a wall; one range of its edge is lost.
     Scan scan = test::makeScan(30, 40, [&](int, int j) { return j < 20 ? 3000.0 : 5000.0; });
-    EXPECT_EQ(depthEdges(scan, {}).mask.at(10, 19), 255);
+    EXPECT_EQ(test::depthEdges(scan, {}).mask.at(10, 19), 255);
     scan.state.at(10, 19) = CellState::NoReturn;
     scan.rangeMm.at(10, 19) = 0;
-    const DepthEdges edges = depthEdges(scan, {});
+    const DepthEdges edges = test::depthEdges(scan, {});
     EXPECT_EQ(edges.mask.at(10, 19), 0);
     EXPECT_EQ(edges.mask.at(10, 18), 255);
     EXPECT_EQ(edges.kind.at(10, 18), DepthEdge::Jump);
@@ -120,7 +120,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const Simulation bell = *simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);
@@ -129,13 +129,13 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
 TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
     const Simulation bell = simulated("pile", 23, 120, 150);
     DepthEdgeSettings settings;
-    const DepthResponses responses = depthResponses(bell.scan, settings);
+    const DepthResponses responses = test::depthResponses(bell.scan, settings);
     settings.sensitivity = 1.4;
     settings.hysteresisLow = 0.5;
     settings.minimumLength = 7;
     settings.convex = false;
     const DepthEdges decided = decideDepthEdges(responses, settings);
-    const DepthEdges whole = depthEdges(bell.scan, settings);
+    const DepthEdges whole = test::depthEdges(bell.scan, settings);
     EXPECT_EQ(decided.mask, whole.mask);
     EXPECT_EQ(decided.kind, whole.kind);
     EXPECT_EQ(std::count(whole.kind.cells.begin(), whole.kind.cells.end(), DepthEdge::Convex), 0);
@@ -153,7 +153,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
             return test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random)) + (i % 2 == 0 ? dust : -dust) -
                    (atPost ? 300.0 : 0.0);
         });
-        const DepthEdges edges = depthEdges(wall, {});
+        const DepthEdges edges = test::depthEdges(wall, {});
         int beside = 0;
         int elsewhere = 0;
         for (int i = 0; i < wall.lines(); ++i)
@@ -189,7 +189,7 @@ TEST(Interlace, BeamsFromTwoPassesAreToldAndStraightened) {
     const SweepSlips slips = straighten(combed);
     EXPECT_TRUE(slips.interlaced);
     for (int i = 5; i + 5 < floor.lines(); ++i) EXPECT_NEAR(slips.parity[static_cast<std::size_t>(i)], 0.5, 0.12) << i;
-    const DepthEdges edges = depthEdges(floor, {});
+    const DepthEdges edges = test::depthEdges(floor, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
@@ -199,7 +199,7 @@ TEST(Interlace, ASlipOfTheStepperIsNoEdge) {
     const SweepSlips slips = straighten(slipped);
     EXPECT_FALSE(slips.interlaced);
     for (const std::vector<float>& extra : slips.extra) EXPECT_NEAR(extra[40], 2.0, 0.3);
-    const DepthEdges edges = depthEdges(floor, {});
+    const DepthEdges edges = test::depthEdges(floor, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
@@ -220,7 +220,7 @@ TEST(Interlace, AStallAndTheLeapAfterItAreNoEdges) {
             const float left = *std::max_element(slips.extra[parity].begin() + 25, slips.extra[parity].begin() + 45);
             EXPECT_NEAR(left, made - 3, 0.35 * made);
         }
-        const DepthEdges edges = depthEdges(stalled, {});
+        const DepthEdges edges = test::depthEdges(stalled, {});
         int cells = 0;
         for (int i = 20; i < 50; ++i)
             for (int j = 0; j < floor.beams(); ++j) cells += edges.mask.at(i, j) != 0 ? 1 : 0;
@@ -256,10 +256,10 @@ TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
     const Scan far = boardBeforeWall(5000.0, 25.0);
     EXPECT_NEAR(pointSpacingMm(inverseRange(near), angularSteps(near)), 4.4, 0.3);
     EXPECT_NEAR(pointSpacingMm(inverseRange(far), angularSteps(far)), 21.8, 1.0);
-    EXPECT_NEAR(depthResponses(near, {}).jumpMm, 8.7, 0.6);
-    EXPECT_NEAR(depthResponses(far, {}).jumpMm, 21.0, 0.1);
+    EXPECT_NEAR(test::depthResponses(near, {}).jumpMm, 8.7, 0.6);
+    EXPECT_NEAR(test::depthResponses(far, {}).jumpMm, 21.0, 0.1);
     const auto jumps = [](const Scan& scan) {
-        const DepthEdges edges = depthEdges(scan, {});
+        const DepthEdges edges = test::depthEdges(scan, {});
         return std::count(edges.kind.cells.begin(), edges.kind.cells.end(), DepthEdge::Jump);
     };
     EXPECT_NEAR(static_cast<double>(jumps(near)), 156.0, 8.0); // the rim of 40 x 40 cells
@@ -269,7 +269,7 @@ TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
 TEST(DepthEdges, SpacingOfAnEmptyScanIsNothing) {
     const Scan empty = test::makeScan(20, 30, [](int, int) { return 0.0; });
     EXPECT_EQ(pointSpacingMm(inverseRange(empty), angularSteps(empty)), 0.0);
-    const DepthEdges edges = depthEdges(empty, {});
+    const DepthEdges edges = test::depthEdges(empty, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 

@@ -1,0 +1,16 @@
+// EdgeScan+ from a scan to its edges in one call; the program keeps what is in between.
+#pragma once
+
+#include "core/depth/depth_edges.h"
+
+namespace edgescan::test {
+
+inline DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
+    return edgescan::depthResponses(depthSurface(scan, settings.straighten), settings);
+}
+
+inline DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings) {
+    return decideDepthEdges(depthResponses(scan, settings), settings);
+}
+
+} // namespace edgescan::test
