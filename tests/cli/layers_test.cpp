@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+const fs::path kSource = EDGESCAN_SOURCE_DIR;
 
 bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
@@ -42,7 +42,7 @@ std::vector<std::string> words(const std::string& text) {
 
 // The rooms of core/ or ui/ in the order of its CMakeLists.txt, lowest first.
 std::vector<std::string> roomsInOrder(const std::string& storey) {
-    const std::string text = test::fileText((kRoot / storey / "CMakeLists.txt").string());
+    const std::string text = test::fileText((kSource / storey / "CMakeLists.txt").string());
     std::smatch match;
     if (!std::regex_search(text, match, std::regex(R"(foreach\(room\s+([^)]*)\))"))) return {};
     return words(match[1]);
@@ -50,7 +50,7 @@ std::vector<std::string> roomsInOrder(const std::string& storey) {
 
 // What a room says it uses: "gray" for core/gray out of a room of the core, "core" and the names of ui rooms out of one of ui.
 std::set<std::string> usedBy(const std::string& storey, const std::string& room) {
-    const std::string text = test::fileText((kRoot / storey / room / "CMakeLists.txt").string());
+    const std::string text = test::fileText((kSource / storey / room / "CMakeLists.txt").string());
     std::smatch match;
     if (!std::regex_search(text, match, std::regex(R"(USES\s+([a-z_\s]*))"))) return {};
     const std::vector<std::string> names = words(match[1]);
@@ -67,7 +67,7 @@ std::string roomOf(const std::string& include, const std::string& storey) {
 void checkStorey(const std::string& storey) {
     const std::vector<std::string> rooms = roomsInOrder(storey);
     ASSERT_GE(rooms.size(), 6U);
-    for (const auto& entry : fs::directory_iterator(kRoot / storey)) {
+    for (const auto& entry : fs::directory_iterator(kSource / storey)) {
         if (entry.is_directory())
             EXPECT_NE(std::ranges::find(rooms, entry.path().filename().string()), rooms.end()) << entry.path() << " is no room in the list";
     }
@@ -76,7 +76,7 @@ void checkStorey(const std::string& storey) {
         const std::set<std::string> uses = usedBy(storey, room);
         for (const std::string& used : uses) EXPECT_TRUE(lower.contains(used)) << storey << '/' << room << " uses " << used << ", which is not below it";
         std::set<std::string> included;
-        for (const auto& [file, includes] : includesOf(kRoot / storey / room)) {
+        for (const auto& [file, includes] : includesOf(kSource / storey / room)) {
             for (const std::string& include : includes) {
                 const std::string other = roomOf(include, storey);
                 if (other.empty() || other == room) continue;
@@ -92,7 +92,7 @@ void checkStorey(const std::string& storey) {
 // Every #include below `folder` that matches `forbidden`.
 void expectNone(const std::string& folder, const std::regex& forbidden) {
     int files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(kSource / folder)) {
         if (!entry.is_directory()) continue;
         for (const auto& [file, includes] : includesOf(entry.path())) {
             ++files;
