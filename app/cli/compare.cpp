@@ -8,6 +8,8 @@
 #include "core/report/comparison_report.h"
 #include "core/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -9,6 +9,8 @@
 #include "core/report/provenance.h"
 #include "core/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
 #include <filesystem>
 #include <iostream>

@@ -3,6 +3,8 @@
 #include "app/shared/options.h"
 #include "core/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
 #include <memory>
 

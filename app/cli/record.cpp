@@ -6,6 +6,8 @@
 #include "core/live/live_feed.h"
 #include "core/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <unistd.h>
 
 #include <chrono>

@@ -6,6 +6,8 @@
 #include "core/recording/replay.h"
 #include "core/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <iostream>

@@ -5,6 +5,8 @@
 #include "core/report/report.h"
 #include "core/report/why_report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
 #include <memory>
 

@@ -19,6 +19,7 @@ struct NumberLimits {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
 };
+inline constexpr NumberLimits kAngle{-360, 360}; ///< degrees, of any angle in a file
 
 /// One object. A key that is asked for is a known key; done() refuses all others. Objects inside share the first error.
 class JsonFields {

@@ -1,7 +1,6 @@
 // What is measured once per robot: how scanner, stepper, inclinometer, boom and TALIN sit on it. One readable file.
 #pragma once
 
-#include "core/base/json_fields.h"
 #include "core/base/result.h"
 #include "core/scan/placement.h"
 
@@ -13,8 +12,6 @@
 #include <string_view>
 
 namespace edgescan {
-
-inline constexpr NumberLimits kAngle{-360, 360}; ///< degrees, of any angle in a file
 
 /// Which way the scanner looks in the inclinometer's frame (docs/coordinates.md, "Step 2").
 enum class Viewing : std::uint8_t {

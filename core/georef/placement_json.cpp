@@ -4,6 +4,8 @@
 #include "core/base/json_fields.h"
 #include "core/georef/rotations.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <limits>
 

@@ -3,6 +3,8 @@
 
 #include "core/base/json_fields.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <utility>
 

@@ -5,6 +5,8 @@
 #include "core/base/version.h"
 #include "core/settings/parameters.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/compare/comparison.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

@@ -11,6 +11,7 @@
 #include "core/settings/parameters.h"
 
 #include <Eigen/Core>
+#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 #include <png.h>
 #include <zlib.h>

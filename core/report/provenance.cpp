@@ -12,6 +12,8 @@
 #include "core/scan/range_picture.h"
 #include "core/writers/cloud_columns.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <span>
 #include <system_error>

@@ -7,7 +7,7 @@
 #include "core/method/detection.h"
 #include "core/scan/placement.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <filesystem>

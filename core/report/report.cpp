@@ -7,6 +7,8 @@
 #include "core/points/acquisition_json.h"
 #include "core/settings/parameters.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <span>
 

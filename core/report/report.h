@@ -3,7 +3,7 @@
 
 #include "core/method/detection.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace edgescan {
 

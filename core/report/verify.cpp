@@ -14,6 +14,8 @@
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <span>
 

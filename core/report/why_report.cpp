@@ -5,6 +5,8 @@
 #include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>

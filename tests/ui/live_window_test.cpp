@@ -25,6 +25,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <ctime>

@@ -10,6 +10,7 @@
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>

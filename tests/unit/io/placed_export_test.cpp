@@ -12,6 +12,7 @@
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

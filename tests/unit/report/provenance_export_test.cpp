@@ -14,6 +14,7 @@
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <map>
