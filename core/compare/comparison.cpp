@@ -1,6 +1,7 @@
 // Every method on one scan in one run.
 #include "core/compare/comparison.h"
 
+#include "core/base/order_statistic.h"
 #include "core/gray/canny.h"
 #include "core/method/methods.h"
 #include "core/method/pipeline.h"
@@ -61,13 +62,6 @@ Run runOnce(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
         return all;
     });
     return run;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 ComparedMethod ownMethod(std::string name, std::string key, const Settings& settings) {

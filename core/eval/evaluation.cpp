@@ -1,6 +1,7 @@
 // Figures of masks and sweeps.
 #include "core/eval/evaluation.h"
 
+#include "core/base/order_statistic.h"
 #include "core/scan/cartesian.h"
 #include "core/scan/opencv_view.h"
 #include "core/sim/scene.h"
@@ -65,13 +66,8 @@ std::vector<double> errorsMm(const EdgeMatches& matches, const TruthSet& truth, 
     return errors;
 }
 
-// The value below which this share of all values lies; 0 when there are none.
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0.0;
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
+// The value below which this share of the errors lies; 0 when there are none.
+double errorAt(std::vector<double> errors, double share) { return errors.empty() ? 0.0 : quantile(errors, share); }
 
 Json countsJson(const EdgeCounts& counts) {
     return {{"precision", counts.precision()}, {"recall", counts.recall()}, {"f", counts.f()},
@@ -150,7 +146,7 @@ Json evaluationJson(const Evaluation& evaluation) {
                      {"at_least_80_percent", shareOfRocks(evaluation.rocks, 0.8)},
                      {"at_least_90_percent", shareOfRocks(evaluation.rocks, 0.9)}};
     if (!evaluation.errorsMm.empty())
-        json["error_mm"] = {{"p50", quantile(evaluation.errorsMm, 0.50)}, {"p95", quantile(evaluation.errorsMm, 0.95)}};
+        json["error_mm"] = {{"p50", errorAt(evaluation.errorsMm, 0.50)}, {"p95", errorAt(evaluation.errorsMm, 0.95)}};
     json["pratt"] = evaluation.scans == 0 ? 0.0 : evaluation.pratt / evaluation.scans;
     return json;
 }

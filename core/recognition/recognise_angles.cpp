@@ -1,6 +1,8 @@
 // Measures the angles of lines and beams, judges a fit, and makes angles tidy.
 #include "core/recognition/recognise_parts.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -177,10 +179,7 @@ std::vector<double> roundedBelowError(const std::vector<double>& degrees, const 
 double medianStep(const std::vector<double>& angles) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < angles.size(); ++i) steps.push_back(std::abs(angles[i] - angles[i - 1]));
-    if (steps.empty()) return 0.0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 std::vector<std::size_t> placesOnSteps(const std::vector<double>& angles) {
@@ -218,9 +217,7 @@ OnGrid judge(const Fit& fit, std::span<const AxisPoint> points, const Precision&
     OnGrid result;
     result.share = static_cast<double>(inside) / static_cast<double>(residuals.size());
     result.telling = precise * 2 > residuals.size();
-    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-    std::nth_element(residuals.begin(), middle, residuals.end());
-    result.residual = *middle;
+    result.residual = median(std::move(residuals));
     return result;
 }
 

@@ -1,4 +1,5 @@
 // Finds the grid of a list in any order, with points left out: its plane angles and tilts gather in groups with voids between them.
+#include "core/base/order_statistic.h"
 #include "core/recognition/recognise_parts.h"
 #include "core/recognition/recognise_rings.h"
 
@@ -20,12 +21,6 @@ struct Return {
     bool told = false;   ///< but its neighbours in the list do
     bool off = false;    ///< between the lines
 };
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 class GroupFitter {
 public:
@@ -86,7 +81,7 @@ private:
     std::vector<Ring> ringsOf(double Return::*error, Angle angle, double period) const {
         std::vector<double> errors;
         for (const Return& r : returns_) errors.push_back(r.*error);
-        const double usual = medianOf(std::move(errors));
+        const double usual = median(std::move(errors));
         std::vector<Ring> rings;
         for (const double limit : {4 * usual, 1.0000001 * usual}) {
             std::vector<double> angles;

@@ -1,6 +1,8 @@
 // Rings of angle groups.
 #include "core/recognition/recognise_rings.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -42,9 +44,7 @@ bool Ring::cutAtWidestVoid() {
     if (centres.size() < 2) return true;
     const std::vector<double> widths = voids();
     const auto widest = std::max_element(widths.begin(), widths.end());
-    std::vector<double> sorted = widths;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    const double usual = sorted[sorted.size() / 2];
+    const double usual = median(widths);
     if (*widest > 1.3 * usual) {
         beginAt(static_cast<std::size_t>(widest - widths.begin() + 1) % centres.size());
         return true;

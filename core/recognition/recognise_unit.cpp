@@ -1,6 +1,8 @@
 // Units by whole millimetres, then by size; status codes of the LMS2xx.
 #include "core/recognition/recognise_unit.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,9 +49,7 @@ RangeUnit recogniseUnit(std::span<const double> ranges, const Precision& precisi
     }
     std::vector<double> sorted(ranges.begin(), ranges.end());
     if (sorted.empty()) return unit;
-    const auto far = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) * 95 / 100);
-    std::nth_element(sorted.begin(), far, sorted.end());
-    unit.mmPerUnit = *far > kLongestInMetres ? 1.0 : 1000.0;
+    unit.mmPerUnit = valueInOrder(sorted, (sorted.size() - 1) * 95 / 100) > kLongestInMetres ? 1.0 : 1000.0;
     unit.remark = std::string("Unit taken as ") + unitName(unit.mmPerUnit) + ", from the size of the numbers.";
     return unit;
 }

@@ -4,6 +4,7 @@
 #include "core/base/angles.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/recognition/regrid_parts.h"
 
 #include <Eigen/Geometry>
@@ -84,12 +85,7 @@ std::array<double, 4> extentOf(const std::vector<Sight>& sights, Value value) {
     std::vector<double> values;
     values.reserve(sights.size());
     for (const Sight& s : sights) values.push_back(value(s));
-    const auto at = [&](double share) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), place, values.end());
-        return *place;
-    };
-    return {at(0.0), at(0.0005), at(0.9995), at(1.0)};
+    return {quantile(values, 0.0), quantile(values, 0.0005), quantile(values, 0.9995), quantile(values, 1.0)};
 }
 
 /// All points, unless a few strays would at least double the window.

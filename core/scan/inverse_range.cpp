@@ -100,12 +100,7 @@ EDGESCAN_SIMD void offStraight(const float* u, int beams, float* __restrict rang
     }
 }
 
-float medianAngle(std::vector<float>& angles) {
-    if (angles.empty()) return static_cast<float>(0.5 * kRadPerDeg);
-    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-    std::nth_element(angles.begin(), middle, angles.end());
-    return std::max(*middle, 1e-6F);
-}
+float medianAngle(std::vector<float>& angles) { return std::max(median(std::move(angles), static_cast<float>(0.5 * kRadPerDeg)), 1e-6F); }
 
 // A camera's rays are nearly evenly apart: one angle per direction does.
 AngularSteps cameraSteps(const Scan& scan) {
@@ -208,10 +203,7 @@ double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {
                 areas.push_back(steps.beam[static_cast<std::size_t>(j)] * steps.lineAt(i, j) / (u[j] * u[j]));
         }
     }
-    if (areas.empty()) return 0.0;
-    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-    std::nth_element(areas.begin(), middle, areas.end());
-    return 1000.0 * std::sqrt(static_cast<double>(*middle));
+    return 1000.0 * std::sqrt(static_cast<double>(median(std::move(areas))));
 }
 
 } // namespace edgescan

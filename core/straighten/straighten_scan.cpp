@@ -2,6 +2,7 @@
 #include "core/straighten/straighten_scan.h"
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/straighten/interlace.h"
 
 #include <algorithm>
@@ -14,10 +15,7 @@ namespace {
 double medianParity(const std::vector<float>& parity) {
     std::vector<float> told;
     std::copy_if(parity.begin(), parity.end(), std::back_inserter(told), [](float steps) { return steps != 0; });
-    if (told.empty()) return 0;
-    const auto middle = told.begin() + static_cast<std::ptrdiff_t>(told.size() / 2);
-    std::nth_element(told.begin(), middle, told.end());
-    return static_cast<double>(*middle);
+    return static_cast<double>(median(std::move(told)));
 }
 
 void moveBeams(PolarGeometry& polar, double displacementDeg) {
@@ -56,9 +54,7 @@ double oddSkewDeg(const PolarGeometry& polar) {
 double medianStepDeg(const std::vector<double>& lineDeg) {
     std::vector<double> steps;
     for (std::size_t i = 0; i + 1 < lineDeg.size(); ++i) steps.push_back(lineDeg[i + 1] - lineDeg[i]);
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 Displacement displacementOf(const Scan& scan, const PolarGeometry& polar) {

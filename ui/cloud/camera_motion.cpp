@@ -1,6 +1,8 @@
 // Where the camera goes when the mouse moves.
 #include "ui/cloud/camera_motion.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,12 +41,6 @@ std::vector<Vector3d> samplePoints(const CloudGeometry& cloud) {
         if (points.size() > 5000) break;
     }
     return points;
-}
-
-double percentile(std::vector<double> values, double share) {
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
 }
 
 struct DepthSpan {
@@ -145,8 +141,8 @@ CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, doubl
         tangents.push_back(depth > 1e-6 ? reach / depth : 1e6);
         ahead.push_back(depth);
     }
-    const double middle = std::max(10 * kNearestM, percentile(std::move(ahead), 0.5));
-    const double wanted = 2.0 * std::atan(percentile(std::move(tangents), 0.9)) * 180.0 / std::numbers::pi;
+    const double middle = std::max(10 * kNearestM, quantile(ahead, 0.5));
+    const double wanted = 2.0 * std::atan(quantile(tangents, 0.9)) * 180.0 / std::numbers::pi;
     out.viewAngleDeg = std::clamp(wanted, kUsualViewAngleDeg, kWidestViewAngleDeg);
 
     const double tanV = tanHalf(out);
@@ -158,7 +154,7 @@ CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, doubl
         back.push_back(reach - d.dot(frame.forward));
     }
     // A sweep all round cannot be seen at once; going far back would only show the walls from outside.
-    const double pulledBack = std::clamp(percentile(std::move(back), 0.99) * kMargin, 0.0, kFarthestBack * middle);
+    const double pulledBack = std::clamp(quantile(back, 0.99) * kMargin, 0.0, kFarthestBack * middle);
     out.position = sensor - frame.forward * pulledBack;
     out.focus = sensor + frame.forward * middle;
     return out;
