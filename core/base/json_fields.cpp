@@ -66,6 +66,13 @@ double JsonFields::neededNumber(const char* key, NumberLimits limits) {
     return checked(at(key), key, limits);
 }
 
+std::uint64_t JsonFields::wholeNumber(const char* key, std::uint64_t least, std::uint64_t most) {
+    const double number = neededNumber(key);
+    if (number == std::floor(number) && number >= static_cast<double>(least) && number <= static_cast<double>(most))
+        return static_cast<std::uint64_t>(number);
+    return refuse(key, "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most)), least;
+}
+
 bool JsonFields::boolean(const char* key, bool missing) {
     if (!has(key)) return missing;
     if (!at(key).is_boolean()) return refuse(key, "must be true or false"), missing;
@@ -87,11 +94,20 @@ std::size_t JsonFields::choice(const char* key, const std::vector<std::string>& 
     return refuse(key, "must be " + list), 0;
 }
 
+std::vector<double> JsonFields::numbers(const char* key) {
+    std::vector<double> list;
+    if (!has(key)) return list;
+    if (!at(key).is_array()) return refuse(key, "must be a list of numbers"), list;
+    list.reserve(at(key).size());
+    for (const PlainJson& item : at(key)) list.push_back(checked(item, key, {}));
+    return list;
+}
+
 std::vector<double> JsonFields::numbers(const char* key, std::size_t count) {
-    std::vector<double> list(count, 0.0);
-    if (!has(key)) return refuse(key, "is missing"), list;
-    if (!at(key).is_array() || at(key).size() != count) return refuse(key, "must hold " + std::to_string(count) + " numbers"), list;
-    for (std::size_t i = 0; i < count; ++i) list[i] = checked(at(key)[i], key, {});
+    if (!has(key)) refuse(key, "is missing");
+    std::vector<double> list = numbers(key);
+    if (list.size() != count) refuse(key, "must hold " + std::to_string(count) + " numbers");
+    list.resize(count, 0.0);
     return list;
 }
 
@@ -103,6 +119,11 @@ Eigen::Vector3d JsonFields::neededVector(const char* key, NumberLimits limits) {
     if (!has(key)) return refuse(key, "is missing"), Eigen::Vector3d::Zero();
     if (!at(key).is_array() || at(key).size() != 3) return refuse(key, "must hold three numbers"), Eigen::Vector3d::Zero();
     return {checked(at(key)[0], key, limits), checked(at(key)[1], key, limits), checked(at(key)[2], key, limits)};
+}
+
+const PlainJson& JsonFields::value(const char* key) {
+    static const PlainJson kNull;
+    return has(key) ? at(key) : kNull;
 }
 
 Eigen::Matrix3d JsonFields::rotation(const char* key) {

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -30,12 +31,16 @@ public:
     [[nodiscard]] bool has(const char* key);
     [[nodiscard]] double number(const char* key, double missing, NumberLimits limits = {});
     [[nodiscard]] double neededNumber(const char* key, NumberLimits limits = {});
+    /// From `least` to `most`, without a fraction. The key is needed.
+    [[nodiscard]] std::uint64_t wholeNumber(const char* key, std::uint64_t least, std::uint64_t most);
     [[nodiscard]] bool boolean(const char* key, bool missing);
     [[nodiscard]] std::string text(const char* key, const std::string& missing = {});
     /// One of the words; the index of the first word when the key is missing.
     [[nodiscard]] std::size_t choice(const char* key, const std::vector<std::string>& words);
     [[nodiscard]] Eigen::Vector3d vector(const char* key, const Eigen::Vector3d& missing, NumberLimits limits = {});
     [[nodiscard]] Eigen::Vector3d neededVector(const char* key, NumberLimits limits = {});
+    /// A list of any length; empty when the key is missing.
+    [[nodiscard]] std::vector<double> numbers(const char* key);
     /// Exactly `count` numbers in a list.
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
     /// Three rows of three numbers; refused when it is no proper rotation.
@@ -47,6 +52,9 @@ public:
     [[nodiscard]] JsonFields object(const char* key);
     /// The object under a key, or each object of a list of them.
     [[nodiscard]] std::vector<JsonFields> objects(const char* key);
+
+    /// What stands under a key, for what is read in a way of its own; null when it is missing.
+    [[nodiscard]] const nlohmann::json& value(const char* key);
 
     /// "stepper.axis must ..." unless something was wrong before.
     void refuse(const std::string& key, const std::string& what);
