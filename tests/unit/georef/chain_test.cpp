@@ -32,14 +32,15 @@ Matrix3d matrixOf(const json& j) {
     return m;
 }
 
-/// The cases of the worked example, empty where ../shared is absent.
+/// The cases that tests/oracle/frames_cases.py works out apart from the program, then those of ../shared, where it is there.
 json cases() {
-    std::ifstream file(std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/frames_example.json");
-    return file ? json::parse(file)["cases"] : json::array();
+    json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/georef/frames_cases.json"))["cases"];
+    if (std::ifstream file(std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/frames_example.json"); file) {
+        const json shared = json::parse(file);
+        for (const json& one : shared["cases"]) all.push_back(one);
+    }
+    return all;
 }
-
-#define SKIP_WITHOUT(all)                                                                                                                  \
-    if ((all).empty()) GTEST_SKIP() << "../shared/protocol/vectors/frames_example.json is absent"
 
 void expectPoint(const json& outputs, const char* name, const Vector3d& p, double tolerance = kLocalM) {
     EXPECT_LT((p - vectorOf(outputs[name])).cwiseAbs().maxCoeff(), tolerance) << name;
@@ -142,8 +143,7 @@ Scan scanOf(const json& q) {
 
 TEST(Frames, EveryPointAndMatrixOfTheWorkedExample) {
     const json all = cases();
-    SKIP_WITHOUT(all);
-    EXPECT_EQ(all.size(), 9U);
+    EXPECT_GE(all.size(), 5U);
     for (const json& one : all) {
         SCOPED_TRACE(one["name"].get<std::string>());
         const json& out = one["outputs"];
@@ -179,9 +179,7 @@ TEST(Frames, EveryPointAndMatrixOfTheWorkedExample) {
 }
 
 TEST(Frames, AScanPlacedByCalibrationAndPoseHitsTheExample) {
-    const json all = cases();
-    SKIP_WITHOUT(all);
-    for (const json& one : all) {
+    for (const json& one : cases()) {
         SCOPED_TRACE(one["name"].get<std::string>());
         const json& q = one["inputs"];
         Scan scan = scanOf(q);
@@ -202,9 +200,7 @@ TEST(Frames, AScanPlacedByCalibrationAndPoseHitsTheExample) {
 }
 
 TEST(Frames, TiltingTwiceIsAMetreOff) {
-    const json all = cases();
-    SKIP_WITHOUT(all);
-    const Steps s = stepsOf(all[0]["inputs"]);
+    const Steps s = stepsOf(cases()[0]["inputs"]);
     const Vector3d right = s.R_NR * s.p_R0;
     // The levelled point fed on as if the robot stood level too.
     const Vector3d wrong = s.R_NR * (rotationZ(radians(33.5)) * s.p_L);
