@@ -1,6 +1,7 @@
 // edgescan-cli convert: any readable scan to any writable format.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/formats/formats.h"
 #include "core/io/save_scan.h"
 
 #include <iostream>
@@ -16,9 +17,8 @@ struct Convert {
 };
 
 int run(const Convert& convert) {
-    if (!saveFormatOf(convert.out)) {
-        complain({"the extension names no format that can be written", convert.out,
-                  "use .json, .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx, .obj or .mcap"});
+    if (writtenFormat(convert.out) == nullptr) {
+        complain({"the extension names no format that can be written", convert.out, "use " + writtenExtensions(true)});
         return kWrongUsage;
     }
     Result<Scan> opened = openAsAsked(convert.in, readingOptions(convert.read));
@@ -48,8 +48,7 @@ void addConvert(CLI::App& app, int& code) {
     auto convert = std::make_shared<Convert>();
     CLI::App& command = *app.add_subcommand("convert", "Any readable scan to any writable format; the grid stays");
     command.add_option("IN", convert->in, "Scan")->required();
-    command.add_option("OUT", convert->out, "New file: .json (raw grid) .pcd .ply .csv .xyz .las .dxf .ptx .obj .mcap (recording)")
-        ->required();
+    command.add_option("OUT", convert->out, "New file: " + writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")->required();
     addReadFlags(command, convert->read);
     addWriteFlags(command, convert->write);
     command.callback([convert, &code] { code = run(*convert); });

@@ -3,8 +3,8 @@
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
+#include "core/formats/formats.h"
 #include "core/georef/placed_points.h"
-#include "core/io/save_scan.h"
 #include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/report/report.h"
@@ -107,8 +107,8 @@ bool onePathForSeveral(const Detect& detect) {
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     for (const std::string& path : {detect.edges, detect.cloud}) {
-        if (!path.empty() && saveFormatOf(path).value_or(SaveFormat::RawGrid) == SaveFormat::RawGrid)
-            return Error{"the extension names no format for points", path, "use .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx or .obj"};
+        if (const Format* format = writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
+            return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
     }
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
@@ -155,7 +155,7 @@ void addDetect(CLI::App& app, int& code) {
     command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
     command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
     command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
-    command.add_option("--edges", detect->edges, "Edge points in metres: .pcd .ply .csv .xyz .las .dxf .ptx .obj")->group(group);
+    command.add_option("--edges", detect->edges, "Edge points in metres: " + writtenExtensions(false))->group(group);
     command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: the same formats")->group(group);
     command.add_option("-o,--output", detect->folder, "Folder for all of these, under the scan's name")->group(group);
     addMethodFlags(command, detect->method);

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/eval/truth_files.h"
+#include "core/formats/formats.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
 #include "core/scan/cartesian.h"
@@ -16,8 +17,6 @@
 
 namespace edgescan::cli {
 namespace {
-
-constexpr const char* kFormats = ".json (raw grid), .mcap (recording), .pcd, .ply, .csv, .xyz, .las, .dxf, .ptx or .obj";
 
 struct Simulate {
     std::string out, truth, surface;
@@ -58,8 +57,8 @@ Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
 }
 
 int run(const Simulate& simulate) {
-    if (!saveFormatOf(simulate.out)) {
-        complain({"the extension names no format that can be written", simulate.out, std::string("use ") + kFormats});
+    if (writtenFormat(simulate.out) == nullptr) {
+        complain({"the extension names no format that can be written", simulate.out, "use " + writtenExtensions(true)});
         return kWrongUsage;
     }
     SimulationProgress progress;
@@ -125,13 +124,59 @@ std::string sceneHelp() {
     return text;
 }
 
+/// An option of a group, with its default in the help.
+template <class Value>
+CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& value, const char* help) {
+    return *command.add_option(flag, value, help)->capture_default_str()->group(group);
+}
+
+void addSceneFlags(CLI::App& command, Simulate& simulate) {
+    const char* group = "Scene";
+    SimulationSettings& s = simulate.settings;
+    add(command, group, "--rocks", s.rocks, "Boulders in the arch or pile");
+    add(command, group, "--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]");
+    add(command, group, "--rock-rounding", s.rockRounding,
+        "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)");
+    command
+        .add_option("--wall-roughness", s.wallRoughnessMm,
+                    "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given")
+        ->group(group);
+    add(command, group, "--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back");
+    add(command, group, "--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan");
+    add(command, group, "--surface-scale", s.surfaceScale, "Times its size");
+    add(command, group, "--distance", s.distanceM, "Distance of wall, staircase or rescan [m]");
+    add(command, group, "--hole", simulate.hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
+        .check(CLI::IsMember({"none", "round", "square"}));
+    add(command, group, "--holes", s.holes, "How many: one is in the middle, several are spread as the seed says");
+    add(command, group, "--hole-size", s.holeM, "Their diameter or side [m]");
+}
+
+void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
+    const char* group = "Measurement";
+    SimulationSettings& s = simulate.settings;
+    add(command, group, "--noise", s.noise, "Times the range noise of the device");
+    add(command, group, "--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1");
+    add(command, group, "--dust", s.dust, "Share of cells with an echo from dust, 0 to 1");
+    add(command, group, "--line-jitter", s.lineJitterDeg, "Jitter of the line angle [degrees]");
+    add(command, group, "--interlace", s.interlaceDeg, "Line angle of odd beams minus that of even beams [degrees]");
+    add(command, group, "--motor-skew", s.motorSkewDeg, "How far the stepper moves on while the mirror sweeps the fan [degrees]");
+    add(command, group, "--slips", s.slips, "Share of lines on which the stepper lags one step behind, 0 to 1");
+    add(command, group, "--status-codes", s.statusCodes, "Share of cells with a device status code instead of a range, 0 to 1");
+    add(command, group, "--range-step", s.rangeStepMm, "Ranges come in whole steps of this [mm]");
+    add(command, group, "--max-range", s.maxRangeM, "Farthest range [m]");
+    command.add_flag("--no-footprint", simulate.noFootprint, "The beam is a line without width")->group(group);
+    command.add_flag("--no-mixed-pixels", simulate.noMixedPixels, "Echoes of two surfaces never merge")->group(group);
+    command.add_flag("--no-echo-loss", simulate.noEchoLoss, "Grazing and weak echoes are not lost")->group(group);
+}
+
 } // namespace
 
 void addSimulate(CLI::App& app, int& code) {
     auto simulate = std::make_shared<Simulate>();
     SimulationSettings& s = simulate->settings;
     CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
-    command.add_option("-o,--output", simulate->out, std::string("New file: ") + kFormats)->required();
+    command.add_option("-o,--output", simulate->out, "New file: " + writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
+        ->required();
     command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
     command.add_option("--seed", s.seed, "Seed of everything random")->capture_default_str();
@@ -141,55 +186,8 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--profile", simulate->profile, "Beam divergence: high (resolution, 4.6 mrad) or standard (11 mrad)")
         ->check(CLI::IsMember({"high", "standard"}))
         ->capture_default_str();
-    const char* scene = "Scene";
-    command.add_option("--rocks", s.rocks, "Boulders in the arch or pile")->capture_default_str()->group(scene);
-    command.add_option("--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]")
-        ->capture_default_str()
-        ->group(scene);
-    command
-        .add_option("--rock-rounding", s.rockRounding,
-                    "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)")
-        ->capture_default_str()
-        ->group(scene);
-    command
-        .add_option("--wall-roughness", s.wallRoughnessMm,
-                    "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given")
-        ->group(scene);
-    command.add_option("--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back")
-        ->capture_default_str()
-        ->group(scene);
-    command.add_option("--surface", simulate->surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(scene);
-    command.add_option("--surface-scale", s.surfaceScale, "Times its size")->capture_default_str()->group(scene);
-    command.add_option("--distance", s.distanceM, "Distance of wall, staircase or rescan [m]")->capture_default_str()->group(scene);
-    command.add_option("--hole", simulate->hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
-        ->check(CLI::IsMember({"none", "round", "square"}))
-        ->group(scene);
-    command.add_option("--holes", s.holes, "How many: one is in the middle, several are spread as the seed says")
-        ->capture_default_str()
-        ->group(scene);
-    command.add_option("--hole-size", s.holeM, "Their diameter or side [m]")->capture_default_str()->group(scene);
-    const char* measurement = "Measurement";
-    command.add_option("--noise", s.noise, "Times the range noise of the device")->capture_default_str()->group(measurement);
-    command.add_option("--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1")->capture_default_str()->group(measurement);
-    command.add_option("--dust", s.dust, "Share of cells with an echo from dust, 0 to 1")->capture_default_str()->group(measurement);
-    command.add_option("--line-jitter", s.lineJitterDeg, "Jitter of the line angle [degrees]")->capture_default_str()->group(measurement);
-    command.add_option("--interlace", s.interlaceDeg, "Line angle of odd beams minus that of even beams [degrees]")
-        ->capture_default_str()
-        ->group(measurement);
-    command.add_option("--motor-skew", s.motorSkewDeg, "How far the stepper moves on while the mirror sweeps the fan [degrees]")
-        ->capture_default_str()
-        ->group(measurement);
-    command.add_option("--slips", s.slips, "Share of lines on which the stepper lags one step behind, 0 to 1")
-        ->capture_default_str()
-        ->group(measurement);
-    command.add_option("--status-codes", s.statusCodes, "Share of cells with a device status code instead of a range, 0 to 1")
-        ->capture_default_str()
-        ->group(measurement);
-    command.add_option("--range-step", s.rangeStepMm, "Ranges come in whole steps of this [mm]")->capture_default_str()->group(measurement);
-    command.add_option("--max-range", s.maxRangeM, "Farthest range [m]")->capture_default_str()->group(measurement);
-    command.add_flag("--no-footprint", simulate->noFootprint, "The beam is a line without width")->group(measurement);
-    command.add_flag("--no-mixed-pixels", simulate->noMixedPixels, "Echoes of two surfaces never merge")->group(measurement);
-    command.add_flag("--no-echo-loss", simulate->noEchoLoss, "Grazing and weak echoes are not lost")->group(measurement);
+    addSceneFlags(command, *simulate);
+    addMeasurementFlags(command, *simulate);
     command.add_option("--threads", s.threads, "0 = one per core; the result is the same")->capture_default_str();
     command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
     command.callback([simulate, &command, &code] {

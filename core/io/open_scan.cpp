@@ -3,22 +3,10 @@
 
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
+#include "core/formats/formats.h"
 #include "core/georef/poses.h"
-#include "core/pictures/range_image.h"
 #include "core/points/source.h"
-#include "core/points/text_layout.h"
-#include "core/readers/las.h"
-#include "core/readers/obj.h"
-#include "core/readers/pcd.h"
-#include "core/readers/ply.h"
-#include "core/readers/point_text.h"
-#include "core/readers/ptx.h"
-#include "core/readers/range_csv.h"
-#include "core/readers/raw_grid.h"
-#include "core/recording/replay.h"
-#include "core/scan/reading_options.h"
 
-#include <array>
 #include <new>
 #include <stdexcept>
 
@@ -26,59 +14,6 @@ namespace edgescan {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// First bytes of files that people pick by mistake, so that the sentence can name them.
-const char* foreignKind(std::string_view text) {
-    struct Magic {
-        std::string_view bytes;
-        const char* what;
-    };
-    using namespace std::string_view_literals;
-    static constexpr std::array<Magic, 6> kMagics{{
-        {"\xff\xd8\xff"sv, "a JPEG picture"},
-        {"\x7f\x45LF"sv, "a program"},
-        {"%PDF"sv, "a PDF document"},
-        {"PK\x03\x04"sv, "a ZIP archive"},
-        {"\x1f\x8b"sv, "a gzip archive"},
-        {"ASTM-E57"sv, "an E57 file, which this version cannot read"},
-    }};
-    for (const Magic& magic : kMagics) {
-        if (text.starts_with(magic.bytes)) return magic.what;
-    }
-    return nullptr;
-}
-
-Result<Scan> readText(const Source& source) {
-    if (const auto byte = firstByteThatIsNoText(source.text())) {
-        return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
-                                    "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
-    }
-    if (looksLikePtx(source.text())) return readPtx(source);
-    if (looksLikeObj(source.text())) return readObj(source);
-    const auto layout = textLayoutOf(source);
-    if (!layout) return layout.error();
-    Result<Scan> scan = looksLikeRangeCsv(*layout, source) ? readRangeCsv(source, *layout) : readPointText(source, *layout);
-    if (scan && !source.text().ends_with('\n') && !source.text().ends_with('\r')) {
-        scan->warnings.emplace_back("The last row has no line end: the file may have been cut off there; compare it with the original.");
-    }
-    return scan;
-}
-
-Result<Scan> readByContent(const Source& source, const LinePlayed& played) {
-    const std::string_view text = source.text();
-    if (text.empty()) return source.refused("the file is empty", "copy it again or choose another");
-    if (source.extension() == ".u16") return readRawGridCounts(source);
-    if (const char* kind = foreignKind(text)) return source.refused(std::string("this is ") + kind + ", not a scan", "choose a scan file");
-    if (text.starts_with(kMcapMagic)) return readRecording(source, played);
-    if (looksLikePcd(text)) return readPcd(source);
-    if (looksLikePly(text)) return readPly(source);
-    if (looksLikeLas(text)) return readLas(source);
-    if (looksLikePng(text)) return readRangePng(source);
-    if (looksLikeTiff(text)) return readRangeTiff(source);
-    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (first != std::string_view::npos && text[first] == '{') return readRawGridJson(source);
-    return readText(source);
-}
 
 /// The place that --pose and --calibration give. A recording has placed itself already: it may hold one of the two.
 Result<Done> placeAsAsked(Scan& scan, const ReadingOptions& options, const std::string& where) {
@@ -107,11 +42,20 @@ void applyOptions(Scan& scan, const ReadingOptions& options) {
     if (options.axis) polar->axis = *options.axis;
 }
 
-Result<Scan> readWhole(const Source& source, const LinePlayed& played) {
-    auto scan = readByContent(source, played);
+Result<Scan> readAs(const Format& format, const Source& source) {
+    if (format.read != nullptr) return format.read(source);
+    auto table = format.points(source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
+}
+
+Result<Scan> readWhole(const Source& source) {
+    if (source.bytes.empty()) return source.refused("the file is empty", "copy it again or choose another");
+    const Format& format = formatOfContent(source);
+    auto scan = readAs(format, source);
     if (!scan) return scan;
     applyOptions(*scan, *source.options);
-    if (!source.text().starts_with(kMcapMagic)) {
+    if (!format.placesItself) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }
     ReadingOptions done = *source.options;
@@ -140,7 +84,7 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
         const auto bytes = readWholeFile(path);
         if (!bytes) return bytes.error();
-        auto scan = readWhole({path, *bytes, &options}, played);
+        auto scan = readWhole({path, *bytes, &options, false, played});
         if (scan) scan->path = path.string();
         return scan;
     });
@@ -148,24 +92,7 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
 
 Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const ReadingOptions& options) {
     const fs::path path("memory" + extension);
-    return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}, {}); });
-}
-
-const std::vector<FileKind>& readableKinds() {
-    static const std::vector<FileKind> kinds{
-        {"Raw grid", {".json", ".u16"}},
-        {"Point Cloud Library", {".pcd"}},
-        {"Polygon file", {".ply"}},
-        {"Point list", {".xyz", ".txt", ".asc", ".pts"}},
-        {"Range or point table", {".csv"}},
-        {"Leica PTX", {".ptx"}},
-        {"LAS point cloud", {".las", ".laz"}},
-        {"Wavefront OBJ", {".obj"}},
-        {"Range picture", {".png", ".tif", ".tiff"}},
-        {"3DTK scan", {".3d"}},
-        {"Recording", {".mcap"}},
-    };
-    return kinds;
+    return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}); });
 }
 
 } // namespace edgescan

@@ -9,7 +9,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace edgescan {
 
@@ -26,14 +25,5 @@ Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& 
 
 /// What `make` gives; memory that runs out on the way is one sentence like everything else that can go wrong with the file.
 Result<Scan> withinMemory(const std::filesystem::path& path, const std::function<Result<Scan>()>& make);
-
-/// A kind of file, for dialogs and for looking up by extension.
-struct FileKind {
-    std::string title;                   ///< "Point Cloud Library"
-    std::vector<std::string> extensions; ///< lower case, with the dot: {".pcd"}; the first is the usual one
-};
-
-/// Everything openScan understands, the most usual first.
-[[nodiscard]] const std::vector<FileKind>& readableKinds();
 
 } // namespace edgescan

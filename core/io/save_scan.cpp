@@ -2,67 +2,29 @@
 #include "core/io/save_scan.h"
 
 #include "core/base/whole_file.h"
-#include "core/readers/raw_grid.h"
-#include "core/recording/save_recording.h"
-#include "core/writers/cloud_columns.h"
-#include "core/writers/save_formats.h"
+#include "core/formats/formats.h"
 
-#include <algorithm>
-#include <array>
 #include <span>
 
 namespace edgescan {
 namespace {
 
-constexpr std::array<std::pair<const char*, SaveFormat>, 13> kExtensions{{
-    {".json", SaveFormat::RawGrid},
-    {".u16", SaveFormat::RawGrid},
-    {".pcd", SaveFormat::Pcd},
-    {".ply", SaveFormat::Ply},
-    {".xyz", SaveFormat::Xyz},
-    {".txt", SaveFormat::Xyz},
-    {".asc", SaveFormat::Xyz},
-    {".csv", SaveFormat::Csv},
-    {".las", SaveFormat::Las},
-    {".dxf", SaveFormat::Dxf},
-    {".ptx", SaveFormat::Ptx},
-    {".obj", SaveFormat::Obj},
-    {".mcap", SaveFormat::Recording},
-}};
-
-constexpr const char* kPointFormats = ".pcd, .ply, .xyz, .csv, .las, .dxf, .ptx or .obj";
-
-Error unknownFormat(const std::filesystem::path& path, const char* known) {
+Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
     const std::string extension = path.extension().string();
     return {extension.empty() ? "the file name has no extension that names a format"
                               : "\"" + extension + "\" is no format that can be written",
-            path.string(), std::string("use ") + known};
+            path.string(), "use " + writtenExtensions(wholeScans)};
 }
 
-Result<std::string> bytesOf(CloudColumns columns, SaveFormat format, const std::filesystem::path& path, const SaveOptions& options) {
+/// The format of a cloud; null when the file's name asks for none.
+const Format* cloudFormat(const std::filesystem::path& path) {
+    const Format* format = writtenFormat(path);
+    return format != nullptr && format->write != nullptr ? format : nullptr;
+}
+
+Result<std::string> bytesOf(CloudColumns columns, const Format& format, const std::filesystem::path& path, const SaveOptions& options) {
     columns.record = options.record;
-    switch (format) {
-    case SaveFormat::Pcd:
-        return pcdBytes(columns, path.string(), options.ascii);
-    case SaveFormat::Ply:
-        return plyBytes(columns, path.string(), options.ascii);
-    case SaveFormat::Xyz:
-        return pointTextBytes(columns, path.string(), ' ');
-    case SaveFormat::Csv:
-        return pointTextBytes(columns, path.string(), ',');
-    case SaveFormat::Las:
-        return lasBytes(columns, path.string());
-    case SaveFormat::Dxf:
-        return dxfBytes(columns, path.string());
-    case SaveFormat::Ptx:
-        return ptxBytes(columns, path.string());
-    case SaveFormat::Obj:
-        return objBytes(columns, path.string());
-    case SaveFormat::RawGrid:
-    case SaveFormat::Recording:
-        break;
-    }
-    return unknownFormat(path, kPointFormats);
+    return format.write(columns, path.string(), options.ascii);
 }
 
 Result<Done> write(const Result<std::string>& bytes, const std::filesystem::path& path) {
@@ -77,8 +39,6 @@ Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const s
                  path.string(), "detect the edges of this scan again"};
 }
 
-bool holdsPoints(std::optional<SaveFormat> format) { return format && edgescan::holdsPoints(*format); }
-
 Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result<std::string> bytes) {
     if (!bytes) return bytes.error();
     return std::vector<FileBytes>{{path, std::move(*bytes)}};
@@ -86,57 +46,20 @@ Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result
 
 } // namespace
 
-std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    for (const auto& [known, format] : kExtensions) {
-        if (extension == known) return format;
-    }
-    return std::nullopt;
-}
-
-const std::vector<FileKind>& writableScanKinds() {
-    static const std::vector<FileKind> kinds{
-        {"Point Cloud Library", {".pcd"}}, {"Raw grid", {".json", ".u16"}},
-        {"Polygon file", {".ply"}},        {"Point list", {".xyz", ".txt", ".asc"}},
-        {"Point table", {".csv"}},         {"Recording", {".mcap"}},
-        {"Leica PTX", {".ptx"}},           {"LAS point cloud", {".las"}},
-        {"Wavefront OBJ", {".obj"}},       {"Drawing", {".dxf"}},
-    };
-    return kinds;
-}
-
-const std::vector<FileKind>& writableCloudKinds() {
-    static const std::vector<FileKind> kinds{
-        {"Point Cloud Library", {".pcd"}}, {"Polygon file", {".ply"}},    {"Point list", {".xyz", ".txt", ".asc"}},
-        {"Point table", {".csv"}},         {"LAS point cloud", {".las"}}, {"Drawing with edge lines", {".dxf"}},
-        {"Leica PTX", {".ptx"}},           {"Wavefront OBJ", {".obj"}},
-    };
-    return kinds;
-}
-
 Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where) {
     if (frame == CoordinateFrame::Scanner || scan.placement) return Done{};
     return Error{"the scan has no pose, so its place in the mine grid is not known", where,
                  "give a pose and the robot's calibration, or save in the scanner's frame"};
 }
 
-bool holdsPoints(SaveFormat format) { return format != SaveFormat::RawGrid && format != SaveFormat::Recording; }
-
 Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
-    const auto format = saveFormatOf(path);
-    if (!format) return unknownFormat(path, ".json, .pcd, .ply, .xyz, .csv, .las, .ptx, .obj, .dxf or .mcap");
+    const Format* format = writtenFormat(path);
+    if (format == nullptr) return unknownFormat(path, true);
     if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
-    if (*format == SaveFormat::RawGrid && options.frame == CoordinateFrame::Scanner) return rawGridFiles(scan, path);
-    if (*format == SaveFormat::Recording && options.frame == CoordinateFrame::Scanner) {
-        auto bytes = recordingOf(scan, path.string());
-        if (!bytes) return bytes.error();
-        return oneFile(path, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
-    }
-    if (!holdsPoints(*format))
+    if (format->writeScan != nullptr && options.frame == CoordinateFrame::Scanner) return format->writeScan(scan, path);
+    if (format->write == nullptr)
         return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
-                     std::string("save it without a frame, or as ") + kPointFormats};
+                     "save it without a frame, or as " + writtenExtensions(false)};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     const bool allPoints = options.includeAttached && !scan.attached.empty();
     const CloudColumns columns = allPoints ? validPoints(scan, nullptr, options.frame, true) : everyCell(scan, options.frame);
@@ -145,8 +68,8 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
 
 std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     std::vector<std::string> lost;
-    const auto format = saveFormatOf(path);
-    if (!format) return lost;
+    const Format* format = writtenFormat(path);
+    if (format == nullptr) return lost;
     const auto cells = countCells(scan);
     const std::size_t valid = cells[static_cast<std::size_t>(CellState::Valid)];
     const std::size_t noReturn = cells[static_cast<std::size_t>(CellState::NoReturn)];
@@ -155,10 +78,10 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     if (attached && !options.includeAttached)
         lost.push_back(std::to_string(scan.attached.size()) +
                        " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
-    const bool list = *format == SaveFormat::Dxf || *format == SaveFormat::Obj || (attached && options.includeAttached);
+    const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);
     if (list)
         lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
-    else if (*format == SaveFormat::Ptx && without > noReturn)
+    else if (format->keeps == Keeps::NoReturns && without > noReturn)
         lost.push_back("PTX knows only points and no returns: " + std::to_string(without - noReturn) +
                        " cells of other states become no returns.");
     return lost;
@@ -174,8 +97,8 @@ Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const
 
 Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
                                const SaveOptions& options) {
-    const auto format = saveFormatOf(path);
-    if (!holdsPoints(format)) return unknownFormat(path, kPointFormats);
+    const Format* format = cloudFormat(path);
+    if (format == nullptr) return unknownFormat(path, false);
     if (edgeMask != nullptr) {
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
@@ -185,8 +108,8 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                               const SaveOptions& options) {
-    const auto format = saveFormatOf(path);
-    if (!holdsPoints(format)) return unknownFormat(path, kPointFormats);
+    const Format* format = cloudFormat(path);
+    if (format == nullptr) return unknownFormat(path, false);
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes), *format, path, options);

@@ -18,26 +18,6 @@ namespace edgescan {
 
 enum class DepthEdge : std::uint8_t; // core/depth/depth_edges.h: 0 none, 1 jump, 2 convex, 3 concave
 
-enum class SaveFormat : std::uint8_t {
-    RawGrid,   ///< NAME.json + NAME.u16 (docs/formats.md, "Raw grid"); whole counts of unitMm up to 65535 only
-    Pcd,       ///< binary unless asked otherwise
-    Ply,       ///< binary little endian unless asked otherwise
-    Xyz,       ///< text, separated by spaces
-    Csv,       ///< text, separated by commas
-    Las,       ///< 1.4, whole millimetres
-    Dxf,       ///< points, and edges as polylines
-    Ptx,       ///< the grid; states other than valid become no return
-    Obj,       ///< vertices
-    Recording, ///< MCAP, lines as scan telegrams; whole counts of unitMm up to 65535 only
-};
-
-/// By extension (.json, .u16, .pcd, .ply, .xyz/.txt, .csv, .las, .dxf, .ptx, .obj, .mcap); empty when it names none of them.
-[[nodiscard]] std::optional<SaveFormat> saveFormatOf(const std::filesystem::path& path);
-
-/// What saveScan / saveCloud and saveEdges write, for dialogs.
-[[nodiscard]] const std::vector<FileKind>& writableScanKinds();
-[[nodiscard]] const std::vector<FileKind>& writableCloudKinds();
-
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
@@ -54,9 +34,6 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
                                const SaveOptions& options = {});
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
                               const SaveOptions& options = {});
-
-/// A cloud or a grid of points, not ranges and angles.
-[[nodiscard]] bool holdsPoints(SaveFormat format);
 
 /// The files that saveScan writes, in the order they must appear; nothing is written. A raw grid has two.
 Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});

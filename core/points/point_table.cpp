@@ -1,9 +1,10 @@
-// From points to a scan: our own files exactly, organised clouds as they are, lists by recognition.
+// From points to a scan: our own files exactly, organised clouds as they are, lists by recognition or by projection.
 #include "core/points/point_table.h"
 
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
-#include "core/points/description.h"
+#include "core/base/order_statistic.h"
+#include "core/points/own_scan.h"
 #include "core/recognition/recognise_unit.h"
 #include "core/recognition/regrid.h"
 
@@ -15,7 +16,6 @@ namespace edgescan {
 namespace {
 
 constexpr double kMetresPerMm = 0.001;
-constexpr double kLongestRangeMm = 1e9;
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
 
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
@@ -40,62 +40,6 @@ Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& 
         }
     }
     return precision;
-}
-
-Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
-    std::vector<CellState> states;
-    states.reserve(table.state.size());
-    for (const std::uint8_t state : table.state) {
-        if (state >= kCellStates)
-            return source.refused("a cell has the state " + std::to_string(state) + ", which does not exist", "save the scan again");
-        states.push_back(static_cast<CellState>(state));
-    }
-    return states;
-}
-
-/// A scan that this program saved: every cell in order with range and state.
-Result<Scan> ownScan(PointTable& table, const Source& source) {
-    const auto grid = parseDescription(table.description, source.path.string());
-    if (!grid) return grid.error();
-    const std::size_t cells = table.points.size();
-    const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
-    if (grid->lines * grid->beams != cells)
-        return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
-    if (table.rangeMm.size() != cells || table.state.size() != cells) {
-        return source.refused("describes " + shape + " but has no columns range_mm and state",
-                              "save the scan again, or remove the comment lines");
-    }
-    auto states = statesOf(table, source);
-    if (!states) return states.error();
-    const int lines = static_cast<int>(grid->lines);
-    const int beams = static_cast<int>(grid->beams);
-    if (source.options->unitMm && *source.options->unitMm != 1000.0)
-        return source.refused("--unit does not apply: this program saved the file, in metres", "leave --unit out");
-    Scan scan;
-    scan.format = table.format;
-    scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
-    scan.state = Grid<CellState>(lines, beams, std::move(*states));
-    for (std::size_t k = 0; k < cells; ++k) {
-        if (scan.state[k] == CellState::Valid && !(scan.rangeMm[k] >= 0 && scan.rangeMm[k] <= kLongestRangeMm))
-            return source.refused("a valid cell has a range that is no range", "save the scan again");
-    }
-    scan.unitMm = grid->unitMm;
-    scan.noReturnCodes = grid->noReturnCodes;
-    scan.statusCodes = grid->statusCodes;
-    scan.note = grid->note;
-    scan.placement = grid->placement;
-    scan.acquisition = grid->acquisition;
-    if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
-    if (grid->sensorM) {
-        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
-    } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
-        PolarGeometry polar{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
-        if (grid->lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid->lineSkewDeg, grid->beams);
-        scan.geometry = std::move(polar);
-    } else {
-        return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
-    }
-    return scan;
 }
 
 std::vector<double> rangesOf(const PointTable& table) {
@@ -241,9 +185,7 @@ Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, 
 double farDistanceM(std::vector<double> ranges, double mmPerUnit) {
     std::erase_if(ranges, [](double r) { return !(r > 0); });
     if (ranges.empty()) return 0;
-    const auto far = ranges.begin() + static_cast<std::ptrdiff_t>((ranges.size() - 1) * 95 / 100);
-    std::nth_element(ranges.begin(), far, ranges.end());
-    return *far * mmPerUnit * kMetresPerMm;
+    return valueInOrder(ranges, (ranges.size() - 1) * 95 / 100) * mmPerUnit * kMetresPerMm;
 }
 
 /// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
@@ -375,7 +317,11 @@ bool addToDescription(std::string_view comment, std::string& description) {
 }
 
 Result<Scan> scanFromPoints(PointTable table, const Source& source) {
-    if (!table.description.empty()) return ownScan(table, source);
+    if (!table.description.empty()) {
+        auto scan = ownScan(table, source);
+        if (scan) scan->warnings = std::move(table.remarks);
+        return scan;
+    }
     if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
     if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
     std::size_t infinite = 0;

@@ -6,17 +6,21 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace edgescan {
 
+class Replay;
+
 struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
     bool inMemory = false; ///< there is no file, and no other may be touched
+    std::function<void(const Replay&)> played = {}; ///< called behind every line of a recording
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     /// Lower case, with the dot.

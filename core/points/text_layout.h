@@ -37,6 +37,11 @@ struct TextLine {
 /// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
 [[nodiscard]] std::optional<std::size_t> firstByteThatIsNoText(std::string_view text);
 
+/// Rows without a line end behind the last one, and what to say of it.
+[[nodiscard]] constexpr bool endsWithoutLineEnd(std::string_view text) { return !text.ends_with('\n') && !text.ends_with('\r'); }
+inline constexpr const char* kMayBeCutOff =
+    "The last row has no line end: the file may have been cut off there; compare it with the original.";
+
 /// Error: there is no row of numbers.
 Result<TextLayout> textLayoutOf(const Source& source);
 

@@ -143,11 +143,11 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     return describedSweep(std::move(scan), *recording, where, options);
 }
 
-Result<Scan> readRecording(const Source& source, const LinePlayed& played) {
+Result<Scan> readRecording(const Source& source) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
     const auto recording = Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string());
     if (!recording) return recording.error();
-    return scanOf(*recording, source.path.string(), *source.options, played);
+    return scanOf(*recording, source.path.string(), *source.options, source.played);
 }
 
 } // namespace edgescan

@@ -80,6 +80,6 @@ using LinePlayed = std::function<void(const Replay&)>;
 Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {},
                     const LinePlayed& played = {});
 /// The same for openScan().
-Result<Scan> readRecording(const Source& source, const LinePlayed& played = {});
+Result<Scan> readRecording(const Source& source);
 
 } // namespace edgescan

@@ -4,13 +4,11 @@
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
+#include "core/formats/formats.h"
 #include "core/io/save_scan.h"
 #include "core/pictures/png.h"
-#include "core/points/text_layout.h"
-#include "core/readers/las.h"
 #include "core/report/record_parts.h"
 #include "core/scan/range_picture.h"
-#include "core/writers/cloud_columns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +23,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (docs/operator.md, "S9")
-constexpr std::size_t kMostHeaderLines = 4096;
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
@@ -44,7 +41,7 @@ struct Expected {
 };
 
 Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
-    const bool points = isCloud(content) || (content == ExportContent::WholeScan && holdsPoints(saveFormatOf(path).value()));
+    const bool points = isCloud(content) || (content == ExportContent::WholeScan && writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt};
     const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
@@ -124,19 +121,8 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
 
 std::string embeddedRecord(std::string_view bytes) {
     if (std::string record = pngRecord(bytes); !record.empty()) return record;
-    if (looksLikeLas(bytes)) return lasRecord(bytes);
-    std::string record;
-    const std::string_view mark = kRecordMark;
-    std::size_t at = 0;
-    for (std::size_t line = 0; at < bytes.size() && (line < kMostHeaderLines || !record.empty()); ++line) {
-        TextLine text = textLineAt(bytes, at);
-        at = text.next;
-        const std::size_t found =
-            text.text.substr(0, 16).find(mark.substr(0, 8)) == std::string_view::npos ? std::string_view::npos : text.text.find(mark);
-        if (found == std::string_view::npos && !record.empty() && text.text != "999") break; // 999: DXF begins each comment so
-        if (found != std::string_view::npos) record += text.text.substr(found + mark.size());
-    }
-    return record;
+    const ReadingOptions options;
+    return formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
 }
 
 fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }

@@ -2,8 +2,8 @@
 #include "ui/main/main_window.h"
 
 #include "core/base/whole_file.h"
+#include "core/formats/formats.h"
 #include "core/georef/placed_points.h"
-#include "core/io/save_scan.h"
 #include "core/settings/command_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/dialogs/export_dialog.h"
@@ -28,21 +28,22 @@
 namespace edgescan::ui {
 namespace {
 
-QString filterOf(const FileKind& kind) {
+// One entry of a dialog, empty where a format has no extensions of that kind.
+QString filterOf(const Format& format, const std::vector<const char*>& extensions) {
     QStringList patterns;
-    for (const std::string& extension : kind.extensions) patterns << "*" + QString::fromStdString(extension);
-    return QString::fromStdString(kind.title) + " (" + patterns.join(' ') + ")";
+    for (const char* extension : extensions) patterns << QString("*") + extension;
+    return patterns.isEmpty() ? QString() : QString("%1 (%2)").arg(format.title, patterns.join(' '));
 }
 
 // "All supported" first, then one entry per kind.
 QString openFilters() {
     QStringList all;
     QStringList filters;
-    for (const FileKind& kind : readableKinds()) {
-        for (const std::string& extension : kind.extensions) all << "*" + QString::fromStdString(extension);
-        filters << filterOf(kind);
+    for (const Format& format : formats()) {
+        for (const char* extension : format.reads) all << QString("*") + extension;
+        filters << filterOf(format, format.reads);
     }
-    all.removeDuplicates();
+    filters.removeAll(QString());
     return QObject::tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + QObject::tr("All files (*)");
 }
 
@@ -104,9 +105,10 @@ void MainWindow::askExport(Session::Export what) {
     if (isImage(what))
         filters << tr("PNG picture (*.png)");
     else
-        for (const FileKind& each : writableCloudKinds()) {
-            filters << filterOf(each);
-            if (QString::fromStdString(each.extensions.front()) == extension) usual = filters.back();
+        for (const Format& each : formats()) {
+            if (each.write == nullptr) continue;
+            filters << filterOf(each, each.writes);
+            if (each.writes.front() == extension) usual = filters.back();
         }
     const QString title = isImage(what) ? tr("Export") : tr("Export %1 points").arg(dialog.count());
     QString path = QFileDialog::getSaveFileName(this, title, QDir(memory_.folder(kind)).filePath(name), filters.join(";;"), &usual);

@@ -1,4 +1,7 @@
 // Mine coordinates survive being written and read in every format; where there is no pose they are refused.
+#include "core/formats/formats.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
 #include "core/georef/placed_points.h"
 #include "core/georef/placement_json.h"
 #include "core/io/open_scan.h"
@@ -173,11 +176,7 @@ TEST(MineExport, FormatsOfSurveyAndCadHoldAMillimetreToo) {
                 ASSERT_TRUE(bytes) << bytes.error().sentence();
                 const ReadingOptions options;
                 const Source source{name, std::as_bytes(std::span(*bytes)), &options};
-                std::vector<Eigen::Vector3d> found;
-                if (source.extension() == ".las") found = readLasPoints(source)->points;
-                if (source.extension() == ".dxf") found = *dxfPoints(*bytes, name);
-                if (source.extension() == ".ptx") found = *readPtxPoints(source);
-                if (source.extension() == ".obj") found = readObjPoints(source)->points;
+                const std::vector<Eigen::Vector3d> found = writtenFormat(name)->points(source)->points;
                 ASSERT_EQ(found.size(), expected.size());
                 for (std::size_t n = 0; n < found.size(); ++n) EXPECT_LT((found[n] - expected[n]).cwiseAbs().maxCoeff(), 0.00051) << n;
             }

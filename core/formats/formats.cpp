@@ -1,0 +1,63 @@
+// One row per format. A new format is a file of this folder, a declaration and an entry here.
+#include "core/formats/formats.h"
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan {
+
+Format rawGridFormat();
+Format fileThatIsNoScan();
+Format pcdFormat();
+Format plyFormat();
+Format pointListFormat();
+Format rangeTableFormat();
+Format pointTableFormat();
+Format ptxFormat();
+Format lasFormat();
+Format objFormat();
+Format rangePictureFormat();
+Format scan3dFormat();
+Format dxfFormat();
+Format recordingFormat();
+
+namespace {
+
+/// In this order they are asked whether they recognise a content, and stand in dialogs.
+const std::array<Format, 14>& rows() {
+    static const std::array<Format, 14> all{rawGridFormat(),    fileThatIsNoScan(),   pcdFormat(),    plyFormat(),      pointListFormat(),
+                                            rangeTableFormat(), pointTableFormat(),   lasFormat(),    dxfFormat(),      ptxFormat(),
+                                            objFormat(),        rangePictureFormat(), scan3dFormat(), recordingFormat()};
+    return all;
+}
+
+} // namespace
+
+std::span<const Format> formats() { return rows(); }
+
+const Format& formatOfContent(const Source& source) {
+    for (const Format& format : rows()) {
+        if (format.recognises != nullptr && format.recognises(source)) return format;
+    }
+    // The list of points recognises nothing: it is what is left.
+    return *std::ranges::find_if(rows(), [](const Format& format) { return format.recognises == nullptr && !format.reads.empty(); });
+}
+
+const Format* writtenFormat(const std::filesystem::path& path) {
+    const std::string extension = Source{path, {}}.extension();
+    const auto found = std::ranges::find_if(
+        rows(), [&](const Format& format) { return std::ranges::find(format.writes, extension) != format.writes.end(); });
+    return found == rows().end() ? nullptr : &*found;
+}
+
+std::string writtenExtensions(bool wholeScans) {
+    std::vector<std::string> names;
+    for (const Format& format : rows()) {
+        if (format.write != nullptr || (wholeScans && format.writeScan != nullptr)) names.emplace_back(format.writes.front());
+    }
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+    return text;
+}
+
+} // namespace edgescan

@@ -1,0 +1,209 @@
+// LAS 1.0 to 1.4, uncompressed, point formats 0 to 10 (ASPRS). Every offset and count of the header is compared with the bytes that are
+// there before anything is allocated.
+
+#include "core/formats/format.h"
+
+#include "core/base/memory.h"
+#include "core/formats/las_layout.h"
+#include "core/formats/laz.h"
+#include "core/points/point_columns.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "LAS is read as the machine stores numbers");
+
+/// The caller has checked that the bytes are there.
+template <class T>
+T valueAt(const Source& source, std::uint64_t offset) {
+    T value;
+    std::memcpy(&value, source.bytes.data() + offset, sizeof value);
+    return value;
+}
+
+struct LasHeader {
+    int minor = 0;
+    std::uint64_t headerBytes = 0, pointsAt = 0, records = 0, points = 0, extendedAt = 0, extended = 0;
+    unsigned format = 0;
+    std::uint64_t pointBytes = 0;
+    Eigen::Vector3d scale, offset;
+};
+
+bool isReasonable(const Eigen::Vector3d& v) { return v.allFinite() && v.cwiseAbs().maxCoeff() < 1e12; }
+
+Result<LasHeader> readLasHeader(const Source& source) {
+    if (source.bytes.size() < las::kHeader12) return source.refused("the file ends within its LAS header", kCopyAgain);
+    LasHeader header;
+    const int major = valueAt<std::uint8_t>(source, las::kVersionMajor);
+    header.minor = valueAt<std::uint8_t>(source, las::kVersionMinor);
+    header.headerBytes = valueAt<std::uint16_t>(source, las::kHeaderSize);
+    header.pointsAt = valueAt<std::uint32_t>(source, las::kPointsAt);
+    header.records = valueAt<std::uint32_t>(source, las::kRecordCount);
+    header.format = valueAt<std::uint8_t>(source, las::kPointFormat);
+    header.pointBytes = valueAt<std::uint16_t>(source, las::kPointBytes);
+    header.points = valueAt<std::uint32_t>(source, las::kLegacyPoints);
+    if (major != 1 || header.minor > 4) {
+        return source.refused("this is LAS version " + std::to_string(major) + "." + std::to_string(header.minor) +
+                                  ", and versions up to 1.4 are known",
+                              "save it as LAS 1.2 or 1.4");
+    }
+    const std::uint64_t least = header.minor == 4 ? las::kHeader14 : las::kHeader12;
+    if (header.headerBytes < least || header.headerBytes > source.bytes.size())
+        return source.refused("the LAS header says it is " + std::to_string(header.headerBytes) + " bytes long", kCopyAgain);
+    if (header.minor == 4) {
+        header.extendedAt = valueAt<std::uint64_t>(source, las::kExtendedAt);
+        header.extended = valueAt<std::uint32_t>(source, las::kExtendedCount);
+        if (const auto points = valueAt<std::uint64_t>(source, las::kPoints); points != 0) header.points = points;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        header.scale[axis] = valueAt<double>(source, las::kScale + 8 * static_cast<std::size_t>(axis));
+        header.offset[axis] = valueAt<double>(source, las::kOffset + 8 * static_cast<std::size_t>(axis));
+    }
+    if (!isReasonable(header.scale) || !isReasonable(header.offset) || !(header.scale.cwiseAbs().minCoeff() > 0))
+        return source.refused("the scale or offset in the LAS header is no number that coordinates have", "export the file again");
+    return header;
+}
+
+Result<Done> checkPoints(const LasHeader& header, const Source& source) {
+    if (header.format >= las::kFormatBytes.size() || header.pointBytes < las::kFormatBytes[header.format]) {
+        return source.refused("points of format " + std::to_string(header.format) + " with " + std::to_string(header.pointBytes) +
+                                  " bytes are none that LAS knows",
+                              "save it as LAS 1.2 or 1.4");
+    }
+    if (header.points == 0) return source.refused("the file holds no points", "choose another file");
+    if (header.pointsAt < header.headerBytes || header.pointsAt > source.bytes.size())
+        return source.refused("the points begin at byte " + std::to_string(header.pointsAt) + ", which is not in the file", kCopyAgain);
+    const std::uint64_t held = source.bytes.size() - header.pointsAt;
+    if (held / header.pointBytes < header.points) {
+        return source.refused("the header promises " + std::to_string(header.points) + " points of " + std::to_string(header.pointBytes) +
+                                  " bytes and the file holds " + std::to_string(held) + " bytes of them",
+                              kCopyAgain);
+    }
+    return checkMemory(header.points * sizeof(Eigen::Vector3d), source.path.string());
+}
+
+/// Our own records of a file that this program saved.
+struct OwnRecords {
+    std::string description;
+    std::string provenance;
+    std::span<const std::byte> cells;
+};
+
+void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::span<const std::byte> content) {
+    std::array<char, 17> user{};
+    std::memcpy(user.data(), source.bytes.data() + at + las::kRecordUser, 16);
+    if (std::strcmp(user.data(), las::kOurUser) != 0) return;
+    const auto id = valueAt<std::uint16_t>(source, at + las::kRecordId);
+    if (id == las::kDescriptionId) own.description.assign(reinterpret_cast<const char*>(content.data()), content.size());
+    if (id == las::kCellsId) own.cells = content;
+    if (id == las::kProvenanceId) own.provenance.assign(reinterpret_cast<const char*>(content.data()), content.size());
+}
+
+/// Records behind the points (LAS 1.4). Damaged ones end the search: the points are there all the same.
+OwnRecords ownRecords(const LasHeader& header, const Source& source) {
+    OwnRecords own;
+    std::uint64_t at = header.extendedAt;
+    for (std::uint64_t n = 0; n < header.extended; ++n) {
+        if (at > source.bytes.size() || source.bytes.size() - at < las::kExtendedHeader) break;
+        const auto length = valueAt<std::uint64_t>(source, at + las::kRecordLength);
+        const std::uint64_t from = at + las::kExtendedHeader;
+        if (length > source.bytes.size() - from) break;
+        keepRecord(own, source, at, source.bytes.subspan(from, length));
+        at = from + length;
+    }
+    return own;
+}
+
+Result<std::vector<Eigen::Vector3d>> readPoints(const LasHeader& header, const Source& source) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(header.points);
+    for (std::uint64_t n = 0; n < header.points; ++n) {
+        const std::uint64_t at = header.pointsAt + n * header.pointBytes;
+        const Eigen::Vector3d whole(valueAt<std::int32_t>(source, at), valueAt<std::int32_t>(source, at + 4),
+                                    valueAt<std::int32_t>(source, at + 8));
+        points.push_back(whole.cwiseProduct(header.scale) + header.offset);
+        if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
+            return source.cancelled();
+    }
+    return points;
+}
+
+/// Spreads the valid points over the cells that were saved with them.
+Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Source& source) {
+    const std::size_t cells = own.cells.size() / las::kCellBytes;
+    std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < cells; ++k) {
+        const std::byte* at = own.cells.data() + k * las::kCellBytes;
+        float range = 0;
+        std::memcpy(&range, at + 1, sizeof range);
+        table.state.push_back(std::to_integer<std::uint8_t>(at[0]));
+        table.rangeMm.push_back(range);
+        if (table.state.back() != static_cast<std::uint8_t>(CellState::Valid)) continue;
+        if (next < table.points.size()) points[k] = table.points[next];
+        ++next;
+    }
+    if (next != table.points.size()) {
+        return source.refused("describes a scan of " + std::to_string(next) + " valid cells and holds " +
+                                  std::to_string(table.points.size()) + " points",
+                              "save the scan again");
+    }
+    table.points = std::move(points);
+    table.description = own.description;
+    return Done{};
+}
+
+bool looksLikeLas(const Source& source) { return source.text().starts_with("LASF"); }
+
+std::string lasRecord(std::string_view bytes) {
+    const Source source{{}, std::as_bytes(std::span(bytes.data(), bytes.size())), nullptr};
+    const auto header = readLasHeader(source);
+    return header ? ownRecords(*header, source).provenance : std::string();
+}
+
+/// The points and what our own records say of them.
+Result<PointTable> readLasPoints(const Source& source) {
+    const auto header = readLasHeader(source);
+    if (!header) return header.error();
+    PointTable table;
+    table.format = "LAS";
+    table.unitMm = 1000.0;
+    table.precision = {0.5 * header->scale.cwiseAbs().maxCoeff(), 1e-15};
+    if ((header->format & 0xC0U) != 0) { // LAZ marks its point format so
+        table.format = "LAZ";
+        auto points = readLazPoints(source);
+        if (!points) return points.error();
+        table.points = std::move(*points);
+    } else {
+        if (auto fits = checkPoints(*header, source); !fits) return fits.error();
+        auto points = readPoints(*header, source);
+        if (!points) return points.error();
+        table.points = std::move(*points);
+    }
+    const OwnRecords own = ownRecords(*header, source);
+    if (!own.description.empty() && !own.cells.empty()) {
+        if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();
+    }
+    table.width = table.points.size();
+    return table;
+}
+
+} // namespace
+
+Format lasFormat() {
+    return {.title = "LAS point cloud",
+            .reads = {".las", ".laz"},
+            .writes = {".las"},
+            .recognises = looksLikeLas,
+            .points = readLasPoints,
+            .write = lasBytes,
+            .record = lasRecord};
+}
+
+} // namespace edgescan

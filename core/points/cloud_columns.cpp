@@ -1,0 +1,206 @@
+// Columns of a scan's cells.
+#include "core/points/cloud_columns.h"
+
+#include "core/base/number_text.h"
+#include "core/georef/placed_points.h"
+#include "core/points/description.h"
+#include "core/points/text_layout.h"
+#include "core/scan/cartesian.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kMostHeaderLines = 4096;
+constexpr double kLargestInFloat = 1e4; // metres; beyond it a 4-byte float steps by a millimetre and more
+
+/// Polar points are computed and lie within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
+/// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
+bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
+    for (const Eigen::Vector3d& p : points) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!std::isfinite(p[axis])) continue;
+            if (std::abs(p[axis]) > kLargestInFloat) return false;
+            if (!computed && static_cast<double>(static_cast<float>(p[axis])) != p[axis]) return false;
+        }
+    }
+    return true;
+}
+
+template <class T>
+void addCoordinates(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, const char* prefix) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<T> values;
+        values.reserve(points.size());
+        for (const Eigen::Vector3d& p : points) values.push_back(static_cast<T>(p[axis]));
+        cloud.columns.push_back({prefix + std::string(1, static_cast<char>('x' + axis)), std::move(values)});
+    }
+}
+
+void addPoints(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, bool computed, const char* prefix = "") {
+    if (cloud.frame != CoordinateFrame::Mine && floatsSuffice(points, computed))
+        addCoordinates<float>(cloud, points, prefix);
+    else
+        addCoordinates<double>(cloud, points, prefix);
+}
+
+template <class T, class Value>
+void addColumn(CloudColumns& cloud, const char* name, const std::vector<std::size_t>& cells, Value value) {
+    std::vector<T> values;
+    values.reserve(cells.size());
+    for (const std::size_t k : cells) values.push_back(static_cast<T>(value(k)));
+    cloud.columns.push_back({name, std::move(values)});
+}
+
+/// Turns the points of the cells from the scanner's frame into the one asked for.
+void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::size_t>& cells, std::vector<Eigen::Vector3d>& points) {
+    const PlacedPoints placed(scan);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams), points[n]);
+    cloud.sensorM = placed.inFrame(cloud.frame, 0, 0, cloud.sensorM);
+    if (cloud.frame == CoordinateFrame::MineLocal) cloud.originM = placed.originEnhM();
+}
+
+/// The cells of a cloud, one per point; the last `attached.size()` are those of the points attached to them.
+struct Chosen {
+    std::vector<std::size_t> cells;
+    std::vector<const AttachedPoint*> attached;
+};
+
+CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame) {
+    const std::vector<std::size_t>& cells = chosen.cells;
+    const std::size_t ownPoints = cells.size() - chosen.attached.size();
+    CloudColumns cloud;
+    cloud.width = cells.size();
+    cloud.lines = static_cast<std::size_t>(scan.lines());
+    cloud.beams = static_cast<std::size_t>(scan.beams());
+    cloud.frame = frame;
+    const CartesianTables tables(scan);
+    cloud.sensorM = tables.sensor();
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(cells.size());
+    const auto* given = std::get_if<PointGeometry>(&scan.geometry);
+    for (std::size_t n = 0; n < ownPoints; ++n)
+        points.push_back(every && given != nullptr ? given->pointsM[cells[n]] : tables.point(cells[n]));
+    std::vector<float> ranges;
+    ranges.reserve(cells.size());
+    for (std::size_t n = 0; n < ownPoints; ++n) ranges.push_back(scan.rangeMm[cells[n]]);
+    for (const AttachedPoint* extra : chosen.attached) {
+        points.push_back(extra->pointM);
+        ranges.push_back(static_cast<float>((extra->pointM - tables.sensor()).norm() * 1000.0));
+    }
+    const bool placed = frame != CoordinateFrame::Scanner;
+    std::vector<Eigen::Vector3d> asRead;
+    if (placed && every && given != nullptr) asRead = points;
+    if (placed) placePoints(cloud, scan, cells, points);
+    addPoints(cloud, points, given == nullptr || placed);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    addColumn<std::uint32_t>(cloud, "line", cells, [&](std::size_t k) { return k / beams; });
+    addColumn<std::uint32_t>(cloud, "beam", cells, [&](std::size_t k) { return k % beams; });
+    cloud.columns.push_back({"range_mm", std::move(ranges)});
+    if (!asRead.empty()) addPoints(cloud, asRead, false, "scanner_");
+    if (!chosen.attached.empty()) {
+        std::vector<std::uint8_t> attached(cells.size(), 0);
+        std::fill(attached.begin() + static_cast<std::ptrdiff_t>(ownPoints), attached.end(), std::uint8_t{1});
+        cloud.columns.push_back({"attached", std::move(attached)});
+    }
+    return cloud;
+}
+
+void addClasses(CloudColumns& cloud, const std::vector<std::size_t>& cells, const Grid<DepthEdge>* classes) {
+    if (classes != nullptr) addColumn<std::uint8_t>(cloud, "class", cells, [&](std::size_t k) { return (*classes)[k]; });
+}
+
+template <class Wanted>
+Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
+    Chosen chosen;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (wanted(k)) chosen.cells.push_back(k);
+    }
+    if (!withAttached) return chosen;
+    for (const AttachedPoint& point : scan.attached) {
+        if (!wanted(point.cell)) continue;
+        chosen.cells.push_back(point.cell);
+        chosen.attached.push_back(&point);
+    }
+    return chosen;
+}
+
+} // namespace
+
+CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
+    const Chosen every = cellsWhere(scan, false, [](std::size_t) { return true; });
+    CloudColumns cloud = columnsFor(scan, every, true, frame);
+    addColumn<std::uint8_t>(cloud, "state", every.cells, [&](std::size_t k) { return scan.state[k]; });
+    cloud.width = static_cast<std::size_t>(scan.beams());
+    cloud.height = static_cast<std::size_t>(scan.lines());
+    cloud.description = descriptionText(scan, "", -1);
+    return cloud;
+}
+
+CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
+                         const Grid<DepthEdge>* classes) {
+    const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
+    CloudColumns cloud = columnsFor(scan, valid, false, frame);
+    addColumn<std::uint8_t>(cloud, "edge", valid.cells,
+                            [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
+    addClasses(cloud, valid.cells, classes);
+    return cloud;
+}
+
+CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
+                        const Grid<DepthEdge>* classes) {
+    const Chosen edges =
+        cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
+    CloudColumns cloud = columnsFor(scan, edges, false, frame);
+    addClasses(cloud, edges.cells, classes);
+    return cloud;
+}
+
+std::string frameText(const CloudColumns& cloud) {
+    switch (cloud.frame) {
+    case CoordinateFrame::Scanner:
+        break;
+    case CoordinateFrame::Mine:
+        return "EdgeScan, mine grid in metres: x Easting, y Northing, z Elevation";
+    case CoordinateFrame::MineLocal:
+        return "EdgeScan, metres from the mine grid origin: x east, y north, z up; origin E " + fixedText(cloud.originM.x(), 3) + " N " +
+               fixedText(cloud.originM.y(), 3) + " El " + fixedText(cloud.originM.z(), 3);
+    }
+    return "EdgeScan, coordinates in metres";
+}
+
+std::vector<std::string> commentLines(const std::string& json, const std::string& mark) {
+    constexpr std::size_t kLength = 200;
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < json.size();) {
+        std::size_t end = std::min(at + kLength, json.size());
+        // A blank at a cut would be lost with the line's end.
+        while (end < json.size() && end > at + 1 && (json[end] == ' ' || json[end - 1] == ' ')) --end;
+        lines.push_back(mark + json.substr(at, end - at));
+        at = end;
+    }
+    return lines;
+}
+
+std::string recordInComments(std::string_view bytes) {
+    std::string record;
+    const std::string_view mark = kRecordMark;
+    std::size_t at = 0;
+    for (std::size_t line = 0; at < bytes.size() && (line < kMostHeaderLines || !record.empty()); ++line) {
+        const TextLine text = textLineAt(bytes, at);
+        at = text.next;
+        const bool atStart = text.text.substr(0, 16).find(mark.substr(0, 8)) != std::string_view::npos;
+        const std::size_t found = atStart ? text.text.find(mark) : std::string_view::npos;
+        if (found != std::string_view::npos)
+            record += text.text.substr(found + mark.size());
+        else if (!record.empty() && text.text != "999") // DXF begins each comment so
+            break;
+    }
+    return record;
+}
+
+} // namespace edgescan

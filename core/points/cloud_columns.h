@@ -1,0 +1,64 @@
+// A cloud as named columns, ready for any writer.
+#pragma once
+
+#include "core/base/grid.h"
+#include "core/base/result.h"
+#include "core/scan/placement.h"
+#include "core/scan/scan.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace edgescan {
+
+enum class DepthEdge : std::uint8_t; // core/depth/depth_edges.h
+
+struct CloudColumn {
+    std::string name; ///< "x", "range_mm" ...
+    std::variant<std::vector<float>, std::vector<double>, std::vector<std::uint32_t>, std::vector<std::uint8_t>> values;
+};
+
+struct CloudColumns {
+    std::size_t width = 0;  ///< points per row
+    std::size_t height = 1; ///< more than 1: organised, every cell is there
+    std::size_t lines = 0;  ///< of the scan that the cells are of
+    std::size_t beams = 0;
+    std::vector<CloudColumn> columns;
+    std::string description; ///< JSON for the comment lines; empty = none
+    std::string record;      ///< provenance as JSON for the comment lines; empty = none
+    CoordinateFrame frame = CoordinateFrame::Scanner;
+    Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< what to add to x y z for mine coordinates, when frame is MineLocal
+    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< in the same numbers as x y z
+};
+
+/// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, state, and the description. A frame other
+/// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
+[[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
+
+/// Valid cells: x y z, line, beam, range_mm, edge, and class where `classes` is given. `edgeMask` may be null. With `withAttached` the
+/// points that are attached to these cells follow, and a column tells them.
+[[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
+                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
+                                       const Grid<DepthEdge>* classes = nullptr);
+
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, class as above; and what is attached to them.
+[[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
+                                      CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
+                                      const Grid<DepthEdge>* classes = nullptr);
+
+/// What a header tells people of frame, unit, axis order and origin: one line of ASCII.
+[[nodiscard]] std::string frameText(const CloudColumns& cloud);
+
+/// JSON cut into lines short enough for every reader, each behind `mark`: "edgescan {...".
+[[nodiscard]] std::vector<std::string> commentLines(const std::string& json, const std::string& mark = "edgescan ");
+
+/// What stands before provenance in comment lines.
+inline constexpr const char* kRecordMark = "edgescan-record ";
+
+/// The provenance in the comment lines of a file; empty when there is none.
+[[nodiscard]] std::string recordInComments(std::string_view bytes);
+
+} // namespace edgescan

@@ -1,0 +1,67 @@
+// Columns as rows of text, as binary records and as comment lines.
+#include "core/points/column_rows.h"
+
+#include "core/base/memory.h"
+#include "core/base/number_text.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace edgescan {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
+
+constexpr int kMineDecimals = 4; // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
+
+} // namespace
+
+void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
+    for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
+        for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
+            const CloudColumn& column = cloud.columns[i];
+            if (i > 0) text += separator;
+            std::visit(
+                [&](const auto& values) {
+                    if (i < 3 && cloud.frame == CoordinateFrame::Mine && std::isfinite(static_cast<double>(values[row])))
+                        appendFixed(text, static_cast<double>(values[row]), kMineDecimals);
+                    else
+                        appendShortest(text, values[row]);
+                },
+                column.values);
+        }
+        text += '\n';
+    }
+}
+
+void appendComments(std::string& text, const CloudColumns& cloud, const std::string& word) {
+    for (const std::string& line : commentLines(cloud.description)) text += word + line + "\n";
+    for (const std::string& line : commentLines(cloud.record, kRecordMark)) text += word + line + "\n";
+}
+
+void appendRecords(std::string& bytes, const CloudColumns& cloud) {
+    std::size_t record = 0;
+    for (const CloudColumn& column : cloud.columns) std::visit([&](const auto& values) { record += sizeof(values[0]); }, column.values);
+    const std::size_t start = bytes.size();
+    bytes.resize(start + record * rowsOf(cloud));
+    std::size_t offset = start;
+    for (const CloudColumn& column : cloud.columns) {
+        std::visit(
+            [&](const auto& values) {
+                char* at = bytes.data() + offset;
+                for (const auto value : values) {
+                    std::memcpy(at, &value, sizeof value);
+                    at += record;
+                }
+                offset += sizeof(values[0]);
+            },
+            column.values);
+    }
+}
+
+Result<Done> checkRoom(const CloudColumns& cloud, const std::string& where, std::uint64_t bytesPerNumber) {
+    return checkMemory(std::uint64_t{rowsOf(cloud)} * cloud.columns.size() * bytesPerNumber, where);
+}
+
+} // namespace edgescan

@@ -1,0 +1,66 @@
+// Every cell in order with range and state, as the description says.
+#include "core/points/own_scan.h"
+
+#include "core/points/description.h"
+
+namespace edgescan {
+namespace {
+
+Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
+    std::vector<CellState> states;
+    states.reserve(table.state.size());
+    for (const std::uint8_t state : table.state) {
+        if (state >= kCellStates)
+            return source.refused("a cell has the state " + std::to_string(state) + ", which does not exist", "save the scan again");
+        states.push_back(static_cast<CellState>(state));
+    }
+    return states;
+}
+
+} // namespace
+
+Result<Scan> ownScan(PointTable& table, const Source& source) {
+    const auto grid = parseDescription(table.description, source.path.string());
+    if (!grid) return grid.error();
+    const std::size_t cells = table.points.size();
+    const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
+    if (grid->lines * grid->beams != cells)
+        return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
+    if (table.rangeMm.size() != cells || table.state.size() != cells) {
+        return source.refused("describes " + shape + " but has no columns range_mm and state",
+                              "save the scan again, or remove the comment lines");
+    }
+    auto states = statesOf(table, source);
+    if (!states) return states.error();
+    const int lines = static_cast<int>(grid->lines);
+    const int beams = static_cast<int>(grid->beams);
+    if (source.options->unitMm && *source.options->unitMm != 1000.0)
+        return source.refused("--unit does not apply: this program saved the file, in metres", "leave --unit out");
+    Scan scan;
+    scan.format = table.format;
+    scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
+    scan.state = Grid<CellState>(lines, beams, std::move(*states));
+    for (std::size_t k = 0; k < cells; ++k) {
+        if (scan.state[k] == CellState::Valid && !(scan.rangeMm[k] >= 0 && scan.rangeMm[k] <= kLongestRangeMm))
+            return source.refused("a valid cell has a range that is no range", "save the scan again");
+    }
+    scan.unitMm = grid->unitMm;
+    scan.noReturnCodes = grid->noReturnCodes;
+    scan.statusCodes = grid->statusCodes;
+    scan.note = grid->note;
+    scan.placement = grid->placement;
+    scan.acquisition = grid->acquisition;
+    if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
+    if (grid->sensorM) {
+        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
+    } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
+        PolarGeometry polar{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
+        if (grid->lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid->lineSkewDeg, grid->beams);
+        scan.geometry = std::move(polar);
+    } else {
+        return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
+    }
+    return scan;
+}
+
+} // namespace edgescan

@@ -1,0 +1,13 @@
+// Scans that this program saved as points.
+#pragma once
+
+#include "core/points/point_table.h"
+
+namespace edgescan {
+
+inline constexpr double kLongestRangeMm = 1e9; ///< no scanner reaches as far
+
+/// The table's description, ranges and states as the scan they were. Error: they do not fit each other.
+Result<Scan> ownScan(PointTable& table, const Source& source);
+
+} // namespace edgescan
