@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kCalibrationFormat = "edgescan-calibration/1";
 const std::vector<std::string> kViewings{"forward", "up", "rpy", "matrix"};
@@ -63,37 +62,7 @@ void readBoom(JsonFields boom, Calibration& c) {
     boom.done();
 }
 
-Json vectorJson(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json matrixJson(const Matrix3d& m) {
-    Json rows = Json::array();
-    for (int i = 0; i < 3; ++i) rows.push_back({m(i, 0), m(i, 1), m(i, 2)});
-    return rows;
-}
-
-/// JSON by hand: one line per key, lists on it, so that a person sees the table.
-std::string readable(const Json& object) {
-    std::string text = "{\n";
-    std::size_t left = object.size();
-    for (const auto& [key, value] : object.items()) {
-        text += "  " + Json(key).dump() + ": ";
-        if (value.is_object()) {
-            text += "{\n";
-            std::size_t inner = value.size();
-            for (const auto& [name, item] : value.items())
-                text += "    " + Json(name).dump() + ": " + item.dump() + (--inner > 0 ? ",\n" : "\n");
-            text += "  }";
-        } else {
-            text += value.dump();
-        }
-        text += --left > 0 ? ",\n" : "\n";
-    }
-    return text + "}\n";
-}
-
 } // namespace
-
-bool operator==(const Calibration& a, const Calibration& b) { return calibrationText(a) == calibrationText(b); }
 
 Result<Calibration> parseCalibration(std::string_view json, const std::string& where) {
     const auto object = parseJsonObject(json, kCalibrationFormat, where);
@@ -125,45 +94,6 @@ Result<Calibration> openCalibration(const std::filesystem::path& path) {
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     return parseCalibration({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
-}
-
-std::string calibrationText(const Calibration& c) {
-    Json stepper{{"mount_rpy_deg", vectorJson(c.mountRpyDeg)},
-                 {"mount_m", vectorJson(c.mountM)},
-                 {"axis", vectorJson(c.axis)},
-                 {"step_deg", c.degPerStep},
-                 {"zero_deg", c.zeroDeg},
-                 {"direction", c.direction},
-                 {"mirror_index_deg", c.mirrorIndexDeg}};
-    Json inclinometer{{"viewing", kViewings[static_cast<std::size_t>(c.viewing)]}};
-    if (c.viewing == Viewing::Rpy) inclinometer["rpy_deg"] = vectorJson(c.viewingRpyDeg);
-    if (c.viewing == Viewing::Matrix) inclinometer["matrix"] = matrixJson(c.viewingMatrix);
-    inclinometer["offset_m"] = vectorJson(c.inclinometerM);
-    inclinometer["reads"] = kTilts[static_cast<std::size_t>(c.tilt)];
-    Json boom{{"azimuth_about", kAzimuths[c.slewAboutRobotZ ? 1 : 0]}};
-    const bool arm = !c.armM.isZero(0.0);
-    boom[arm ? "pivot_in_robot_m" : "head_in_robot_m"] = vectorJson(c.headInRobotM);
-    if (arm) boom["arm_m"] = vectorJson(c.armM);
-    return readable({{"format", kCalibrationFormat},
-                     {"robot", c.robot},
-                     {"stepper", stepper},
-                     {"inclinometer", inclinometer},
-                     {"boom", boom},
-                     {"talin", {{"in_robot_m", vectorJson(c.talinInRobotM)}, {"boresight_rpy_deg", vectorJson(c.boresightRpyDeg)}}},
-                     {"grid", {{"convergence_deg", c.convergenceDeg}, {"scale", c.gridScale}}},
-                     {"limits", {{"tilt_change_deg", c.tiltChangeLimitDeg}, {"pose_age_s", c.poseAgeLimitS}}}});
-}
-
-Calibration exampleCalibration() {
-    Calibration c;
-    c.robot = "example robot";
-    c.mountRpyDeg = {0.2, -0.1, 0.15};
-    c.mountM = {0.0015, 0.004, 0.035};
-    c.headInRobotM = {4.2, 1.3, 2.65};
-    c.talinInRobotM = {-0.85, 0.1, 1.15};
-    c.boresightRpyDeg = {0.05, -0.08, 0.12};
-    c.convergenceDeg = -0.35;
-    return c;
 }
 
 RigidTransform inclinometerFromAxisBase(const Calibration& c) {

@@ -56,17 +56,10 @@ struct Calibration {
     double tiltChangeLimitDeg = 0.2; ///< more than this during a static sweep is OUT OF SPEC
     double poseAgeLimitS = 0.0;      ///< a pose may be this much older than the start of the scan
 };
-[[nodiscard]] bool operator==(const Calibration& a, const Calibration& b);
 
 /// Error: unknown key, missing unit in a name, number outside its limits, no rotation, axis without direction. `where` is the path.
 Result<Calibration> parseCalibration(std::string_view json, const std::string& where);
 Result<Calibration> openCalibration(const std::filesystem::path& path);
-
-/// {"format": "edgescan-calibration/1", ...} with every key; parseCalibration gives the same numbers back.
-[[nodiscard]] std::string calibrationText(const Calibration& calibration);
-
-/// A robot with typical numbers, to be copied and corrected.
-[[nodiscard]] Calibration exampleCalibration();
 
 /// T_IA.
 [[nodiscard]] RigidTransform inclinometerFromAxisBase(const Calibration& calibration);

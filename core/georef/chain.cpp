@@ -13,18 +13,7 @@ namespace edgescan {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d sensorPoint(double beamDeg, double rangeM) {
-    const double a = radians(beamDeg);
-    return {rangeM * std::cos(a), 0.0, rangeM * std::sin(a)};
-}
-
 RigidTransform moverFromSensor(const Vector3d& mountRpyDeg, const Vector3d& mountM) { return {rotationRpyDeg(mountRpyDeg), mountM}; }
-
-double stepperAngleDeg(double zeroDeg, double direction, double degPerStep, double step) { return zeroDeg + direction * step * degPerStep; }
-
-RigidTransform axisBaseFromMover(const Vector3d& axis, double stepperDeg) {
-    return {rotationAbout(axis, radians(stepperDeg)), Vector3d::Zero()};
-}
 
 Result<PitchRoll> pitchRollOfElevations(double tiltXDeg, double tiltYDeg) {
     const double sine = std::sin(radians(tiltYDeg)) / std::cos(radians(tiltXDeg));

@@ -9,15 +9,8 @@
 
 namespace edgescan {
 
-// Step 1: polar to Cartesian.
-
-[[nodiscard]] Eigen::Vector3d sensorPoint(double beamDeg, double rangeM);
 /// T_MS.
 [[nodiscard]] RigidTransform moverFromSensor(const Eigen::Vector3d& mountRpyDeg, const Eigen::Vector3d& mountM);
-/// phi = phi0 + direction k step.
-[[nodiscard]] double stepperAngleDeg(double zeroDeg, double direction, double degPerStep, double step);
-/// T_AM.
-[[nodiscard]] RigidTransform axisBaseFromMover(const Eigen::Vector3d& axis, double stepperDeg);
 
 // Step 2: to the inclinometer, then level.
 

@@ -94,8 +94,4 @@ const char* frameTail(CoordinateFrame frame) {
     return frame == CoordinateFrame::Scanner ? "_LOCAL" : frame == CoordinateFrame::MineLocal ? "_OFFSET" : "";
 }
 
-std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension, CoordinateFrame frame) {
-    return scan.name + "_" + content + frameTail(frame) + extension;
-}
-
 } // namespace edgescan

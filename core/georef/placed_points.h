@@ -52,11 +52,6 @@ struct MinePoint {
 /// What a name says of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin (docs/operator.md, "S6").
 [[nodiscard]] const char* frameTail(CoordinateFrame frame);
 
-/// "boxes_edges.pcd"; without mine coordinates "boxes_edges_LOCAL.pcd", in local metres from an origin "boxes_edges_OFFSET.pcd"
-/// (docs/operator.md, "S6"). `extension` with the dot.
-[[nodiscard]] std::string suggestedExportName(const Scan& scan, const std::string& content, const std::string& extension,
-                                              CoordinateFrame frame);
-
 /// Mine where the scan has a place, else Scanner: what an export should carry unless somebody says otherwise.
 [[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {
     return scan.placement ? CoordinateFrame::Mine : CoordinateFrame::Scanner;

@@ -1,8 +1,7 @@
-// Reading and writing of pose files.
+// Reading pose files.
 #include "core/georef/poses.h"
 
 #include "core/base/json_fields.h"
-#include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/georef/calibration.h"
 
@@ -10,8 +9,6 @@
 
 namespace edgescan {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kPoseFormat = "edgescan-pose/1";
 constexpr const char* kPoseHint = "compare it with the example in docs/coordinates.md";
@@ -64,8 +61,6 @@ void checkTimes(JsonFields& fields, const std::vector<Reading>& readings, const 
     }
 }
 
-Json timeJson(double seconds) { return std::isnan(seconds) ? Json() : Json(utcText(seconds)); }
-
 } // namespace
 
 Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
@@ -96,29 +91,6 @@ Result<PoseTrack> openPoses(const std::filesystem::path& path) {
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     return parsePoses({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
-}
-
-std::string posesText(const PoseTrack& poses) {
-    Json object{
-        {"format", kPoseFormat}, {"robot", poses.robot}, {"scan_start", timeJson(poses.scanStartS)}, {"scan_end", timeJson(poses.scanEndS)}};
-    object["sweep"] = poses.moving ? "moving" : "static";
-    object["boom"]["azimuth_deg"] = poses.boomAzimuthDeg;
-    const Eigen::Vector3d& head = poses.headInRobotM;
-    if (head.allFinite()) object["boom"]["head_in_robot_m"] = {head.x(), head.y(), head.z()};
-    for (const InclinometerReading& r : poses.inclinometer)
-        object["inclinometer"].push_back({{"time", timeJson(r.timeS)}, {"tilt_x_deg", r.tiltXDeg}, {"tilt_y_deg", r.tiltYDeg}});
-    for (const TalinReading& r : poses.talin) {
-        object["talin"].push_back({{"time", timeJson(r.timeS)},
-                                   {"easting_m", r.enhM.x()},
-                                   {"northing_m", r.enhM.y()},
-                                   {"elevation_m", r.enhM.z()},
-                                   {"heading_deg", r.headingDeg},
-                                   {"heading_ref", r.trueNorth ? "true" : "grid"},
-                                   {"pitch_deg", r.pitchDeg},
-                                   {"roll_deg", r.rollDeg},
-                                   {"zone", poses.grid}});
-    }
-    return object.dump(1) + "\n";
 }
 
 } // namespace edgescan

@@ -54,9 +54,6 @@ struct PoseTrack {
 Result<PoseTrack> parsePoses(std::string_view json, const std::string& where);
 Result<PoseTrack> openPoses(const std::filesystem::path& path);
 
-/// {"format": "edgescan-pose/1", ...}; parsePoses gives the same numbers back (times to the millisecond).
-[[nodiscard]] std::string posesText(const PoseTrack& poses);
-
 /// Reading at a time between two readings: linear. Before the first and after the last: that one.
 [[nodiscard]] InclinometerReading inclinometerAt(std::span<const InclinometerReading> readings, double timeS);
 /// Position linear, attitude by slerp.

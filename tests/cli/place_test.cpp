@@ -4,6 +4,7 @@
 #include "core/recording/recording.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"
+#include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -24,14 +25,14 @@ class CliPlace : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), folder / "boxes.json"));
-        write(folder / "robot.json", calibrationText(robot()));
+        write(folder / "robot.json", test::calibrationText(robot()));
         write(folder / "pose.json", R"({"format": "edgescan-pose/1", "robot": "example robot", "boom": {"azimuth_deg": 33.5},
             "inclinometer": {"tilt_x_deg": 14.25, "tilt_y_deg": -3.4},
             "talin": {"easting_m": 620765.432, "northing_m": 6200123.456, "elevation_m": 287.654, "heading_deg": 217.4,
                       "pitch_deg": 5.75, "roll_deg": -2.1}})");
     }
     static Calibration robot() {
-        Calibration c = exampleCalibration();
+        Calibration c = test::exampleCalibration();
         c.axis = {1, 0, 0}; // the boxes are a sweep
         return c;
     }
@@ -102,7 +103,7 @@ TEST_F(CliPlace, ReplayPlacesTheSweepAsDetectDoes) {
     messages.push_back(std::make_shared<const RecordingMessage>(
         RecordingMessage{RecordingTopic::Inclinometer, test::kEpochNs + 500'000'000, Bytes(tilt.begin(), tilt.end())}));
     ASSERT_TRUE(saveMessages(folder / "s.mcap", keys, messages));
-    write(folder / "spin.json", calibrationText(exampleCalibration()));
+    write(folder / "spin.json", test::calibrationText(test::exampleCalibration()));
     const std::string flags = path("s.mcap") + " --calibration " + path("spin.json");
     const json detected = json::parse(runCli("detect " + flags + " --json -").out);
     const auto replay = runCli("replay --quiet " + flags);

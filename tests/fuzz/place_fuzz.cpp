@@ -1,6 +1,7 @@
 // Whatever bytes come as a pose or a calibration file: numbers that can be used, or a sentence.
 #include "core/georef/calibration.h"
 #include "core/georef/poses.h"
+#include "tests/support/robot_files.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -10,7 +11,7 @@ using namespace edgescan;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), size);
     if (const auto calibration = parseCalibration(text, "fuzz")) {
-        const auto again = parseCalibration(calibrationText(*calibration), "fuzz");
+        const auto again = parseCalibration(test::calibrationText(*calibration), "fuzz");
         if (!again || !(*again == *calibration)) std::abort();
     }
     const auto poses = parsePoses(text, "fuzz");

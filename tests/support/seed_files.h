@@ -9,6 +9,7 @@
 #include "tests/support/bytes.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/robot_files.h"
 
 #include <array>
 #include <string>

@@ -51,6 +51,14 @@ void expectMatrix(const json& outputs, const char* name, const Matrix3d& m) {
     EXPECT_LT(rotationError(m), 1e-14) << name;
 }
 
+// The first steps, which a scan takes in its own geometry.
+Vector3d sensorPoint(double beamDeg, double rangeM) {
+    return {rangeM * std::cos(radians(beamDeg)), 0.0, rangeM * std::sin(radians(beamDeg))};
+}
+RigidTransform axisBaseFromMover(const Vector3d& axis, double stepperDeg) {
+    return {rotationAbout(axis, radians(stepperDeg)), Vector3d::Zero()};
+}
+
 /// The steps one after the other, as a person would write them down.
 struct Steps {
     Matrix3d R_MS, R_AM, R_IA, R_LI, R_RL, R_VR, R_NV, R_NR;
@@ -65,7 +73,7 @@ Steps stepsOf(const json& q) {
     s.p_S = sensorPoint(number("beam_angle_deg"), number("range_m"));
     const RigidTransform mover = moverFromSensor(vectorOf(q["mount_rpy_deg"]), vectorOf(q["mount_t_m"]));
     s.p_M = mover * s.p_S;
-    s.phiDeg = stepperAngleDeg(number("phi0_deg"), number("dir"), number("deg_per_step"), number("step_index"));
+    s.phiDeg = number("phi0_deg") + number("dir") * number("step_index") * number("deg_per_step");
     const RigidTransform base = axisBaseFromMover(vectorOf(q["axis"]), s.phiDeg);
     s.p_A = base * s.p_M;
     const RigidTransform inclinometer{matrixOf(q["R_IA"]), vectorOf(q["t_IA_m"])};
@@ -282,9 +290,7 @@ TEST(Frames, AStepperThatMovesDuringALineKeepsEveryBeamsOwnMounting) {
 }
 
 TEST(Frames, NamesSayWhereNumbersAreNotMineCoordinates) {
-    Scan scan;
-    scan.name = "bell7";
-    EXPECT_EQ(suggestedExportName(scan, "edges", ".pcd", CoordinateFrame::Scanner), "bell7_edges_LOCAL.pcd");
-    EXPECT_EQ(suggestedExportName(scan, "edges", ".pcd", CoordinateFrame::Mine), "bell7_edges.pcd");
-    EXPECT_EQ(usualFrame(scan), CoordinateFrame::Scanner);
+    EXPECT_EQ(std::string(frameTail(CoordinateFrame::Scanner)), "_LOCAL");
+    EXPECT_EQ(std::string(frameTail(CoordinateFrame::Mine)), "");
+    EXPECT_EQ(usualFrame(Scan{}), CoordinateFrame::Scanner);
 }

@@ -3,6 +3,7 @@
 #include "core/georef/calibration.h"
 #include "core/georef/poses.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/robot_files.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

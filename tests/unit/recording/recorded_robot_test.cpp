@@ -12,6 +12,7 @@
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/robot_files.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
