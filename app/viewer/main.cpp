@@ -65,7 +65,7 @@ SweepSettings sweepOf(const Wanted& wanted) {
 void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines) {
     constexpr int kRestMs = 700;
     const auto write = [&window, path] {
-        const Result<Done> written = window.saveScreenshotTo(QString::fromStdString(path));
+        const Result<Done> written = ui::savePng(window.screenshot(), QString::fromStdString(path));
         if (!written) std::cerr << "edgescan: " << written.error().sentence() << '\n';
         QApplication::exit(written ? 0 : 1);
     };
@@ -83,16 +83,18 @@ int runViewer(QApplication& application, Wanted& wanted, const std::optional<Set
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::MainWindow window(memory);
     if (settings) {
-        if (const auto preset = cli::presetOf(wanted.method)) window.startWith(*preset, *settings);
+        if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *settings);
     }
     window.show();
     if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines);
     if (wanted.quitAfter > 0) QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, &QApplication::quit);
-    if (!wanted.files.empty())
-        window.openFile(QString::fromStdString(wanted.files.front()), cli::readingOptions(wanted.read));
+    QStringList files;
+    for (const std::string& file : wanted.files) files << QString::fromStdString(file);
+    if (!files.isEmpty())
+        window.files().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
-        window.openDemo();
-    if (scanner) window.connectScanner(QString::fromStdString(scanner->host), scanner->port, sweepOf(wanted));
+        window.files().openDemo();
+    if (scanner) window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, sweepOf(wanted));
     return QApplication::exec();
 }
 

@@ -1,14 +1,11 @@
 // Where a scan stands, as the window tells it, and the question before an export.
 #include "core/georef/placed_points.h"
-#include "core/io/save_scan.h"
 #include "core/method/pipeline.h"
 #include "tests/support/placements.h"
-#include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/dialogs/export_dialog.h"
-#include "ui/image/image_view.h"
-#include "ui/main/main_window.h"
 #include "ui/panel/status_line.h"
 
 #include <QAction>
@@ -36,12 +33,6 @@ class PlaceExportTest : public QObject {
     test::TemporaryFolder folder_;
     std::string placed_, bare_;
 
-    static bool opened(MainWindow& window, const std::string& path) {
-        QSignalSpy shown(&window, &MainWindow::pictureShown);
-        window.openFile(QString::fromStdString(path));
-        return QTest::qWaitFor([&] { return shown.count() > 0 && !window.session().behind(); }, 20000);
-    }
-
 private slots:
     void initTestCase() {
         Scan scan = test::boxesScan(60, 80, 3, 0.05);
@@ -53,22 +44,22 @@ private slots:
     }
 
     void statusAndProbeTellTheMineGrid() {
-        Memory none{QString()};
-        MainWindow window(none);
-        window.show();
-        QVERIFY(opened(window, placed_));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        QVERIFY(on.open(placed_));
         QCOMPARE(window.statusLine().placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
         QVERIFY(window.notice().text().contains("The pose carries no time"));
-        emit window.grayView().clicked(30, 40);
-        const Scan& scan = *window.session().picture()->detection->scan;
+        emit window.views().gray().clicked(30, 40);
+        const Scan& scan = *on.picture().detection->scan;
         const std::size_t k = scan.rangeMm.index(30, 40);
         QCOMPARE(scan.state[k], CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
         const QString expected = QString("N %1  E %2  El %3").arg(mine.y(), 0, 'f', 3).arg(mine.x(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
         QVERIFY2(window.statusLine().probeShown().contains(expected), qPrintable(window.statusLine().probeShown()));
-        QVERIFY(opened(window, bare_));
+        QVERIFY(on.open(bare_));
         QCOMPARE(window.statusLine().placeShown(), QString("scanner frame"));
-        emit window.grayView().clicked(30, 40);
+        emit window.views().gray().clicked(30, 40);
         QVERIFY(window.statusLine().probeShown().contains(QString::fromUtf8("N –  E –  El –")));
     }
 
@@ -121,11 +112,10 @@ private slots:
     }
 
     void theCommandAsksAndNothingIsSavedWhenItIsDismissed() {
-        Memory none{QString()};
-        MainWindow window(none);
-        window.show();
-        QVERIFY(opened(window, placed_));
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        QVERIFY(on.open(placed_));
         bool asked = false;
         QTimer::singleShot(300, &window, [&] {
             if (auto* dialog = window.findChild<ExportDialog*>()) {
@@ -145,11 +135,12 @@ private slots:
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
         ExportOptions options;
         options.frame = CoordinateFrame::Mine;
-        window.session().save(Session::Export::EdgeCloud, path, options);
+        window.session().save(ExportContent::EdgeCloud, path, options);
         QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
         QVERIFY(test::fileText(path.toStdString()).find("mine grid in metres") != std::string::npos);
     }
 };
 
-QTEST_MAIN(PlaceExportTest)
+int main(int argc, char** argv) { return runWindowTest<PlaceExportTest>(argc, argv); }
+
 #include "place_export_test.moc"

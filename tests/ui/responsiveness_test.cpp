@@ -1,87 +1,162 @@
-// How long the GUI thread is away while a slider moves over a full sweep. Prints; asserts no time.
+// How long the GUI thread is away while a slider moves over a full sweep, from a file and from a scanner. Prints; asserts no time.
 #include "core/io/save_scan.h"
+#include "core/settings/presets.h"
 #include "core/sim/simulate.h"
-#include "tests/support/run_program.h"
-#include "ui/cloud/cloud_view.h"
-#include "ui/main/main_window.h"
-#include "ui/panel/edges_panel.h"
-#include "ui/panel/parameter_row.h"
+#include "tests/support/served_program.h"
+#include "tests/ui/window_fixture.h"
 
 #include <QElapsedTimer>
-#include <QSlider>
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTimer>
 
 #include <algorithm>
+#include <ctime>
+#include <map>
 
 using namespace edgescan;
 using namespace edgescan::ui;
 
+namespace {
+
+double threadMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// Knows which single event kept the GUI thread longest.
+class TimedApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (depth_ > 0 || !watching) return QApplication::notify(receiver, event);
+        ++depth_;
+        const QString name = QString("%1 of %2 %3").arg(event->type()).arg(receiver->metaObject()->className(), receiver->objectName());
+        QElapsedTimer clock;
+        clock.start();
+        const double cpu = threadMs();
+        const bool result = QApplication::notify(receiver, event);
+        const auto ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+        if (ms > 60) events[name] = std::max(events[name], std::pair(ms, threadMs() - cpu));
+        --depth_;
+        return result;
+    }
+    bool watching = false;
+    std::map<QString, std::pair<double, double>> events; ///< longer than 60 ms: wall time and CPU time of the longest of its kind
+
+private:
+    int depth_ = 0;
+};
+
+// Gaps between the ticks of a 1 ms timer on the GUI thread, ms, longest first.
+template <class Act>
+std::vector<qint64> gapsWhile(Act act) {
+    std::vector<qint64> gaps;
+    QElapsedTimer clock;
+    clock.start();
+    qint64 last = 0;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        gaps.push_back(clock.elapsed() - last);
+        last = clock.elapsed();
+    });
+    timer.start(1);
+    act();
+    std::sort(gaps.rbegin(), gaps.rend());
+    return gaps;
+}
+
+void tell(const char* what, const std::vector<qint64>& gaps) {
+    if (gaps.size() < 3) return;
+    qInfo("%s: GUI thread away for at most %lld, %lld, %lld ms", what, static_cast<long long>(gaps[0]), static_cast<long long>(gaps[1]),
+          static_cast<long long>(gaps[2]));
+}
+
+// `move` is called with 0, 1, 2 ... every `ms`, until `done`.
+template <class Move, class Done>
+bool movesUntil(int ms, Move move, Done done, int timeoutMs) {
+    int count = 0;
+    QTimer hand;
+    QObject::connect(&hand, &QTimer::timeout, [&] { move(count++); });
+    hand.start(ms);
+    return QTest::qWaitFor([&] { return done(count); }, timeoutMs);
+}
+
+} // namespace
+
 class ResponsivenessTest : public QObject {
     Q_OBJECT
 
-    // Gaps between the ticks of a 1 ms timer on the GUI thread, ms, longest first.
-    template <class Act>
-    static std::vector<qint64> gapsWhile(Act act) {
-        std::vector<qint64> gaps;
-        QElapsedTimer clock;
-        clock.start();
-        qint64 last = 0;
-        QTimer timer;
-        QObject::connect(&timer, &QTimer::timeout, [&] {
-            gaps.push_back(clock.elapsed() - last);
-            last = clock.elapsed();
-        });
-        timer.start(1);
-        act();
-        std::sort(gaps.rbegin(), gaps.rend());
-        return gaps;
-    }
-
-    static void tell(const char* what, const std::vector<qint64>& gaps) {
-        if (gaps.size() < 3) return;
-        qInfo("%s: GUI thread away for at most %lld, %lld, %lld ms", what, static_cast<long long>(gaps[0]), static_cast<long long>(gaps[1]),
-              static_cast<long long>(gaps[2]));
-    }
+    test::TemporaryFolder folder_;
 
 private slots:
     void openingAndTuningAFullSweep() {
-        const test::TemporaryFolder folder;
-        const std::string path = (folder / "bell.json").string();
+        const std::string path = (folder_ / "bell.json").string();
         SimulationSettings bell;
         bell.footprint = false; // the picture does not matter here, the number of points does
         QVERIFY(saveScan(simulate(bell)->scan, path));
-        Memory none{QString()};
-        MainWindow window(none);
-        window.usePreset(*findPreset("log"));
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.tuning().usePreset(*findPreset("log"));
+        QVERIFY(on.show());
         tell("opening", gapsWhile([&] {
-                 window.openFile(QString::fromStdString(path));
-                 QVERIFY(QTest::qWaitFor([&] { return window.session().picture() != nullptr; }, 20000));
-                 QTest::qWait(1500);
+                 QVERIFY(on.open(path));
+                 QVERIFY(QTest::qWaitFor([&] { return window.views().cloud().drawnFraction() >= 1.0; }, 20000));
              }));
-        QSlider* slider = window.panel().row("lower")->slider();
+        QSlider* slider = on.slider("lower");
         int pictures = 0;
         connect(&window, &MainWindow::pictureShown, this, [&] { ++pictures; });
         tell("200 slider moves in 2 s", gapsWhile([&] {
-                 for (int move = 0; move < 200; ++move) {
-                     slider->setValue(100 + move);
-                     QTest::qWait(10);
-                 }
+                 const auto move = [&](int n) { slider->setValue(100 + std::min(n, 199)); };
+                 QVERIFY(movesUntil(
+                     10, move, [](int count) { return count >= 200; }, 60000));
              }));
         qInfo("%d pictures shown for 200 moves", pictures);
         QVERIFY(pictures > 0);
-        QVERIFY(QTest::qWaitFor([&] { return !window.session().behind(); }, 20000));
-        QCOMPARE(window.session().picture()->detection->settings.lower, sliderValue(window.panel().row("lower")->parameter(), 299));
-        tell("at rest", gapsWhile([] { QTest::qWait(1500); }));
+        QVERIFY(on.settled());
+        QCOMPARE(on.picture().detection->settings.lower, sliderValue(window.panel().row("lower")->parameter(), 299));
+        const auto nothing = [](int) {};
+        tell("at rest", gapsWhile([&] {
+                 QVERIFY(movesUntil(
+                     100, nothing, [](int count) { return count >= 15; }, 60000));
+             }));
+    }
+
+    void aFullSweepFromAScanner() {
+        const std::string full = (folder_ / "full.json").string();
+        QCOMPARE(test::runCli("simulate -o " + full + " --scene staircase --lines 1000").code, 0);
+        const test::ServedProgram served(full + " --rate 200 --loop");
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        SweepSettings settings;
+        settings.expectedLines = 1000;
+        settings.degPerLine = 0.18;
+        settings.firstLineDeg = -90;
+        settings.axis = Axis::Sweep;
+        const auto lines = [&] { return window.session().picture() ? on.picture().detection->scan->lines() : 0; };
+        window.live().connectTo("127.0.0.1", served.port(), settings);
+        QVERIFY(QTest::qWaitFor([&] { return lines() >= 10; }, 20000));
+        auto& application = *static_cast<TimedApplication*>(QCoreApplication::instance());
+        application.watching = true;
+        QSignalSpy pictures(&window, &MainWindow::pictureShown);
+        QElapsedTimer clock;
+        clock.start();
+        const auto gaps = gapsWhile([&] {
+            const auto move = [&](int n) { on.slider("lower")->setValue(100 + 20 * n % 100); };
+            static_cast<void>(movesUntil(
+                200, move, [&](int) { return lines() >= 1000; }, 20000)); // a slow machine gets less far
+        });
+        application.watching = false;
+        tell("a growing sweep", gaps);
+        qInfo("a sweep of 1000 x 1141 grew to %d lines in %lld ms, %d pictures", lines(), clock.elapsed(),
+              static_cast<int>(pictures.count()));
+        for (const auto& [name, times] : application.events)
+            qInfo("event %s: %.0f ms, of these %.0f ms at work", qPrintable(name), times.first, times.second);
+        QVERIFY(pictures.count() > 5);
     }
 };
 
-int main(int argc, char** argv) {
-    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    QApplication application(argc, argv);
-    ResponsivenessTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWindowTest<ResponsivenessTest, TimedApplication>(argc, argv); }
 
 #include "responsiveness_test.moc"

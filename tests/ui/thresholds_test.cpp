@@ -1,20 +1,12 @@
 // What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
-#include "core/io/save_scan.h"
 #include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
-#include "core/sim/simulate.h"
-#include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/cloud/cloud_view.h"
 #include "ui/dialogs/why_card.h"
-#include "ui/image/image_view.h"
-#include "ui/image/viewport.h"
-#include "ui/main/main_window.h"
 #include "ui/panel/count_curve.h"
-#include "ui/panel/edges_panel.h"
-#include "ui/panel/parameter_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,7 +14,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QtTest>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -31,26 +22,19 @@ class ThresholdsTest : public QObject {
     Q_OBJECT
 
     test::TemporaryFolder folder_;
-    std::unique_ptr<Memory> memory_;
-    std::unique_ptr<MainWindow> window_;
+    std::unique_ptr<WindowFixture> on_;
+    MainWindow* window_ = nullptr;
 
-    [[nodiscard]] bool waitForPicture() const {
-        return QTest::qWaitFor(
-            [&] { return window_->session().picture() && !window_->session().behind() && !window_->session().working(); }, 20000);
-    }
-    void use(const Settings& settings) {
-        window_->useSettings(settings);
-        QVERIFY(waitForPicture());
-    }
+    void use(const Settings& settings) { QVERIFY(on_->use(settings)); }
     // Clicks the cell and asks why, by the key.
     void askWhy(std::uint32_t cell) {
-        ImageView& view = window_->edgeView();
+        ImageView& view = window_->views().edges();
         const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
-        window_->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-        QTest::keyClick(window_.get(), Qt::Key_W);
-        QVERIFY(QTest::qWaitFor([&] { return window_->whyCard() != nullptr && window_->whyCard()->isVisible(); }, 10000));
+        QVERIFY(on_->activate());
+        QTest::keyClick(window_, Qt::Key_W);
+        QVERIFY(
+            QTest::qWaitFor([&] { return window_->explanation().card() != nullptr && window_->explanation().card()->isVisible(); }, 10000));
     }
     [[nodiscard]] QString meaning() const { return window_->panel().findChild<QLabel*>("meaning")->text(); }
 
@@ -58,15 +42,12 @@ private slots:
     void init() {
         const std::string path = (folder_ / "boxes.json").string();
         QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
-        memory_ = std::make_unique<Memory>(QString());
-        window_ = std::make_unique<MainWindow>(*memory_);
+        on_ = std::make_unique<WindowFixture>();
+        window_ = &on_->window;
         window_->resize(1500, 950);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        window_->openFile(QString::fromStdString(path));
-        QVERIFY(waitForPicture());
+        QVERIFY(on_->showWith(path));
     }
-    void cleanup() { window_.reset(); }
+    void cleanup() { on_.reset(); }
 
     void theMeaningFollowsThresholdKernelAndWindow() {
         use(findPreset("window")->settings);
@@ -92,7 +73,7 @@ private slots:
         box->selectAll();
         QTest::keyClicks(box, "0.5 m");
         QTest::keyClick(box, Qt::Key_Return);
-        QVERIFY(waitForPicture());
+        QVERIFY(on_->settled());
         QCOMPARE(window_->session().settings().lower, 15.0);
         box->selectAll();
         QTest::keyClicks(box, "22");
@@ -146,8 +127,8 @@ private slots:
         const std::string path = (folder_ / "loud.json").string();
         QVERIFY(bool(saveScan(simulate(loud)->scan, path)));
         use(Settings{});
-        window_->openFile(QString::fromStdString(path));
-        QVERIFY(waitForPicture());
+        window_->files().open({QString::fromStdString(path)});
+        QVERIFY(on_->settled());
         QDoubleSpinBox* box = window_->panel().row("noise")->number();
         const double measured = window_->session().picture()->detection->responses->noise.at(5.0);
         QVERIFY(measured > 35); // beyond what can be typed
@@ -164,7 +145,7 @@ private slots:
         QComboBox* method = window_->panel().row("method")->choice();
         const auto choose = [&](const char* label) {
             method->setCurrentText(label);
-            QVERIFY(waitForPicture());
+            QVERIFY(on_->settled());
         };
         choose("Kirsch");
         const Settings kirsch = window_->session().settings();
@@ -217,7 +198,7 @@ private slots:
         const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
-        const QString text = window_->whyCard()->text();
+        const QString text = window_->explanation().card()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
     }
@@ -227,12 +208,12 @@ private slots:
         const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
-        const QString text = window_->whyCard()->text();
+        const QString text = window_->explanation().card()->text();
         for (const char* words :
              {"class jump", "Step in depth: ", " mm to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})
             QVERIFY2(text.contains(words), qPrintable(text));
         QVERIFY2(!text.contains("ensitivity"), qPrintable(text));
-        for (ImageView* each : {&window_->grayView(), &window_->edgeView()}) {
+        for (ImageView* each : {&window_->views().gray(), &window_->views().edges()}) {
             const EdgeTrail& trail = each->trail();
             QVERIFY(trail.cells.size() >= 4);
             QVERIFY(std::ranges::count(trail.cells, QPoint(static_cast<int>(cell % 160), static_cast<int>(cell / 160))) == 1);
@@ -252,15 +233,10 @@ private slots:
         Settings other;
         other.creaseDeg = 60; // another picture
         use(other);
-        QVERIFY(window_->edgeView().trail().cells.empty());
+        QVERIFY(window_->views().edges().trail().cells.empty());
     }
 };
 
-int main(int argc, char** argv) {
-    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    QApplication application(argc, argv);
-    ThresholdsTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWindowTest<ThresholdsTest>(argc, argv); }
 
 #include "thresholds_test.moc"

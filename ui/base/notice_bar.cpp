@@ -2,10 +2,13 @@
 #include "ui/base/notice_bar.h"
 
 #include <QClipboard>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QUrl>
 
 namespace edgescan::ui {
 
@@ -47,6 +50,13 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     action_->hide();
     onAction_ = {};
     show();
+}
+
+void NoticeBar::tellSaved(const QString& path, const QString& content) {
+    const QFileInfo file(path);
+    showNotice(Kind::Done,
+               tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000));
+    offer(tr("Open folder"), [folder = file.absolutePath()] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
 }
 
 void NoticeBar::offer(const QString& label, std::function<void()> action) {

@@ -1,6 +1,8 @@
 // The bar above the views: what went wrong or was assumed, where, what to do. Stays until it is closed or replaced.
 #pragma once
 
+#include "core/base/result.h"
+
 #include <QFrame>
 
 #include <functional>
@@ -18,6 +20,9 @@ public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
     void showNotice(Kind kind, const QString& text);
+    void tell(const Error& error) { showNotice(Kind::Error, QString::fromStdString(error.sentence())); }
+    /// That a file was written, what is in it ("12 points", may be empty), and a button that opens its folder.
+    void tellSaved(const QString& path, const QString& content = {});
     /// A button beside the text, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;

@@ -15,6 +15,8 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kShowWorkAfterMs = 100;
+
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
 // Thousands apart, the same in every locale.
@@ -66,6 +68,9 @@ StatusLine::StatusLine(QWidget* parent)
     connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelWanted);
     line->addWidget(cancel);
     work_->hide();
+    untilWorkIsShown_.setSingleShot(true);
+    untilWorkIsShown_.setInterval(kShowWorkAfterMs);
+    connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
     addWidget(work_);
     addWidget(probe_, 1);
     for (QLabel* label : {place_, counts_, time_, renderer_}) addPermanentWidget(label);
@@ -113,13 +118,22 @@ void StatusLine::showRenderer(const QString& name) {
     renderer_->setToolTip(name);
 }
 
-void StatusLine::showWork(const QString& title, const QString& stage, double fraction) {
-    stage_->setText(stage.isEmpty() ? title : title + ": " + stage);
+void StatusLine::startWork(const QString& title) {
+    workTitle_ = title;
+    untilWorkIsShown_.start();
+}
+
+void StatusLine::showProgress(const QString& stage, double fraction) {
+    if (untilWorkIsShown_.isActive()) return;
+    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + stage);
     bar_->setValue(static_cast<int>(std::lround(fraction * 1000)));
     work_->show();
 }
 
-void StatusLine::hideWork() { work_->hide(); }
+void StatusLine::endWork() {
+    untilWorkIsShown_.stop();
+    work_->hide();
+}
 
 QString StatusLine::probeShown() const { return probe_->text(); }
 QString StatusLine::placeShown() const { return place_->text(); }

@@ -4,6 +4,7 @@
 #include "core/explain/probe.h"
 
 #include <QStatusBar>
+#include <QTimer>
 
 #include <optional>
 
@@ -29,8 +30,10 @@ public:
     /// Milliseconds from the change of a setting to its result.
     void showTime(double milliseconds);
     void showRenderer(const QString& name);
-    void showWork(const QString& title, const QString& stage, double fraction);
-    void hideWork();
+    /// Work that ends at once is not shown.
+    void startWork(const QString& title);
+    void showProgress(const QString& stage, double fraction);
+    void endWork();
     [[nodiscard]] QString probeShown() const;
     [[nodiscard]] QString countsShown() const;
     [[nodiscard]] QString placeShown() const;
@@ -47,6 +50,8 @@ private:
     QWidget* work_;
     QLabel* stage_;
     QProgressBar* bar_;
+    QString workTitle_;
+    QTimer untilWorkIsShown_;
 };
 
 } // namespace edgescan::ui

@@ -69,8 +69,4 @@ Settings Memory::settings(const Settings& otherwise) const {
 
 void Memory::keepSettings(const Settings& settings) { keep("edges/settings", QString::fromStdString(settingsToJson(settings).dump())); }
 
-void Memory::write() {
-    if (file_) file_->sync();
-}
-
 } // namespace edgescan::ui

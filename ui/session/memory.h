@@ -1,4 +1,4 @@
-// What survives a restart and a kill: one readable file, written shortly after each change.
+// What survives a restart and a kill: one readable file. Qt writes it as soon as the event loop is reached after a change.
 #pragma once
 
 #include "core/settings/presets.h"
@@ -36,9 +36,6 @@ public:
 
     [[nodiscard]] Settings settings(const Settings& otherwise) const;
     void keepSettings(const Settings& settings);
-
-    /// Everything on the disk now.
-    void write();
 
 private:
     std::unique_ptr<QSettings> file_; // null: nothing is remembered

@@ -31,42 +31,7 @@ Result<std::shared_ptr<const Scan>> readScan(const std::function<Result<Scan>(co
     }
 }
 
-struct Saving {
-    Result<Done> result;
-    std::size_t count = 0;
-};
-
-Saving write(Session::Export what, const Detection& detection, const std::string& path, const ExportOptions& options) {
-    const Result<std::size_t> written = exportWithProvenance(contentOf(what), detection, path, options);
-    if (!written) return {written.error(), 0};
-    return {Done{}, *written};
-}
-
 } // namespace
-
-ExportContent contentOf(Session::Export what) {
-    switch (what) {
-    case Session::Export::EdgeCloud:
-        return ExportContent::EdgeCloud;
-    case Session::Export::FullCloud:
-        return ExportContent::FullCloud;
-    case Session::Export::EdgeImage:
-        return ExportContent::EdgeImage;
-    case Session::Export::GrayImage:
-        return ExportContent::GrayImage;
-    case Session::Export::RangeImage:
-        break;
-    }
-    return ExportContent::RangeImage;
-}
-
-Session::Export exportOf(ExportContent content) {
-    for (const auto what :
-         {Session::Export::EdgeCloud, Session::Export::FullCloud, Session::Export::EdgeImage, Session::Export::GrayImage}) {
-        if (contentOf(what) == content) return what;
-    }
-    return Session::Export::RangeImage;
-}
 
 Session::Session(QObject* parent)
     : QObject(parent), worker_([this](const Asked& asked) { return run(asked); },
@@ -125,24 +90,24 @@ bool Session::behind() const {
            !(picture_->source == asked_.source);
 }
 
-void Session::save(Export what, const QString& path, const std::optional<ExportOptions>& options) {
+void Session::save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options) {
     if (picture_ == nullptr) return;
     const auto detection = picture_->detection;
     ExportOptions how = options.value_or(ExportOptions{});
     if (!options) how.frame = usualFrame(*detection->scan);
     startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, detection, path, how](const BackgroundJob::Progress& progress) {
         progress("writing", 0.0);
-        Saving saving{Done{}, 0};
+        Result<std::size_t> written{std::size_t{0}};
         try {
-            saving = write(what, *detection, path.toStdString(), how);
+            written = exportWithProvenance(what, *detection, path.toStdString(), how);
         } catch (const std::bad_alloc&) {
-            saving.result = outOfMemory(path);
+            written = outOfMemory(path);
         }
-        return [this, what, saving, path] {
-            if (saving.result)
-                emit saved(what, path, static_cast<qint64>(saving.count));
+        return [this, what, written, path] {
+            if (written)
+                emit saved(what, path, static_cast<qint64>(*written));
             else
-                emit failed(QString::fromStdString(saving.result.error().sentence()));
+                emit failed(QString::fromStdString(written.error().sentence()));
         };
     });
 }
@@ -216,6 +181,7 @@ void Session::takePicture() {
     if (!newest) return;
     std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(*newest));
     emit pictureReady();
+    if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
     // Now that nothing shows it any more the worker's thread lets go of it: giving back so much memory, line after line, takes its time.
     if (!last || !last->source.growth.growing) return;
     const std::lock_guard lock(retiredMutex_);

@@ -52,10 +52,8 @@ public:
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
 
-    /// What can be saved of the picture shown.
-    enum class Export { EdgeCloud, FullCloud, EdgeImage, GrayImage, RangeImage };
-    /// In the scan's usual frame unless `options` say otherwise.
-    void save(Export what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
+    /// Of the picture shown, in the scan's usual frame unless `options` say otherwise.
+    void save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
 
 signals:
     void workStarted(const QString& title);
@@ -64,10 +62,12 @@ signals:
     /// A scan was read; its first picture follows.
     void opened(const QString& path);
     /// `count`: points or cells in the file.
-    void saved(edgescan::ui::Session::Export what, const QString& path, qint64 count);
+    void saved(edgescan::ExportContent what, const QString& path, qint64 count);
     void failed(const QString& sentence);
     void settingsChanged();
     void pictureReady();
+    /// After pictureReady(): the first picture of another file, scanner or recording.
+    void streamChanged();
 
 private:
     using OpenWork = std::function<Result<Scan>(const BackgroundJob::Progress&)>;
@@ -102,9 +102,5 @@ private:
 
     Worker<Asked, std::shared_ptr<const Picture>> worker_; // last: its thread uses all of the above, and is joined before they go
 };
-
-/// The same thing by the report's name and by the session's.
-[[nodiscard]] ExportContent contentOf(Session::Export what);
-[[nodiscard]] Session::Export exportOf(ExportContent content);
 
 } // namespace edgescan::ui

@@ -1,0 +1,222 @@
+// Files in the real window: opening, refusing, straightening, series, exports that equal those of the command line.
+#include "core/io/save_scan.h"
+#include "core/sim/simulate.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/panel/status_line.h"
+
+#include <QAction>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include <fstream>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class FilesWindowTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+    std::string real_;
+
+private slots:
+    void initTestCase() { real_ = usualScan(folder_); }
+
+    void badInputIsSaidAndLeavesTheScanOnTheScreen_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("missing") << "gone.pcd" << QByteArray("\x01REMOVE");
+        QTest::newRow("empty") << "empty.json" << QByteArray();
+        QTest::newRow("not a scan") << "picture.json" << QByteArray("\x89PNG\r\n\x1a\n 12345", 14);
+        QTest::newRow("too large")
+            << "huge.json"
+            << QByteArray(
+                   "{\"format\":\"edgescan-raw-grid/1\",\"data\":\"huge.u16\",\"lines\":1000000000,\"beams\":1000000000,\"unit_mm\":1,"
+                   "\"no_return\":[0],\"status_codes\":[],\"beam_deg\":{\"start\":0,\"step\":1},\"line_deg\":{\"start\":0,\"step\":1},"
+                   "\"axis\":\"spin\"}");
+        QTest::newRow("promises more")
+            << "short.pcd"
+            << QByteArray("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 640\nHEIGHT 480\nVIEWPOINT 0 0 0 1 0 0 0\n"
+                          "POINTS 307200\nDATA binary\n12345678");
+        QTest::newRow("not a number") << "nan.csv" << QByteArray("nan,nan\nnan,inf\n");
+        QTest::newRow("non-ASCII") << "leer-\u00e4\u5929.txt" << QByteArray("hello world\n");
+    }
+
+    void badInputIsSaidAndLeavesTheScanOnTheScreen() {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, content);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        const auto before = window.session().picture();
+        const QString path = QString::fromStdString(folder_.path().string()) + "/" + name;
+        if (!content.startsWith('\x01')) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(content);
+        }
+        QSignalSpy failures(&window.session(), &Session::failed);
+        window.files().open({path});
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(window.notice().isVisible());
+        QCOMPARE(window.notice().kind(), NoticeBar::Kind::Error);
+        QVERIFY2(window.notice().text().contains(name.section('.', 0, 0)), qPrintable(window.notice().text()));
+        QVERIFY(on.settled());
+        QCOMPARE(window.session().picture(), before);
+        QCOMPARE(window.views().edges().image(), before->edges);
+        QCOMPARE(window.windowTitle(), QString::fromStdString(before->detection->scan->name) + " - EdgeScan");
+    }
+
+    void beamsThatLieElsewhereAreToldAndStraightened() {
+        SimulationSettings settings;
+        settings.lines = 250;
+        settings.beams = 286;
+        settings.seed = 3;
+        settings.interlaceDeg = 0.36;
+        const std::string path = (folder_ / "interlaced.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, path)));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.resize(1300, 800);
+        QVERIFY(on.showWith(path));
+        QVERIFY2(window.notice().text().contains("degrees ahead of even ones"), qPrintable(window.notice().text()));
+        auto* straighten = window.findChild<QAction*>("straighten-beams");
+        QVERIFY(straighten != nullptr && !straighten->isChecked());
+        const auto skew = [&] { return std::get<PolarGeometry>(window.session().picture()->detection->scan->geometry).lineSkewDeg; };
+        const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
+        QVERIFY(!tilted());
+        // The button in the note does it ...
+        auto* offered = window.notice().findChild<QToolButton*>("notice-action");
+        QVERIFY(offered != nullptr && offered->isVisible());
+        QTest::mouseClick(offered, Qt::LeftButton);
+        QVERIFY(on.settled());
+        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(straighten->isChecked());
+        QVERIFY2(window.notice().text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.notice().text()));
+        // ... and the menu takes it back.
+        straighten->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
+        QVERIFY(on.settled());
+        QVERIFY(!straighten->isChecked());
+        straighten->trigger();
+        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        // Another file starts as it was recorded.
+        QVERIFY(on.open(real_));
+        QVERIFY(!straighten->isChecked());
+    }
+
+    void exportsEqualThoseOfTheCommandLine() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        using Export = ExportContent;
+        const std::vector<std::tuple<Export, const char*, const char*>> exports{
+            {Export::EdgeCloud, "edges.pcd", "--edges"}, {Export::EdgeCloud, "edges.ply", "--edges"},
+            {Export::EdgeCloud, "edges.csv", "--edges"}, {Export::FullCloud, "cloud.pcd", "--cloud"},
+            {Export::EdgeImage, "mask.png", "--mask"},   {Export::GrayImage, "gray.png", "--gray"},
+            {Export::RangeImage, "range.png", "--range"}};
+        for (const auto& [what, name, flag] : exports) {
+            QSignalSpy saved(&window.session(), &Session::saved);
+            const std::string path = (folder_ / name).string();
+            window.session().save(what, QString::fromStdString(path));
+            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.session().working(); }, 10000));
+            const std::string other = (folder_ / (std::string("cli-") + name)).string();
+            QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
+            QVERIFY2(test::fileText(path) == test::fileText(other), name);
+            QVERIFY(!test::fileText(path).empty());
+        }
+        // A failed export names the path and leaves nothing behind.
+        QSignalSpy failures(&window.session(), &Session::failed);
+        window.session().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
+    }
+
+    void aSmallerScanUnderTheMouseIsShown() {
+        const std::string large = (folder_ / "large.json").string();
+        const std::string small = (folder_ / "small.json").string();
+        QVERIFY(saveScan(test::boxesScan(1500, 1500, 1), large));
+        QVERIFY(saveScan(test::boxesScan(4, 4, 1), small));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(large));
+        emit window.views().gray().hovered(1499, 1499);
+        emit window.views().gray().clicked(1499, 1499);
+        QVERIFY(!window.statusLine().probeShown().isEmpty());
+        window.files().open({QString::fromStdString(small)});
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 4; }, 20000));
+        QVERIFY(window.statusLine().probeShown().isEmpty());
+    }
+
+    void aSeriesGoesOnBehindABadFile() {
+        const std::string second = (folder_ / "series2.json").string();
+        const std::string bad = (folder_ / "series-bad.json").string();
+        QVERIFY(saveScan(test::boxesScan(30, 40, 8), second));
+        std::ofstream(bad) << "no scan";
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.files().open({QString::fromStdString(real_), QString::fromStdString(bad), QString::fromStdString(second)});
+        QVERIFY(on.settled());
+        QVERIFY(window.windowTitle().contains("(1 of 3)"));
+        QVERIFY(on.activate());
+        QSignalSpy failures(&window.session(), &Session::failed);
+        QTest::keyClick(&window, Qt::Key_PageDown);
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+        QTest::keyClick(&window, Qt::Key_PageDown);
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 30; }, 10000));
+        QVERIFY(window.windowTitle().contains("(3 of 3)"));
+    }
+
+    void aFailingSaveIsToldEvenWhileAScanOpens() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        QSignalSpy failures(&window.session(), &Session::failed);
+        window.session().save(ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
+        window.files().open({QString::fromStdString(real_)});
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+    }
+
+    void aDroppedFileIsOpened() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile(QString::fromStdString(real_))});
+        QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window, &drop);
+        QVERIFY(on.settled());
+        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
+    }
+
+    void openingCanBeCancelledAndTheNewestWins() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        const auto before = window.session().picture();
+        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // no demo in the cache: it must be made
+        QSignalSpy progress(&window.session(), &Session::workProgressed);
+        window.files().openDemo();
+        QTRY_VERIFY(progress.count() > 0);
+        QVERIFY(window.session().working());
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(QTest::qWaitFor([&] { return !window.session().working(); }, 10000));
+        QCOMPARE(window.session().picture(), before);
+        // Two in a row: the second one is shown.
+        window.files().openDemo();
+        window.files().open({QString::fromStdString(real_)});
+        QVERIFY(QTest::qWaitFor([&] { return window.session().picture() != before && !window.session().working(); }, 20000));
+        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }
+
+#include "files_window_test.moc"

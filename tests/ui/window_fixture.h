@@ -1,0 +1,90 @@
+// A window with a memory of its own, and waiting for what it shows.
+#pragma once
+
+#include "core/io/save_scan.h"
+#include "core/sim/simulate.h"
+#include "tests/support/run_program.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+#include "ui/main/main_window.h"
+#include "ui/panel/edges_panel.h"
+#include "ui/panel/parameter_row.h"
+#include "ui/session/memory.h"
+
+#include <QApplication>
+#include <QSlider>
+#include <QtTest>
+
+#include <functional>
+#include <string>
+
+namespace edgescan::ui {
+
+struct WindowFixture {
+    /// Without a path nothing is remembered.
+    explicit WindowFixture(const QString& iniPath = {}) : memory(iniPath), window(memory) {}
+
+    [[nodiscard]] bool show() {
+        window.show();
+        return QTest::qWaitForWindowExposed(&window);
+    }
+    /// Keys go to it.
+    [[nodiscard]] bool activate() {
+        window.activateWindow();
+        return QTest::qWaitForWindowActive(&window);
+    }
+    /// Until what is shown belongs to the settings and the scan wanted last.
+    [[nodiscard]] bool settled() {
+        return QTest::qWaitFor(
+            [this] { return window.session().picture() != nullptr && !window.session().behind() && !window.session().working(); }, 20000);
+    }
+    [[nodiscard]] bool open(const std::string& path) {
+        window.files().open({QString::fromStdString(path)});
+        return settled();
+    }
+    /// Shown, with the scan in it.
+    [[nodiscard]] bool showWith(const std::string& path) { return show() && open(path); }
+    [[nodiscard]] bool use(const Settings& settings) {
+        window.tuning().useSettings(settings);
+        return settled();
+    }
+
+    [[nodiscard]] const Picture& picture() { return *window.session().picture(); }
+    [[nodiscard]] QSlider* slider(const char* key) { return window.panel().row(key)->slider(); }
+
+    Memory memory;
+    MainWindow window;
+};
+
+/// A real corridor scan, or a simulated one in `folder` where ../shared is absent.
+[[nodiscard]] inline std::string usualScan(const edgescan::test::TemporaryFolder& folder) {
+    const std::string real = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/scan000.json";
+    if (std::filesystem::exists(real)) return real;
+    qWarning("../shared is absent: a simulated scan stands in for the real one");
+    SimulationSettings settings;
+    settings.lines = 200;
+    settings.beams = 300;
+    const std::string simulated = (folder / "simulated.json").string();
+    if (!saveScan(simulate(settings)->scan, simulated)) qFatal("%s cannot be written", simulated.c_str());
+    return simulated;
+}
+
+/// Pixels for which `is` holds.
+[[nodiscard]] inline int countPixels(const QImage& image, const std::function<bool(QRgb)>& is) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) count += is(image.pixel(x, y)) ? 1 : 0;
+    }
+    return count;
+}
+
+template <class Test, class Application = QApplication>
+int runWindowTest(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
+    Application application(argc, argv);
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+} // namespace edgescan::ui

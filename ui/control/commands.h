@@ -1,0 +1,52 @@
+// The commands of menus and keys as data, and the actions that are made of them.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace edgescan::ui {
+
+class Memory;
+
+/// One entry of a menu. Made by the functions below.
+struct Command {
+    QString text{};
+    const char* keys = "";                       ///< "Ctrl+Y; Ctrl+Shift+Z"
+    std::function<void()> run{};                 ///< of a plain command
+    std::function<void(bool on)> set{};          ///< of a switch
+    const char* remembered = nullptr;            ///< of a switch: its key in the memory; null where its state lives elsewhere
+    bool on = false;                             ///< of a remembered switch: what it is at the first start
+    std::vector<Command> submenu{};              ///< of a menu
+    std::function<void(QMenu& menu)> fill{};     ///< of a menu that is made anew each time it is opened
+    QAction* made = nullptr;                     ///< an action that is there already
+    std::function<void(QAction& action)> link{}; ///< what enables, checks or names the action from elsewhere
+};
+
+[[nodiscard]] Command command(const char* text, const char* keys, std::function<void()> run);
+[[nodiscard]] Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set);
+[[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
+/// `command` with a link.
+[[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);
+/// A line between commands.
+inline const Command kLine{};
+
+/// Adds the commands to the menu, and their keys to `window`, where they also work while the menu bar is hidden. A remembered switch is
+/// set to what the memory says, which must outlive the menu.
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory);
+
+/// Space presses the button that has the focus, Home and End move the slider that has it; only elsewhere they are shortcuts.
+class KeysOfFocus : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,77 @@
+// Asks off the GUI thread why a cell is an edge, and tells it.
+#include "ui/control/explanation.h"
+
+#include "core/explain/why.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/why_card.h"
+#include "ui/image/image_view.h"
+
+#include <QMenu>
+
+namespace edgescan::ui {
+
+Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& notice) : views_(views), notice_(notice) {
+    for (ImageView* view : {&views.gray(), &views.edges()}) {
+        connect(view, &ImageView::menuWanted, this, [this](int line, int beam, const QPoint& position) {
+            const auto cell = views_.cellAt(line, beam);
+            if (!cell) return;
+            QMenu menu;
+            menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
+                views_.pin(cell);
+                explain(*cell);
+            });
+            menu.exec(position);
+        });
+    }
+    // The chain belongs to the picture that it was asked of.
+    connect(&session, &Session::pictureReady, this, &Explanation::forgetTrail);
+}
+
+void Explanation::explain(std::size_t cell) {
+    const std::shared_ptr<const Picture> picture = views_.shown();
+    if (!picture || answering_ != nullptr) return; // the answer to the last question comes first
+    answering_ = new BackgroundJob(
+        [this, picture, cell](const BackgroundJob::Progress&) -> std::function<void()> {
+            const auto why = std::make_shared<const Why>(whyCell(*picture->detection, cell));
+            return [this, picture, why] { tell(picture, *why); };
+        },
+        this);
+    connect(answering_, &BackgroundJob::ended, this, [this] {
+        answering_->deleteLater();
+        answering_ = nullptr;
+    });
+}
+
+void Explanation::tell(const std::shared_ptr<const Picture>& picture, const Why& why) {
+    if (card_ == nullptr) {
+        card_ = new WhyCard(notice_.window());
+        connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
+    }
+    QString text = QString::fromStdString(whyText(why, picture->detection->settings));
+    const bool still = picture == views_.shown();
+    if (still && !why.chainMembers.empty()) text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+    card_->tell(text);
+    if (still)
+        showTrail(why);
+    else
+        forgetTrail();
+}
+
+void Explanation::showTrail(const Why& why) {
+    EdgeTrail trail;
+    for (const std::uint32_t k : why.chainMembers) trail.cells.push_back(views_.placeOf(k));
+    for (const CellStrength& cell : why.chain) trail.way.emplace_back(cell.beam, cell.line);
+    if (why.chainTop) trail.strongest = QPoint(why.chainTop->beam, why.chainTop->line);
+    views_.setTrail(trail);
+}
+
+void Explanation::forgetTrail() { views_.setTrail({}); }
+
+void Explanation::explainMarked() {
+    if (const auto cell = views_.marked())
+        explain(*cell);
+    else
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then Why says what decides about it."));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,38 @@
+// Why a cell is an edge, or why it is none: the question, the card that answers it, the chain that is framed in the images.
+#pragma once
+
+#include "ui/control/linked_views.h"
+
+namespace edgescan {
+struct Why;
+}
+
+namespace edgescan::ui {
+
+class NoticeBar;
+class WhyCard;
+
+/// GUI thread only. What it is given must outlive it.
+class Explanation : public QObject {
+    Q_OBJECT
+public:
+    Explanation(const Session& session, LinkedViews& views, NoticeBar& notice);
+
+    void explain(std::size_t cell);
+    /// The cell that is pointed at or was clicked.
+    void explainMarked();
+    void forgetTrail();
+    /// Null before the first question.
+    [[nodiscard]] const WhyCard* card() const { return card_; }
+
+private:
+    void tell(const std::shared_ptr<const Picture>& picture, const Why& why);
+    void showTrail(const Why& why);
+
+    LinkedViews& views_;
+    NoticeBar& notice_;
+    WhyCard* card_ = nullptr;            // child of the window
+    BackgroundJob* answering_ = nullptr; // child
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,40 @@
+// What leaves the program: exports of scan and edges, pictures of the window, the command that computes the same edges.
+#pragma once
+
+#include "ui/session/session.h"
+
+#include <QImage>
+#include <QObject>
+
+namespace edgescan::ui {
+
+class Files;
+class Memory;
+class NoticeBar;
+
+/// As a PNG, whole or not at all.
+Result<Done> savePng(const QImage& image, const QString& path);
+
+/// GUI thread only. What it is given must outlive it.
+class Exports : public QObject {
+    Q_OBJECT
+public:
+    Exports(Session& session, const Files& files, NoticeBar& notice, Memory& memory);
+
+    /// Asks what, in which coordinates and where to.
+    void ask(ExportContent wanted);
+    /// Asks where to.
+    void askScreenshot(const QImage& image);
+    /// To the clipboard.
+    void copyCommand();
+
+private:
+    void tellSaved(ExportContent what, const QString& path, qint64 count);
+
+    Session& session_;
+    const Files& files_;
+    NoticeBar& notice_;
+    Memory& memory_;
+};
+
+} // namespace edgescan::ui

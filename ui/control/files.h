@@ -1,0 +1,56 @@
+// Which file is on the screen: opening, the series, recent files, reading it again with straightened beams.
+#pragma once
+
+#include "ui/session/session.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QMenu;
+
+namespace edgescan::ui {
+
+class Memory;
+class NoticeBar;
+
+/// GUI thread only. What it is given must outlive it.
+class Files : public QObject {
+    Q_OBJECT
+public:
+    Files(Session& session, NoticeBar& notice, Memory& memory);
+
+    /// Opens the first; the others follow with step().
+    void open(const QStringList& paths, const ReadingOptions& options = {});
+    void openDemo();
+    void ask();
+    void reload();
+    void step(int files);
+    /// Opens the file on the screen again, with the angles of interlaced beams and slipped lines corrected, or as they were recorded.
+    void straighten(bool wanted);
+    void fillRecent(QMenu& menu);
+    /// What is on the screen comes from no file any more.
+    void leave();
+
+    /// Those of the file on the screen.
+    [[nodiscard]] const ReadingOptions& options() const { return options_; }
+    /// " (2 of 3)" in a series, else empty.
+    [[nodiscard]] QString placeInSeries() const;
+
+signals:
+    void straightened(bool on);
+
+private:
+    void setOptions(const ReadingOptions& options);
+    void noteOpened(const QString& path);
+    void tellWarnings();
+
+    Session& session_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    QString path_; // on the screen; empty: the demo or a scanner
+    ReadingOptions options_;
+    QStringList series_;
+    int place_ = 0;
+};
+
+} // namespace edgescan::ui

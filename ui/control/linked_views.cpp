@@ -1,0 +1,227 @@
+// What images and cloud show of a picture, and what pointing at a cell in one of them does in the others.
+#include "ui/control/linked_views.h"
+
+#include "ui/cloud/cloud_view.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+
+#include <QMenu>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kUsualPointSize = 2.0;
+constexpr double kLargestPointSize = 5.0;
+
+// So large that a sparse scan is a surface and not a haze.
+double pointSizeFor(const CloudView& view, const CloudGeometry& cloud) {
+    const double pixels =
+        static_cast<double>(view.width()) * view.height() / static_cast<double>(std::max<std::size_t>(1, cloud.validCount));
+    return std::clamp(std::round(std::sqrt(pixels)), kUsualPointSize, kLargestPointSize);
+}
+
+} // namespace
+
+LinkedViews::LinkedViews(const Session& session, ImageView& gray, ImageView& edges, CloudView& cloud)
+    : session_(session), images_{&gray, &edges}, cloud_(cloud) {
+    for (ImageView* view : images_) view->setNote(tr("Open a scan: Ctrl+O, or drop a file here"));
+    linkImages();
+    linkCloud();
+    connect(&session_, &Session::pictureReady, this, &LinkedViews::show);
+}
+
+void LinkedViews::linkImages() {
+    for (ImageView* view : images_) {
+        connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
+            if (const auto cell = cellAt(line, beam)) hover(cell, view);
+        });
+        connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
+        connect(view, &ImageView::clicked, this, [this](int line, int beam) {
+            if (const auto cell = cellAt(line, beam)) pin(cell);
+        });
+        connect(view, &ImageView::cleared, this, [this] { pin(std::nullopt); });
+        connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeDisplayLevels);
+    }
+}
+
+void LinkedViews::linkCloud() {
+    connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
+    connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
+    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { pin(static_cast<std::size_t>(cell)); });
+    connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
+        QMenu menu;
+        if (cell >= 0) menu.addAction(tr("Fly to this point"), this, [this, cell] { cloud_.flyTo(cell); });
+        menu.addAction(tr("View from scanner"), &cloud_, &CloudView::viewFromScanner);
+        menu.addAction(tr("Fit"), &cloud_, &CloudView::zoomToFit);
+        menu.exec(position);
+    });
+    connect(&cloud_, &CloudView::drawnFractionChanged, this, [this](double fraction) {
+        emit cloudRemark(fraction >= 1.0 ? QString() : tr("%1 % of the points drawn").arg(std::lround(fraction * 100)));
+    });
+}
+
+void LinkedViews::show() {
+    const std::shared_ptr<const Picture> last = std::exchange(shown_, session_.picture());
+    const bool newScan = !last || last->detection->scan != shown_->detection->scan;
+    if (!last || last->source.stream != shown_->source.stream)
+        showNewScan();
+    else if (newScan)
+        showMoreLines(*last);
+    if (newScan || last->gray != shown_->gray) {
+        const bool asIs = levels_ == DisplayLevels{};
+        gray().setImage(asIs ? shown_->gray
+                             : std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
+    }
+    setOverlay(overlay_);
+    showEdgeMap();
+    cloud_.setEdges(shown_->edgeCells);
+    hover(hovered_, nullptr);
+}
+
+void LinkedViews::showEdgeMap() {
+    if (!shown_) return;
+    const bool coloured = cloud_.edgesByClass() && shown_->detection->classes;
+    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_.edgeColour())) : shown_->edges,
+                     Shrink::KeepBrightest);
+}
+
+void LinkedViews::showNewScan() {
+    // Cells of the old scan are none of the new one.
+    hovered_.reset();
+    pin(std::nullopt);
+    resetDisplayLevels();
+    applyAspect();
+    ViewPort& viewPort = *gray().viewPort();
+    if (viewPort.imageSize() != shown_->gray->size()) {
+        viewPort.setImageSize(shown_->gray->size());
+        viewPort.fit();
+    }
+    cloud_.setCloud(shown_->detection->scan, shown_->cloud);
+    cloud_.setPointSize(pointSizeFor(cloud_, *shown_->cloud));
+    noteFit();
+    for (ImageView* view : images_) view->setNote(QString());
+}
+
+/// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
+void LinkedViews::showMoreLines(const Picture& last) {
+    const Scan& scan = *shown_->detection->scan;
+    const auto gone = [&](const std::optional<std::size_t>& cell) {
+        return cell && (*cell >= scan.cells() || scan.beams() != last.detection->scan->beams());
+    };
+    if (gone(hovered_)) hovered_.reset();
+    if (gone(pinned_)) pin(std::nullopt);
+    const bool untouched = cloud_.camera() == fittedCamera_;
+    const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown_->source.growth.growing;
+    cloud_.setCloud(shown_->detection->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
+    if (!doubled) return;
+    if (cloud_.pointSize() == fittedPointSize_) cloud_.setPointSize(pointSizeFor(cloud_, *shown_->cloud));
+    if (untouched) noteFit();
+}
+
+void LinkedViews::noteFit() {
+    fittedCamera_ = cloud_.camera();
+    fittedPointSize_ = cloud_.pointSize();
+    fittedLines_ = shown_->detection->scan->lines();
+}
+
+std::optional<std::size_t> LinkedViews::cellAt(int line, int beam) const {
+    if (!shown_ || line >= shown_->detection->scan->lines()) return std::nullopt;
+    return shown_->detection->scan->rangeMm.index(line, beam);
+}
+
+QPoint LinkedViews::placeOf(std::size_t cell) const {
+    const auto beams = static_cast<std::size_t>(shown_->detection->scan->beams());
+    return {static_cast<int>(cell % beams), static_cast<int>(cell / beams)};
+}
+
+void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
+    if (!shown_) return;
+    hovered_ = cell;
+    for (ImageView* view : images_) view->setMarkedCell(cell && view != from ? std::optional(placeOf(*cell)) : std::nullopt);
+    const auto mark = marked();
+    cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
+    emit probed(mark ? std::optional(probeCell(*shown_->detection, *mark)) : std::nullopt);
+}
+
+void LinkedViews::pin(std::optional<std::size_t> cell) {
+    pinned_ = cell;
+    for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
+    hover(hovered_, nullptr);
+}
+
+void LinkedViews::flyToHovered() {
+    if (hovered_) cloud_.flyTo(static_cast<qint64>(*hovered_));
+}
+
+void LinkedViews::setTrail(const EdgeTrail& trail) {
+    for (ImageView* view : images_) view->setTrail(trail);
+}
+
+void LinkedViews::setNote(const QString& note) {
+    for (ImageView* view : images_) view->setNote(note);
+    cloud_.setNote(note);
+}
+
+void LinkedViews::setStale(const QString& why) {
+    for (ImageView* view : images_) view->setStale(why);
+    cloud_.setStale(why);
+}
+
+void LinkedViews::setOverlay(bool on) {
+    overlay_ = on;
+    gray().setOverlay(on && shown_ ? shown_->overlay : nullptr, 1.0);
+}
+
+void LinkedViews::setEdgesByClass(bool on) {
+    cloud_.setEdgesByClass(on);
+    showEdgeMap();
+}
+
+void LinkedViews::setEdgeColour(const QColor& colour) {
+    cloud_.setEdgeColour(colour);
+    showEdgeMap();
+}
+
+void LinkedViews::setTrueAngles(bool on) {
+    trueAngles_ = on;
+    applyAspect();
+}
+
+void LinkedViews::resetView() {
+    cloud_.resetView();
+    gray().viewPort()->fit();
+    resetDisplayLevels();
+}
+
+void LinkedViews::changeDisplayLevels(int window, int level) {
+    if (!shown_) return;
+    // As in medical viewers: to the right the window opens, downwards the picture gets darker.
+    const int centre = (levels_.black + levels_.white) / 2 + level;
+    const int half = std::clamp((levels_.white - levels_.black + window) / 2, 2, 255);
+    levels_ = {centre - half, centre + half};
+    gray().setImage(std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
+    emit grayRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
+}
+
+void LinkedViews::resetDisplayLevels() {
+    levels_ = {};
+    emit grayRemark(QString());
+    if (shown_) gray().setImage(shown_->gray);
+}
+
+void LinkedViews::applyAspect() {
+    const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->detection->scan->geometry) : nullptr;
+    if (!trueAngles_ || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
+        gray().viewPort()->setSquarePixels();
+        return;
+    }
+    const auto step = [](const std::vector<double>& deg) {
+        return std::abs(deg.back() - deg.front()) / static_cast<double>(deg.size() - 1);
+    };
+    gray().viewPort()->setTrueAngle(step(polar->beamDeg), step(polar->lineDeg));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,83 @@
+// Keeps the two images and the cloud in step: the same picture, the same cell under the mouse, the same place while a scan grows.
+#pragma once
+
+#include "core/explain/probe.h"
+#include "ui/cloud/camera_motion.h"
+#include "ui/session/session.h"
+
+#include <QObject>
+
+#include <array>
+#include <optional>
+
+namespace edgescan::ui {
+
+class CloudView;
+class ImageView;
+struct EdgeTrail;
+
+/// GUI thread only. Session and views must outlive it.
+class LinkedViews : public QObject {
+    Q_OBJECT
+public:
+    LinkedViews(const Session& session, ImageView& gray, ImageView& edges, CloudView& cloud);
+
+    /// What all views show; null before the first picture.
+    [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return shown_; }
+    [[nodiscard]] ImageView& gray() { return *images_[0]; }
+    [[nodiscard]] ImageView& edges() { return *images_[1]; }
+    [[nodiscard]] CloudView& cloud() { return cloud_; }
+
+    /// The cell that the mouse points at, else the one that was clicked.
+    [[nodiscard]] std::optional<std::size_t> marked() const { return hovered_ ? hovered_ : pinned_; }
+    [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
+    /// The cell of the crosshair.
+    void pin(std::optional<std::size_t> cell);
+    void flyToHovered();
+    void setTrail(const EdgeTrail& trail);
+    /// x = beam, y = line.
+    [[nodiscard]] QPoint placeOf(std::size_t cell) const;
+
+    void setNote(const QString& note);
+    void setStale(const QString& why);
+    void setOverlay(bool on);
+    void setEdgesByClass(bool on);
+    void setEdgeColour(const QColor& colour);
+    /// Pixels as wide and high as the angles between beams and lines are; else square.
+    void setTrueAngles(bool on);
+    void resetView();
+
+signals:
+    void probed(const std::optional<edgescan::Probe>& probe);
+    /// Small text beside a view's title.
+    void grayRemark(const QString& text);
+    void cloudRemark(const QString& text);
+
+private:
+    void linkImages();
+    void linkCloud();
+    void show();
+    void showEdgeMap();
+    void showNewScan();
+    void showMoreLines(const Picture& last);
+    void noteFit();
+    void hover(std::optional<std::size_t> cell, const QObject* from);
+    void changeDisplayLevels(int window, int level);
+    void resetDisplayLevels();
+    void applyAspect();
+
+    const Session& session_;
+    std::array<ImageView*, 2> images_; // gray, edges
+    CloudView& cloud_;
+    std::shared_ptr<const Picture> shown_;
+    std::optional<std::size_t> hovered_;
+    std::optional<std::size_t> pinned_;
+    CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
+    double fittedPointSize_ = 0.0;
+    int fittedLines_ = 0;
+    DisplayLevels levels_;
+    bool overlay_ = false;
+    bool trueAngles_ = false;
+};
+
+} // namespace edgescan::ui

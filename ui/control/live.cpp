@@ -1,0 +1,168 @@
+// What a live scanner and a recording do to the window.
+#include "ui/control/live.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/control/files.h"
+#include "ui/control/linked_views.h"
+#include "ui/live/live_panel.h"
+#include "ui/live/timeline.h"
+#include "ui/session/memory.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::ui {
+namespace {
+
+SweepSettings rememberedSweep(const Memory& memory) {
+    const auto json = nlohmann::json::parse(memory.text("live/sweep").toStdString(), nullptr, false);
+    SweepMetadata metadata;
+    if (json.is_object()) {
+        for (const auto& [key, value] : json.items()) {
+            if (value.is_string()) metadata[key] = value.get<std::string>();
+        }
+    }
+    return settingsOf(metadata).settings;
+}
+
+} // namespace
+
+Live::Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory)
+    : session_(session), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), memory_(memory),
+      scanner_(session) {
+    panel_.setSweep(rememberedSweep(memory_));
+    panel_.setAddress(memory_.text("live/host"), memory_.text("live/port", "2112").toInt());
+    panel_.hide();
+    recordingFolder_ = memory_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
+    connectPanel();
+    connectScanner();
+    connect(&session_, &Session::opened, this, &Live::loadTimeline);
+    connect(&session_, &Session::pictureReady, this, &Live::tellSweepEnded);
+    connect(&timeline_, &Timeline::arrived, this, &Live::showReplayed);
+    connect(&timeline_, &Timeline::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+}
+
+void Live::connectPanel() {
+    connect(&panel_, &LivePanel::connectWanted, this, [this] {
+        if (panel_.host().isEmpty()) {
+            notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no host to connect to: type the scanner's name or address."));
+            return panel_.askAddress();
+        }
+        connectTo(panel_.host(), panel_.port(), panel_.sweep());
+    });
+    connect(&panel_, &LivePanel::disconnectWanted, &scanner_, &ScannerLink::hangUp);
+    connect(&panel_, &LivePanel::recordWanted, this, &Live::record);
+    connect(&panel_, &LivePanel::keepWanted, this, &Live::keepLastMinute);
+    connect(&panel_, &LivePanel::followWanted, this, [this](bool on) {
+        scanner_.follow(on);
+        panel_.setFollowing(scanner_.following());
+    });
+}
+
+void Live::connectScanner() {
+    connect(&scanner_, &ScannerLink::connectedChanged, &panel_, &LivePanel::setConnected);
+    connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
+    connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
+    connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
+    connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.tellSaved(path); });
+}
+
+void Live::connectTo(const QString& host, int port, const SweepSettings& sweep) {
+    panel_.setAddress(host, port);
+    panel_.setSweep(sweep);
+    panel_.show();
+    memory_.keep("live/host", host);
+    memory_.keep("live/port", QString::number(port));
+    memory_.keep("live/sweep", QString::fromStdString(nlohmann::json(metadataOf(sweep)).dump()));
+    timeline_.clear();
+    files_.leave();
+    SessionSettings scanner;
+    scanner.host = host.toStdString();
+    scanner.port = static_cast<std::uint16_t>(port);
+    scanner_.connectTo(scanner, sweep);
+}
+
+void Live::showHealth() {
+    panel_.showHealth(scanner_.health());
+    views_.setStale(scanner_.showsStale() ? QString::fromStdString(scanner_.health().badge) : QString());
+    // A strip that says LIVE beside a picture that stands still would be misleading.
+    const auto& shown = session_.picture();
+    const bool held = scanner_.connected() && !scanner_.following() && shown && shown->source.stream == scanner_.stream();
+    const QString note =
+        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(QString::fromStdString(shown->detection->scan->name))
+             : QString();
+    if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+}
+
+void Live::tellSweepEnded() {
+    const Picture& picture = *session_.picture();
+    const std::uint64_t stream = picture.source.stream;
+    const bool growing = picture.source.growth.growing;
+    const bool grew = std::exchange(growingStream_, growing ? stream : 0) == stream;
+    if (growing || !grew || stream != scanner_.stream()) return;
+    const Scan& scan = *picture.detection->scan;
+    QStringList warnings;
+    for (const std::string& warning : scan.warnings) warnings << QString::fromStdString(warning);
+    const QString name = QString::fromStdString(scan.name);
+    if (warnings.isEmpty())
+        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(scan.lines()));
+    else
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
+}
+
+void Live::loadTimeline(const QString& path) {
+    fileScan_ = nullptr;
+    if (QFileInfo(path).suffix().compare("mcap", Qt::CaseInsensitive) == 0)
+        timeline_.load(path.toStdString(), files_.options());
+    else
+        timeline_.clear();
+}
+
+/// At the end of the sweep that the file opens with, it is the file's own scan again: it knows where it came from.
+void Live::showReplayed(const ReplayedSweep& at) {
+    const auto& picture = session_.picture();
+    if (!picture || !at.sweep.scan) return;
+    if (!fileScan_ && picture->source.growth.sweep < 0) fileScan_ = picture->detection->scan;
+    const std::uint64_t stream = picture->source.stream;
+    const SweepProgress& progress = at.sweep.progress;
+    if (fileScan_ && at.position == timeline_.home())
+        session_.follow(fileScan_, {stream, {}});
+    else
+        session_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
+}
+
+void Live::record(bool on) {
+    if (on)
+        scanner_.startRecording(newRecordingPath("sweep"));
+    else
+        scanner_.stopRecording();
+}
+
+void Live::keepLastMinute() { scanner_.keepRecent(newRecordingPath("last-minute")); }
+
+void Live::setRecordingFolder(const QString& folder) {
+    recordingFolder_ = folder;
+    memory_.keep("folder/recordings", folder);
+}
+
+void Live::askRecordingFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(panel_.window(), tr("Folder for recordings"), recordingFolder_);
+    if (!folder.isEmpty()) setRecordingFolder(folder);
+}
+
+QString Live::newRecordingPath(const char* kind) const {
+    QDir().mkpath(recordingFolder_);
+    const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
+    QString path = QDir(recordingFolder_).filePath(QString("%1_%2.mcap").arg(kind, time));
+    for (int again = 2; QFileInfo::exists(path); ++again)
+        path = QDir(recordingFolder_).filePath(QString("%1_%2_%3.mcap").arg(kind, time).arg(again));
+    return path;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,217 @@
+// Which commands there are, menu by menu.
+#include "ui/main/menus.h"
+
+#include "core/settings/presets.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/dialogs/sheets.h"
+#include "ui/live/live_panel.h"
+#include "ui/live/timeline.h"
+#include "ui/main/main_window.h"
+#include "ui/panel/edges_panel.h"
+#include "ui/panel/status_line.h"
+#include "ui/session/memory.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QMenu>
+
+namespace edgescan::ui {
+namespace {
+
+// Can be used only while `signal` last said true; at first it cannot.
+template <class Sender, class Signal>
+std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
+    return [&sender, signal](QAction& action) {
+        action.setEnabled(false);
+        QObject::connect(&sender, signal, &action, &QAction::setEnabled);
+    };
+}
+
+Command fileMenu(MainWindow& w) {
+    const auto exported = [&w](const char* text, const char* keys, ExportContent content) {
+        return command(text, keys, [&w, content] { w.exports().ask(content); });
+    };
+    Command recent = submenu("Open &Recent", {});
+    recent.fill = [&w](QMenu& menu) { w.files().fillRecent(menu); };
+    return submenu("&File", {
+                                command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
+                                recent,
+                                command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
+                                command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
+                                command("Re&load", "F5", [&w] { w.files().reload(); }),
+                                kLine,
+                                submenu("&Export",
+                                        {
+                                            exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
+                                            exported("&Full Cloud…", "", ExportContent::FullCloud),
+                                            exported("Edge &Image…", "", ExportContent::EdgeImage),
+                                            exported("&Gray Image…", "", ExportContent::GrayImage),
+                                            exported("&Range Image…", "", ExportContent::RangeImage),
+                                        }),
+                                command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
+                                command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
+                                kLine,
+                                command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
+                            });
+}
+
+Command editMenu(MainWindow& w) {
+    Command undo{.keys = "Ctrl+Z", .made = w.tuning().undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
+    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.tuning().undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
+    undo.made->setObjectName(QObject::tr("Undo")); // the texts name the step
+    redo.made->setObjectName(QObject::tr("Redo"));
+    const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
+    return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
+}
+
+Command mouseMenu(MainWindow& w, Memory& memory) {
+    auto* presets = new QActionGroup(&w);
+    CloudView& cloud = w.views().cloud();
+    const auto preset = [&](const char* text, const QString& name, MousePreset mouse) {
+        Command made = toggle(text, "", nullptr, false, [&cloud, &memory, name, mouse](bool) {
+            cloud.setMousePreset(mouse);
+            memory.keep("view/mouse", name);
+        });
+        return linked(made, [&cloud, &memory, presets, name, mouse](QAction& action) {
+            presets->addAction(&action);
+            if (memory.text("view/mouse", "default") != name) return;
+            action.setChecked(true);
+            cloud.setMousePreset(mouse);
+        });
+    };
+    return submenu("&Mouse",
+                   {
+                       preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
+                       preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
+                       kLine,
+                       toggle("&Wheel the other way", "", "view/wheel-reversed", false, [&cloud](bool on) { cloud.setWheelReversed(on); }),
+                   });
+}
+
+std::vector<Command> lookCommands(MainWindow& w) {
+    LinkedViews& views = w.views();
+    CloudView& cloud = views.cloud();
+    const auto setColourBlind = [&](bool on) {
+        views.setEdgeColour(on ? kColourBlindEdge : QColor(0, 255, 0));
+        w.panel().setJumpColour(cloud.edgeColour());
+    };
+    return {
+        linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
+               [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
+        toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
+        toggle("&Edge Points", "E", "view/edge-points", true, [&cloud](bool on) { cloud.setEdgesVisible(on); }),
+        toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
+        toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
+        toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setOverlay(on); }),
+        toggle("Edges &by Class", "C", "view/edge-classes", false, [&views](bool on) { views.setEdgesByClass(on); }),
+        toggle("&Colour-Blind Edge Colour", "", "view/colour-blind", false, setColourBlind),
+        toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
+    };
+}
+
+Command viewMenu(MainWindow& w, Memory& memory) {
+    LinkedViews& views = w.views();
+    CloudView& cloud = views.cloud();
+    Command menu = submenu("&View", {
+                                        command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
+                                        command("&Front", "1", [&cloud] { cloud.viewFront(); }),
+                                        command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
+                                        command("&Right", "3", [&cloud] { cloud.viewRight(); }),
+                                        command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
+                                        command("&Top", "7", [&cloud] { cloud.viewTop(); }),
+                                        command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
+                                        command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                        command("R&eset View", "R; Home", [&views] { views.resetView(); }),
+                                        command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); }),
+                                        kLine,
+                                    });
+    const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
+    add(lookCommands(w));
+    add({kLine, command("Point Size &+", "]", [&cloud] { cloud.setPointSize(cloud.pointSize() + 1); }),
+         command("Point Size &-", "[", [&cloud] { cloud.setPointSize(cloud.pointSize() - 1); }), mouseMenu(w, memory), kLine});
+    for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
+    add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
+         command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
+    return menu;
+}
+
+Command scanMenu(MainWindow& w) {
+    Files& files = w.files();
+    Live& live = w.live();
+    const auto connected = onlyWhile(live.scanner(), &ScannerLink::connectedChanged);
+    const auto playable = onlyWhile(live.timeline(), &Timeline::activeChanged);
+    const auto step = [&](const char* text, const char* keys, int lines) {
+        return linked(command(text, keys, [&live, lines] { live.timeline().stepBy(lines); }), playable);
+    };
+    const auto showProperties = [&w] {
+        if (w.session().picture()) showScanProperties(&w, *w.session().picture()->detection->scan);
+    };
+    const auto followStraightening = [&files](QAction& action) {
+        action.setObjectName("straighten-beams");
+        action.setToolTip(
+            QObject::tr("Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped"));
+        QObject::connect(&files, &Files::straightened, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "&Scan",
+        {
+            command("&Next File of Series", "PgDown", [&files] { files.step(1); }),
+            command("Pre&vious File of Series", "PgUp", [&files] { files.step(-1); }),
+            kLine,
+            linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
+            linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
+            toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); }),
+            command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
+            kLine,
+            linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
+            step("Next Line", "Right", 1),
+            step("Last Line", "Left", -1),
+            step("Ten Lines Forward", "Shift+Right", 10),
+            step("Ten Lines Back", "Shift+Left", -10),
+            kLine,
+            linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
+            command("&Properties…", "", showProperties),
+        });
+}
+
+Command edgesMenu(MainWindow& w) {
+    Tuning& tuning = w.tuning();
+    EdgesPanel& panel = w.panel();
+    Command presets = submenu("&Presets", {});
+    for (const Preset& preset : builtInPresets())
+        presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
+                                         [preset](QAction& action) { action.setToolTip(QString::fromStdString(preset.help)); }));
+    presets.submenu.push_back(kLine);
+    presets.submenu.push_back(command("&Open…", "", [&tuning] { tuning.askOpenPreset(); }));
+    presets.submenu.push_back(command("&Save…", "", [&tuning] { tuning.askSavePreset(); }));
+    const auto followLock = [&panel](QAction& action) {
+        action.setChecked(panel.ratioLocked());
+        QObject::connect(&panel, &EdgesPanel::ratioLockChanged, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "&Edges",
+        {
+            presets,
+            linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
+            command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
+            command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
+        });
+}
+
+} // namespace
+
+std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
+    const auto showKeys = [&window] { showShortcuts(&window, window.actions()); };
+    return {fileMenu(window),
+            editMenu(window),
+            viewMenu(window, memory),
+            scanMenu(window),
+            edgesMenu(window),
+            submenu("&Help",
+                    {command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
+}
+
+} // namespace edgescan::ui
