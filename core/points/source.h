@@ -14,13 +14,15 @@
 namespace edgescan {
 
 class Replay;
+/// Called behind every line of a recording that is played.
+using LinePlayed = std::function<void(const Replay&)>;
 
 struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
     bool inMemory = false; ///< there is no file, and no other may be touched
-    std::function<void(const Replay&)> played = {}; ///< called behind every line of a recording
+    LinePlayed played = {}; ///< called behind every line of a recording
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     /// Lower case, with the dot.

@@ -72,9 +72,6 @@ private:
 /// names beside its telegrams. `where` goes into errors.
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
 
-/// Called behind every line that is played.
-using LinePlayed = std::function<void(const Replay&)>;
-
 /// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost
 /// lines, a cut. Error: no line in it.
 Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {},

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <nlohmann/json.hpp>
 
 namespace edgescan::ui {
 namespace {

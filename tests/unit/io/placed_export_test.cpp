@@ -1,16 +1,9 @@
 // Mine coordinates survive being written and read in every format; where there is no pose they are refused.
 #include "core/formats/formats.h"
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
 #include "core/georef/placed_points.h"
 #include "core/georef/placement_json.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
-#include "core/readers/las.h"
-#include "core/readers/obj.h"
-#include "core/readers/ptx.h"
-#include "core/writers/cloud_columns.h"
-#include "core/writers/dxf_points.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 
@@ -125,10 +118,10 @@ TEST(MineExport, MineCoordinatesAreNeverFourByteFloats) {
     const CloudColumns local = everyCell(scan, CoordinateFrame::MineLocal);
     EXPECT_TRUE(std::holds_alternative<std::vector<float>>(local.columns[0].values));
     EXPECT_EQ(local.originM, scan.placement->originEnhM);
-    const auto pcd = pcdBytes(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
+    const auto pcd = writtenFormat("cloud.pcd")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
     ASSERT_TRUE(pcd);
     EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1\nTYPE F F F U U F U\n"), std::string::npos);
-    const auto ply = plyBytes(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.ply", false);
+    const auto ply = writtenFormat("cloud.ply")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.ply", false);
     ASSERT_TRUE(ply);
     EXPECT_NE(ply->find("property double x\nproperty double y\nproperty double z\n"), std::string::npos);
     EXPECT_NE(ply->find("comment EdgeScan, mine grid in metres: x Easting, y Northing, z Elevation\n"), std::string::npos);
