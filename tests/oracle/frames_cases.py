@@ -79,7 +79,7 @@ def worked_out(q):
 
 
 FORWARD = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
-UPWARD = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+UPWARD = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]  # its underside to the front
 MAIN = {"beam_angle_deg": -5 + 400 / 6, "range_m": 12.345, "mount_rpy_deg": [0.2, -0.1, 0.15], "mount_t_m": [0.0015, 0.004, 0.035],
         "axis": [0, 0, 1], "phi0_deg": 0.0, "dir": 1, "step_index": 321, "deg_per_step": 0.18, "R_IA": FORWARD, "t_IA_m": [0, 0, 0],
         "tilt_x_deg": 14.25, "tilt_y_deg": -3.4, "boom_azimuth_deg": 33.5, "head_in_robot_m": [4.2, 1.3, 2.65],
