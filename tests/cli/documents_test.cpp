@@ -141,5 +141,37 @@ TEST(Documents, LinksLeadToFilesThatAreThere) {
     }
 }
 
+TEST(Documents, EveryRoomHasAReadme) {
+    int rooms = 0;
+    for (const char* storey : {"core", "ui"}) {
+        for (const auto& entry : fs::directory_iterator(kRoot / storey)) {
+            if (!entry.is_directory()) continue;
+            ++rooms;
+            const std::string name = std::string(storey) + "/" + entry.path().filename().string();
+            EXPECT_TRUE(test::fileText(entry.path() / "README.md").starts_with("# " + name + "\n"))
+                << name << " needs a README.md with this heading: what lives there, what it may include, where to start reading";
+        }
+    }
+    EXPECT_GT(rooms, 25);
+    for (const char* folder : {"app", "tests", "packaging", "docs"})
+        EXPECT_TRUE(fs::is_regular_file(kRoot / folder / "README.md")) << folder;
+}
+
+// `core/gray/canny.h` or `core/sim/seam` in a document; NAME stands for a file that somebody is about to write.
+TEST(Documents, PathsNamedInDocumentsAreThere) {
+    for (const fs::path& file : filesThatCite()) {
+        if (file.extension() != kMark) continue;
+        const std::string text = test::fileText(file);
+        for (const char* folder : {"`core/", "`ui/", "`app/", "`tests/", "`docs/", "`packaging/"}) {
+            for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at + 1)) {
+                const std::string path = text.substr(at + 1, text.find_first_of("` \n", at + 1) - at - 1);
+                if (path.find("NAME") != std::string::npos) continue;
+                EXPECT_TRUE(fs::exists(kRoot / path) || fs::exists(kRoot / (path + ".h")))
+                    << file << " names " << path << ", which is not there";
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace edgescan
