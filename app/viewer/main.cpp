@@ -9,6 +9,7 @@
 #include "ui/session/memory.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <QTimer>
 
 #include <CLI/CLI.hpp>
@@ -148,6 +149,9 @@ int main(int argc, char** argv) {
     int qtArgc = 1;
     QApplication application(qtArgc, qtArguments.data());
     ui::useTheme(application);
+    QIcon icon;
+    for (const int size : {16, 24, 32, 48, 64, 128, 256}) icon.addFile(QString(":/icons/edgescan-%1.png").arg(size));
+    QApplication::setWindowIcon(icon);
     if (const ui::GlCheck gl = ui::checkGl(); !gl.available) {
         std::cerr << "edgescan: " << gl.reason.toStdString() << '\n';
         return 1;

@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -71,6 +72,14 @@ protected:
     void hoverWith(QPoint at, Qt::MouseButtons buttons) {
         QMouseEvent move(QEvent::MouseMove, at, view_->mapToGlobal(at), Qt::NoButton, buttons, Qt::NoModifier);
         QApplication::sendEvent(view_.get(), &move);
+    }
+
+    [[nodiscard]] bool rests() const {
+        return QTest::qWaitFor([this] { return view_->atRest(); }, 20000);
+    }
+    [[nodiscard]] bool nextFrame() const {
+        QSignalSpy drawn(view_.get(), &CloudView::frameDrawn);
+        return drawn.wait(20000);
     }
 
     std::unique_ptr<CloudView> view_;

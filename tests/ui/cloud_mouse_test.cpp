@@ -141,7 +141,7 @@ private slots:
         const auto edges = demo::edges(*scan);
         const auto cloud = makeCloudGeometry(*scan);
         view_->resize(1100, 900);
-        QTest::qWait(200);
+        QVERIFY(rests());
         std::vector<double> frames;
         QVector<double> fractions;
         connect(view_.get(), &CloudView::frameDrawn, this, [&](double ms) {
@@ -164,25 +164,25 @@ private slots:
             frames.clear();
             fractions.clear();
         };
-        QTest::qWait(1500);
+        QVERIFY(rests());
         report("after opening");
         QTest::mousePress(view_.get(), Qt::LeftButton, Qt::NoModifier, {400, 300});
         for (int i = 1; i < 25; ++i) {
             hoverWith({400 + 6 * i, 300 + 2 * i}, Qt::LeftButton);
-            QTest::qWait(5);
+            QVERIFY(nextFrame());
         }
         QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {544, 348});
         report("turning");
-        QTest::qWait(1200);
+        QVERIFY(rests());
         report("at rest");
         keep(view_->grabFrame(), "cloud_full_rest");
         for (int i = 0; i < 12; ++i) {
             view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(edges->begin(), edges->end() - 10 * i));
-            QTest::qWait(5);
+            QVERIFY(nextFrame());
         }
         report("retuning");
         view_->resetView();
-        QTest::qWait(1000);
+        QVERIFY(rests());
         report("from the scanner");
         clock.restart();
         keep(view_->grabFrame(CloudView::Points::All), "cloud_full_all");

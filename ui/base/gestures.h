@@ -1,13 +1,13 @@
-// What the views share in reading mouse and touch: the place of an event, how far a click may travel, a pinch in an event.
+// What the views share in reading mouse and touch.
 #pragma once
 
 #include <QGestureEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPinchGesture>
+#include <QWheelEvent>
 
 namespace edgescan::ui {
-
-inline constexpr double kClickPx = 4.0; ///< less travel than this is a click
 
 /// Qt 5 and Qt 6 name the position of a mouse event differently.
 [[nodiscard]] inline QPointF place(const QMouseEvent& event) {
@@ -16,6 +16,26 @@ inline constexpr double kClickPx = 4.0; ///< less travel than this is a click
 #else
     return event.localPos();
 #endif
+}
+
+/// One button that is held down.
+struct Press {
+    Qt::MouseButton button = Qt::NoButton;
+    QPointF from, last;
+    bool travelled = false; ///< further than a click
+
+    void begin(const QMouseEvent& event) { *this = {event.button(), place(event), place(event), false}; }
+    /// False as long as it can still become a click. `last` is for the caller to move on.
+    bool travels(QPointF at) {
+        constexpr double kClickPx = 4.0;
+        return travelled = travelled || QLineF(from, at).length() >= kClickPx;
+    }
+};
+
+/// Notches of the wheel, away from the hand positive. With Alt held X11 and Qt turn the wheel sideways.
+[[nodiscard]] inline double notches(const QWheelEvent& event) {
+    const QPoint angle = event.angleDelta();
+    return (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
 }
 
 /// The pinch that the event carries, accepted; null when it carries none.

@@ -1,7 +1,7 @@
 // Marker, laser ray and texts over the 3D picture.
 #include "ui/cloud/cloud_overlay.h"
 
-#include "ui/base/stale_overlay.h"
+#include "ui/base/marks.h"
 
 #include <QPaintEvent>
 #include <QPainter>
@@ -11,22 +11,6 @@ namespace {
 
 constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
 constexpr int kLabelMargin = 8;
-
-void strokeTwice(QPainter& painter, double width, Qt::PenStyle style, const QColor& colour, auto&& draw) {
-    painter.setPen(QPen(QColor(0, 0, 0, 220), width + 2.0));
-    draw();
-    painter.setPen(QPen(colour, width, style));
-    draw();
-}
-
-void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
-    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 150));
-    painter.drawRoundedRect(box, 3, 3);
-    painter.setPen(QColor(235, 235, 235));
-    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
-}
 
 } // namespace
 
@@ -59,23 +43,17 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     if (marks_.ray) {
-        painter.setPen(QPen(QColor(0, 0, 0, 120), 3.0));
-        painter.drawLine(*marks_.ray);
-        painter.setPen(QPen(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine));
-        painter.drawLine(*marks_.ray);
+        const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
     }
     if (marks_.ring) {
-        strokeTwice(painter, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine, Qt::white,
-                    [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });
+        const QPen light(Qt::white, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine);
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), light, [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });
         painter.setPen(QPen(Qt::black, 1.0));
         painter.setBrush(Qt::white);
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
     }
-    if (!marks_.stale.isEmpty()) {
-        painter.save();
-        drawStaleOverlay(painter, rect(), marks_.stale);
-        painter.restore();
-    }
+    drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
     if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);

@@ -56,7 +56,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     cloud_ = std::move(geometry);
     edges_ = {};
     marked_ = std::nullopt;
-    leaveHover();
+    pointAt(std::nullopt);
     scene_->setCloud(cloud_);
     growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0 && cloud_->validCount > 0;
     if (growing_) {

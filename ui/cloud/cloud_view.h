@@ -1,6 +1,7 @@
 // The 3D view: the cloud once in the graphics memory, edges as a list of cells, mouse.
 #pragma once
 
+#include "ui/base/gestures.h"
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/drawing_budget.h"
@@ -83,6 +84,8 @@ public:
     /// Where the point of a cell is drawn (widget position); none when behind the camera or not valid.
     [[nodiscard]] std::optional<QPointF> pixelOf(std::uint32_t cell) const;
 
+    /// Nothing is under way: the frame shown is the one that stays.
+    [[nodiscard]] bool atRest() const { return !restTimer_.isActive() && !framePending_ && nextPart_ == 0; }
     /// Share of the valid points in the frame shown; 1 when all.
     [[nodiscard]] double drawnFraction() const { return drawnFraction_; }
     [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
@@ -154,8 +157,7 @@ private:
     void setRotationCentre(QPointF pixel);
     void showFocus();
     void pinch(const QPinchGesture& gesture);
-    void hover(QPointF pixel);
-    void leaveHover();
+    void pointAt(std::optional<std::uint32_t> cell);
     void wheelZoom(QPointF pixel, double notches);
     void wheelClip(double& share, double notches);
     [[nodiscard]] double aspect() const;
@@ -178,9 +180,7 @@ private:
     QString note_, stale_;
 
     DragAction drag_ = DragAction::None;
-    Qt::MouseButton dragButton_ = Qt::NoButton;
-    QPointF pressedAt_, lastAt_;
-    bool travelled_ = false;
+    Press press_;
     Eigen::Vector3d dragAnchor_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d wheelAnchor_ = Eigen::Vector3d::Zero();
     QPointF wheelAt_{-1e9, -1e9};

@@ -1,7 +1,6 @@
 // The mouse of the 3D view: events in, camera motion and picks out.
 #include "ui/cloud/cloud_view.h"
 
-#include "ui/base/gestures.h"
 #include "ui/cloud/cloud_scene.h"
 
 #include <QWheelEvent>
@@ -59,27 +58,24 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     if (drag_ != DragAction::None) return; // a second button during a drag changes nothing
     drag_ = dragAction(event->button(), event->modifiers(), mousePreset_);
-    dragButton_ = event->button();
-    pressedAt_ = lastAt_ = place(*event);
-    travelled_ = false;
-    if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(pressedAt_);
+    press_.begin(*event);
+    if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(press_.from);
 }
 
 void CloudView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = place(*event);
     if (drag_ == DragAction::None) {
-        hover(at);
+        pointAt(cellAt(at));
         return;
     }
-    if (!travelled_ && QLineF(pressedAt_, at).length() < kClickPx) return;
-    if (!travelled_) leaveHover();
-    travelled_ = true;
+    if (!press_.travels(at)) return;
+    pointAt(std::nullopt);
     drag(at);
-    lastAt_ = at;
+    press_.last = at;
 }
 
 void CloudView::drag(QPointF at) {
-    const QPointF by = at - lastAt_;
+    const QPointF by = at - press_.last;
     if (drag_ == DragAction::Rotate) {
         const double perPixel = std::numbers::pi / std::max(1, height());
         const double right = by.x() * perPixel;
@@ -93,18 +89,17 @@ void CloudView::drag(QPointF at) {
         pose_ = zoomed(pose_, dragAnchor_, std::pow(1.008, -by.y()));
     } else if (drag_ == DragAction::Roll) {
         const QPointF middle = QRectF(rect()).center();
-        const double degrees = QLineF(middle, lastAt_).angleTo(QLineF(middle, at)); // counter-clockwise, 0 .. 360
+        const double degrees = QLineF(middle, press_.last).angleTo(QLineF(middle, at)); // counter-clockwise, 0 .. 360
         pose_ = rolled(pose_, std::remainder(degrees, 360.0) * std::numbers::pi / 180.0);
     }
     moved();
 }
 
 void CloudView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != dragButton_ || drag_ == DragAction::None) return;
+    if (event->button() != press_.button || drag_ == DragAction::None) return;
     const QPointF at = place(*event);
-    const bool click = !travelled_;
+    const bool click = !press_.travelled;
     drag_ = DragAction::None;
-    dragButton_ = Qt::NoButton;
     if (!click) {
         scene_->hideFocus();
         moved();
@@ -131,16 +126,14 @@ void CloudView::setRotationCentre(QPointF pixel) {
 }
 
 void CloudView::wheelEvent(QWheelEvent* event) {
-    // With Alt held X11 and Qt turn the wheel sideways.
-    const QPoint angle = event->angleDelta();
-    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     event->accept();
-    if (notches == 0.0) return;
+    const double steps = notches(*event);
+    if (steps == 0.0) return;
     const WheelAction action = wheelAction(event->modifiers());
-    if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -notches : notches);
-    if (action == WheelAction::PointSize) setPointSize(pointSize_ + (notches > 0.0 ? 1.0 : -1.0));
-    if (action == WheelAction::NearClip) wheelClip(nearShare_, notches);
-    if (action == WheelAction::FarClip) wheelClip(farShare_, -notches);
+    if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -steps : steps);
+    if (action == WheelAction::PointSize) setPointSize(pointSize_ + (steps > 0.0 ? 1.0 : -1.0));
+    if (action == WheelAction::NearClip) wheelClip(nearShare_, steps);
+    if (action == WheelAction::FarClip) wheelClip(farShare_, -steps);
 }
 
 void CloudView::wheelZoom(QPointF pixel, double notches) {
@@ -156,26 +149,17 @@ void CloudView::wheelClip(double& share, double notches) {
     moved();
 }
 
-void CloudView::hover(QPointF pixel) {
-    const auto cell = cellAt(pixel);
-    if (cell == hoveredCell_) return;
-    if (!cell) {
-        leaveHover();
-        return;
-    }
-    hoveredCell_ = cell;
-    emit hovered(*cell);
-}
-
-void CloudView::leaveHover() {
-    if (!hoveredCell_) return;
-    hoveredCell_ = std::nullopt;
-    emit hoverLeft();
+void CloudView::pointAt(std::optional<std::uint32_t> cell) {
+    if (std::exchange(hoveredCell_, cell) == cell) return;
+    if (cell)
+        emit hovered(*cell);
+    else
+        emit hoverLeft();
 }
 
 void CloudView::leaveEvent(QEvent* event) {
     QVTKOpenGLNativeWidget::leaveEvent(event);
-    leaveHover();
+    pointAt(std::nullopt);
 }
 
 } // namespace edgescan::ui

@@ -1,7 +1,7 @@
 // Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
 #include "ui/image/image_view.h"
 
-#include "ui/base/stale_overlay.h"
+#include "ui/base/marks.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -13,38 +13,18 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kRing = 7.0; // radius, px
-const QColor kLine(255, 255, 255, 190);
-const QColor kOutline(0, 0, 0, 170);
+constexpr double kRing = 7.0;      // radius, px
 const QColor kTrail(86, 180, 233); // told from edges by its frames as well
 
-// Every mark is drawn dark and wide, then light and thin: seen on black and on white.
-template <class Draw>
-void strokeTwice(QPainter& painter, double width, Qt::PenStyle style, Draw draw) {
-    painter.setPen(QPen(kOutline, width + 2.0));
-    draw();
-    painter.setPen(QPen(kLine, width, style));
-    draw();
-}
+QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
+QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
 
 void drawRing(QPainter& painter, QPointF at) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Qt::black, 4.0));
-    painter.drawEllipse(at, kRing, kRing);
-    painter.setPen(QPen(Qt::white, 2.0));
-    painter.drawEllipse(at, kRing, kRing);
+    strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), [&] { painter.drawEllipse(at, kRing, kRing); });
     painter.setPen(QPen(Qt::black, 1.0));
     painter.setBrush(Qt::white);
     painter.drawEllipse(at, 1.8, 1.8);
-}
-
-void drawLabel(QPainter& painter, QRect place, Qt::Alignment alignment, const QString& text) {
-    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-5, -2, 5, 2);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 150));
-    painter.drawRoundedRect(box, 3, 3);
-    painter.setPen(QColor(235, 235, 235));
-    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
 }
 
 } // namespace
@@ -152,11 +132,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
         painter.setOpacity(1.0);
     }
     drawMarks(painter);
-    if (!stale_.isEmpty()) {
-        painter.save();
-        drawStaleOverlay(painter, rect(), stale_);
-        painter.restore();
-    }
+    drawStaleOverlay(painter, rect(), stale_);
     drawTexts(painter);
 }
 
@@ -195,14 +171,11 @@ void ImageView::drawTrail(QPainter& painter) const {
     }
     painter.setRenderHint(QPainter::Antialiasing, false); // chains have thousands of cells
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(kOutline, 3.0));
-    painter.drawRects(frames);
-    painter.setPen(QPen(kTrail, 1.0));
-    painter.drawRects(frames);
+    strokeTwice(painter, dark(3.0), QPen(kTrail, 1.0), [&] { painter.drawRects(frames); });
     painter.setRenderHint(QPainter::Antialiasing);
     QPolygonF way;
     for (const QPoint& cell : trail_.way) way << viewPort_->toPixel(QPointF(cell) + QPointF(0.5, 0.5), size());
-    strokeTwice(painter, 1.0, Qt::SolidLine, [&] { painter.drawPolyline(way); });
+    strokeTwice(painter, dark(3.0), light(), [&] { painter.drawPolyline(way); });
     if (trail_.strongest) drawRing(painter, viewPort_->toPixel(QPointF(*trail_.strongest) + QPointF(0.5, 0.5), size()));
 }
 
@@ -214,16 +187,17 @@ void ImageView::drawMarks(QPainter& painter) const {
     if (crosshair_) {
         const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
         const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
-        strokeTwice(painter, 1.0, Qt::SolidLine, [&] {
+        strokeTwice(painter, dark(3.0), light(), [&] {
             painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
             painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
             painter.drawLine(QPointF(at.x(), 0), QPointF(at.x(), at.y() - gap));
             painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
         });
     }
-    if (box_) strokeTwice(painter, 1.0, Qt::SolidLine, [&] { painter.drawRect(toPixels(QRectF(*box_))); });
-    if (drag_ == Drag::Box && travelled_) {
-        strokeTwice(painter, 1.0, Qt::DashLine, [&] { painter.drawRect(toPixels(QRectF(boxCells(pressedAt_, lastAt_)))); });
+    if (box_) strokeTwice(painter, dark(3.0), light(), [&] { painter.drawRect(toPixels(QRectF(*box_))); });
+    if (drag_ == Drag::Box && press_.travelled) {
+        strokeTwice(painter, dark(3.0), light(Qt::DashLine),
+                    [&] { painter.drawRect(toPixels(QRectF(boxCells(press_.from, press_.last)))); });
     }
     if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size()));
 }

@@ -1,6 +1,7 @@
 // Shows one lines x beams image: linked zoom and pan, hover, crosshair, box.
 #pragma once
 
+#include "ui/base/gestures.h"
 #include "ui/image/pyramid.h"
 #include "ui/image/viewport.h"
 
@@ -102,8 +103,7 @@ private:
     void drawMarks(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
     void drawTexts(QPainter& painter) const;
-    void hover(QPointF pixel);
-    void leaveHover();
+    void pointAt(std::optional<QPoint> cell);
     void pinch(const QPinchGesture& gesture);
     [[nodiscard]] QRect boxCells(QPointF from, QPointF to) const;
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
@@ -119,9 +119,7 @@ private:
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;
-    Qt::MouseButton dragButton_ = Qt::NoButton;
-    QPointF pressedAt_, lastAt_;
-    bool travelled_ = false; // further than a click
+    Press press_;
 };
 
 } // namespace edgescan::ui

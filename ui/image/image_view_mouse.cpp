@@ -1,11 +1,7 @@
 // The mouse of an image view.
 #include "ui/image/image_view.h"
 
-#include "ui/base/gestures.h"
-
 #include <QKeyEvent>
-#include <QLineF>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -33,39 +29,34 @@ void ImageView::pinch(const QPinchGesture& gesture) {
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::None) return; // a second button during a drag changes nothing
-    dragButton_ = event->button();
-    pressedAt_ = lastAt_ = place(*event);
-    travelled_ = false;
+    press_.begin(*event);
     const bool shift = event->modifiers() & Qt::ShiftModifier;
-    if (dragButton_ == Qt::LeftButton) drag_ = shift && !picture_.empty() ? Drag::Box : Drag::Pan;
-    if (dragButton_ == Qt::MiddleButton) drag_ = Drag::Pan;
-    if (dragButton_ == Qt::RightButton) drag_ = Drag::WindowLevel;
+    if (press_.button == Qt::LeftButton) drag_ = shift && !picture_.empty() ? Drag::Box : Drag::Pan;
+    if (press_.button == Qt::MiddleButton) drag_ = Drag::Pan;
+    if (press_.button == Qt::RightButton) drag_ = Drag::WindowLevel;
 }
 
 void ImageView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = place(*event);
-    hover(at);
-    if (drag_ == Drag::None) return;
-    if (!travelled_ && QLineF(pressedAt_, at).length() < kClickPx) return;
-    travelled_ = true;
-    if (drag_ == Drag::Pan) viewPort_->panPixels(at - lastAt_);
+    pointAt(cellAt(at));
+    if (drag_ == Drag::None || !press_.travels(at)) return;
+    if (drag_ == Drag::Pan) viewPort_->panPixels(at - press_.last);
     if (drag_ == Drag::Box) update();
     if (drag_ == Drag::WindowLevel) {
-        const QPoint by = at.toPoint() - lastAt_.toPoint();
+        const QPoint by = at.toPoint() - press_.last.toPoint();
         if (!by.isNull()) emit windowLevelDragged(by.x(), by.y());
     }
-    lastAt_ = at;
+    press_.last = at;
 }
 
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != dragButton_ || drag_ == Drag::None) return;
+    if (event->button() != press_.button || drag_ == Drag::None) return;
     const Drag was = drag_;
     drag_ = Drag::None;
-    dragButton_ = Qt::NoButton;
-    if (travelled_) {
+    if (press_.travelled) {
         if (was == Drag::WindowLevel) emit windowLevelFinished();
         if (was == Drag::Box) {
-            setBox(boxCells(pressedAt_, lastAt_));
+            setBox(boxCells(press_.from, press_.last));
             update();
             emit boxSelected(*box_);
         }
@@ -84,10 +75,8 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
-    const QPoint angle = event->angleDelta();
-    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches));
-    hover(event->position()); // another cell may lie under the cursor now
+    viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches(*event)));
+    pointAt(cellAt(event->position())); // another cell may lie under the cursor now
 }
 
 void ImageView::keyPressEvent(QKeyEvent* event) {
@@ -113,26 +102,17 @@ QRect ImageView::boxCells(QPointF from, QPointF to) const {
     return {QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())), QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))};
 }
 
-void ImageView::hover(QPointF pixel) {
-    const auto cell = cellAt(pixel);
-    if (cell == hoveredCell_) return;
-    if (!cell) {
-        leaveHover();
-        return;
-    }
-    hoveredCell_ = cell;
-    emit hovered(cell->y(), cell->x());
-}
-
-void ImageView::leaveHover() {
-    if (!hoveredCell_) return;
-    hoveredCell_ = std::nullopt;
-    emit hoverLeft();
+void ImageView::pointAt(std::optional<QPoint> cell) {
+    if (std::exchange(hoveredCell_, cell) == cell) return;
+    if (cell)
+        emit hovered(cell->y(), cell->x());
+    else
+        emit hoverLeft();
 }
 
 void ImageView::leaveEvent(QEvent* event) {
     QWidget::leaveEvent(event);
-    leaveHover();
+    pointAt(std::nullopt);
 }
 
 } // namespace edgescan::ui

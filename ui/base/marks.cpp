@@ -1,0 +1,32 @@
+// Labels and the gray of a stale picture.
+#include "ui/base/marks.h"
+
+namespace edgescan::ui {
+
+void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
+    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 150));
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(QColor(235, 235, 235));
+    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+}
+
+void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why) {
+    if (why.isEmpty()) return;
+    painter.save();
+    painter.fillRect(place, QColor(104, 104, 104, 170));
+    QFont large = painter.font();
+    large.setBold(true);
+    large.setPointSizeF(large.pointSizeF() * 2.0);
+    painter.setFont(large);
+    const QRect box = painter.boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, why).adjusted(-12, -6, 12, 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 200));
+    painter.drawRect(box);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, why);
+    painter.restore();
+}
+
+} // namespace edgescan::ui
