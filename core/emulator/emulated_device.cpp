@@ -1,7 +1,7 @@
 // What an LMS511 answers to a request (docs/protocol.md, "Requests and answers").
 #include "core/emulator/emulated_device.h"
 
-#include "core/lms/cola_fields.h"
+#include "core/cola/cola_fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What an LMS511 answers to a request, without any socket.
 #pragma once
 
-#include "core/lms/cola_commands.h"
+#include "core/cola/cola_commands.h"
 #include "core/lms/scan_telegram.h"
 
 #include <map>

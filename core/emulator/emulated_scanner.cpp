@@ -2,7 +2,7 @@
 #include "core/emulator/emulated_scanner.h"
 
 #include "core/emulator/emulated_sweep.h"
-#include "core/lms/cola_link.h"
+#include "core/cola/cola_link.h"
 
 #include <boost/asio.hpp>
 

@@ -1,7 +1,7 @@
 // The scan telegram LMDscandata: bytes to fields and back.
 #include "core/lms/scan_telegram.h"
 
-#include "core/lms/cola_fields.h"
+#include "core/cola/cola_fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // (docs/protocol.md, "Dialect", "Requests and answers").
 #pragma once
 
-#include "core/lms/cola_commands.h"
-#include "core/lms/cola_link.h"
+#include "core/cola/cola_commands.h"
+#include "core/cola/cola_link.h"
 #include "core/lms/scan_telegram.h"
 
 #include <chrono>

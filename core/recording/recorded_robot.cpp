@@ -3,8 +3,8 @@
 
 #include "core/base/utc_time.h"
 #include "core/georef/rotations.h"
-#include "core/lms/cola_commands.h"
-#include "core/lms/cola_frames.h"
+#include "core/cola/cola_commands.h"
+#include "core/cola/cola_frames.h"
 #include "core/lms/scan_telegram.h"
 #include "core/scan/acquisition.h"
 

@@ -1,7 +1,6 @@
 // The recording layout "sweep/1" (docs/recordings.md, "Topics"): topics, their schemas, and what is in their messages.
 #pragma once
 
-#include "core/lms/device_clock.h"
 #include "core/mcap/mcap_writer.h"
 #include "core/sweep/stepper_track.h"
 

@@ -36,6 +36,13 @@ bool plausible(std::int64_t count, double byClock) {
 
 double periodUs(const ScanTelegram& telegram) { return telegram.scanFrequency > 0 ? 1e8 / telegram.scanFrequency : kUsualPeriodUs; }
 
+constexpr std::int64_t kWindowLines = 250; // 10 s at 25 Hz
+constexpr std::int64_t kNsPerUs = 1000;
+constexpr std::int64_t kLatestNs = std::int64_t{1} << 61; // 73 years; beyond, differences would overflow
+
+std::int64_t bounded(std::int64_t ns) { return std::clamp(ns, -kLatestNs, kLatestNs); }
+std::int64_t nsOf(std::int64_t us) { return bounded(std::clamp(us, -kLatestNs / kNsPerUs, kLatestNs / kNsPerUs) * kNsPerUs); }
+
 } // namespace
 
 LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) {
@@ -108,5 +115,14 @@ LineStamp LineCounter::keep(const ScanTelegram& telegram, std::int64_t hostNs, L
     last_ = Last{telegram.telegramCounter, telegram.scanCounter, telegram.sinceStartUs, hostNs, stamp};
     return stamp;
 }
+
+void DeviceClock::line(std::int64_t transmittedUs, std::int64_t hostNs) {
+    const std::int64_t ns = bounded(hostNs) - nsOf(transmittedUs);
+    while (!delays_.empty() && delays_.back().ns >= ns) delays_.pop_back();
+    delays_.push_back({ns, lines_++});
+    while (delays_.front().line + kWindowLines < lines_) delays_.pop_front();
+}
+
+std::int64_t DeviceClock::hostNs(std::int64_t deviceUs) const { return nsOf(deviceUs) + (delays_.empty() ? 0 : delays_.front().ns); }
 
 } // namespace edgescan

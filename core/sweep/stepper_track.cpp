@@ -17,7 +17,6 @@ void take(LineFacts& line, double deg, double rate, bool settled) {
     line.stepperSettled = settled;
 }
 
-
 } // namespace
 
 void StepperTrack::line(LineFacts& line) const {

@@ -9,7 +9,9 @@
 namespace edgescan {
 
 inline constexpr double kNsPerSecond = 1e9;
-[[nodiscard]] inline double secondsBetween(std::int64_t fromNs, std::int64_t toNs) { return static_cast<double>(toNs - fromNs) / kNsPerSecond; }
+[[nodiscard]] inline double secondsBetween(std::int64_t fromNs, std::int64_t toNs) {
+    return static_cast<double>(toNs - fromNs) / kNsPerSecond;
+}
 
 /// One report of the stepper (topic /stepper).
 struct StepperReading {

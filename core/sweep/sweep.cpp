@@ -11,7 +11,6 @@ constexpr std::size_t kFinishedKept = 4;
 constexpr double kUsPerSecond = 1e6;
 constexpr std::int64_t kLongAgo = 1'000'000; // lost lines that nobody counts any more
 
-
 } // namespace
 
 SweepAssembler::SweepAssembler(const SweepSettings& settings) : settings_(settings), counter_(settings.outputInterval) {}

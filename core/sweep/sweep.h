@@ -1,7 +1,6 @@
 // Makes sweeps out of scan telegrams: lines in, a growing scan out (docs/protocol.md, "Scan telegram", docs/operator.md, "S1", "S2", "S5").
 #pragma once
 
-#include "core/lms/device_clock.h"
 #include "core/sweep/counters.h"
 #include "core/sweep/growing_sweep.h"
 #include "core/sweep/stepper_track.h"

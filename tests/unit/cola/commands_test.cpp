@@ -1,5 +1,5 @@
 // Requests byte for byte as a real LMS511 got them, and its answers.
-#include "core/lms/cola_commands.h"
+#include "core/cola/cola_commands.h"
 #include "tests/support/cola_vectors.h"
 
 #include <gtest/gtest.h>

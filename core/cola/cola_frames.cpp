@@ -1,6 +1,6 @@
 // CoLa A and B framing over a byte stream. Whatever cannot be a frame is given up one byte at a time, so that a good frame behind a
 // bad one is never lost.
-#include "core/lms/cola_frames.h"
+#include "core/cola/cola_frames.h"
 
 #include <algorithm>
 #include <cstring>

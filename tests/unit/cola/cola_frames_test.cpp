@@ -1,5 +1,5 @@
 // Frames out of a byte stream: real, torn, corrupted, cut and merged in every way.
-#include "core/lms/cola_frames.h"
+#include "core/cola/cola_frames.h"
 #include "tests/support/cola_vectors.h"
 
 #include <gtest/gtest.h>

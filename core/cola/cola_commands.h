@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/lms/cola_frames.h"
+#include "core/cola/cola_frames.h"
 
 #include <cstdint>
 #include <string>

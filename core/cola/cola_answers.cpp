@@ -1,7 +1,7 @@
 // What the arguments of a scanner's answers say.
-#include "core/lms/cola_commands.h"
+#include "core/cola/cola_commands.h"
 
-#include "core/lms/cola_fields.h"
+#include "core/cola/cola_fields.h"
 
 namespace edgescan {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/lms/host_time.h"
+#include "core/cola/host_time.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // From a host name to addresses.
-#include "core/lms/name_lookup.h"
+#include "core/cola/name_lookup.h"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>

@@ -1,7 +1,7 @@
 // One TCP connection to a scanner (Boost.Asio). Nothing listens here, and nothing is connected to but what connect() is given.
-#include "core/lms/cola_link.h"
+#include "core/cola/cola_link.h"
 
-#include "core/lms/name_lookup.h"
+#include "core/cola/name_lookup.h"
 
 #include <boost/asio.hpp>
 

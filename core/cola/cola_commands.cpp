@@ -1,7 +1,7 @@
 // Requests to a scanner as bytes, and the form of its answers.
-#include "core/lms/cola_commands.h"
+#include "core/cola/cola_commands.h"
 
-#include "core/lms/cola_fields.h"
+#include "core/cola/cola_fields.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // The fields of a CoLa payload one after another.
-#include "core/lms/cola_fields.h"
+#include "core/cola/cola_fields.h"
 
 #include <algorithm>
 #include <array>
