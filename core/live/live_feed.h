@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lms/scanner_session.h"
-#include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "core/recording/replay.h"
 
 #include <deque>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/georef/poses.h"
-#include "core/recording/recorded.h"
+#include "core/recording/recording.h"
 #include "core/scan/reading_options.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/points/source.h"
-#include "core/recording/recorded.h"
+#include "core/recording/recording.h"
 #include "core/sweep/sweep.h"
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "core/points/description.h"
 #include "core/recording/recorded_grid.h"
-#include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "core/recording/replay.h"
 
 #include <algorithm>

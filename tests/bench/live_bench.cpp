@@ -1,7 +1,7 @@
 // What a line costs beside drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
 #include "core/emulator/emulated_telegram.h"
 #include "core/method/pipeline.h"
-#include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "core/recording/replay.h"
 #include "core/sim/simulate.h"
 

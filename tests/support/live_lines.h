@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lms/scan_telegram.h"
-#include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "core/scan/scan.h"
 #include "core/sweep/sweep.h"
 

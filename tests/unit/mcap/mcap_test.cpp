@@ -2,7 +2,7 @@
 #include "core/mcap/mcap_reader.h"
 #include "core/mcap/mcap_unpack.h"
 #include "core/mcap/mcap_writer.h"
-#include "core/recording/recorded.h"
+#include "core/recording/recording.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 

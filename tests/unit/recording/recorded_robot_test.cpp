@@ -5,7 +5,7 @@
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
 #include "core/recording/recorded_robot.h"
-#include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "core/recording/save_recording.h"
 #include "core/scan/acquisition.h"
 #include "tests/support/bytes.h"

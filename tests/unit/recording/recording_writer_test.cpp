@@ -1,6 +1,6 @@
 // Recording: what is on the disk whenever the program or the disk ends.
-#include "core/recording/recorded.h"
 #include "core/recording/recording.h"
+#include "core/recording/recording_writer.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/wait_until.h"

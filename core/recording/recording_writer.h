@@ -1,0 +1,114 @@
+// Recording what arrives: to disk in a thread of its own before anything is parsed, and the last minute in memory.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cola/cola_frames.h"
+#include "core/recording/recording_layout.h"
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace edgescan {
+
+/// Host times of a recording: they start at the clock on the wall and run on evenly even when somebody sets that clock.
+class RecordingClock {
+public:
+    explicit RecordingClock(HostTime start = hostNow()) : start_(start) {}
+    [[nodiscard]] std::int64_t ns(HostTime time) const { return start_.utcNs + (time.monotonicNs - start_.monotonicNs); }
+
+private:
+    HostTime start_;
+};
+
+[[nodiscard]] RecordingMessagePtr receivedMessage(const ColaFrame& frame, const RecordingClock& clock);
+[[nodiscard]] RecordingMessagePtr sentMessage(const ColaFrame& frame, const RecordingClock& clock);
+/// `reading.hostNs` must be on the recording's clock.
+[[nodiscard]] RecordingMessagePtr stepperMessage(const StepperReading& reading);
+
+struct RecordingState {
+    std::uint64_t messages = 0;   ///< on the disk
+    std::uint64_t bytes = 0;      ///< on the disk
+    std::uint64_t dropped = 0;    ///< not recorded: the disk was full, or slower than what arrived
+    std::uint64_t waiting = 0;    ///< bytes not yet on the disk
+    std::optional<Error> problem; ///< the first that occurred; when `ended`, nothing is recorded any more
+    bool ended = false;
+};
+
+/// Writes a recording. At most a quarter of a second waits for the disk; after kill -9 the file opens with all before that.
+class RecordingWriter {
+public:
+    struct Options {
+        McapLimits limits;
+        std::size_t queueBytes = 32U << 20U; ///< waiting for the disk at most
+        /// Called once, on the recording's own thread, when something cannot be recorded.
+        std::function<void(const Error&)> onProblem;
+    };
+
+    /// Error: the file exists, the folder does not, the disk is full ...
+    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const SweepMetadata& metadata,
+                                                          Options options);
+    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const SweepMetadata& metadata) {
+        return start(path, metadata, Options{});
+    }
+    ~RecordingWriter(); ///< closes
+    RecordingWriter(const RecordingWriter&) = delete;
+    RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+    /// From any thread; never waits for the disk.
+    void post(RecordingMessagePtr message);
+    /// Everything posted so far is written, with the index at the end. Error: what went wrong since the start.
+    Result<Done> close();
+    [[nodiscard]] RecordingState state() const;
+
+private:
+    RecordingWriter(GrowingFile file, const SweepMetadata& metadata, Options options);
+    void loop();
+    void encode(const std::vector<RecordingMessagePtr>& messages);
+    bool write();
+
+    // Used by the writing thread alone.
+    GrowingFile file_;
+    RecordingEncoder encoder_;
+    std::optional<std::chrono::steady_clock::time_point> chunkSince_;
+    std::uint64_t encoded_ = 0;
+
+    const Options options_;
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::vector<RecordingMessagePtr> queue_;
+    RecordingState state_;
+    std::uint64_t unwritten_ = 0; // taken from the queue after the disk was full
+    bool closing_ = false;
+    std::thread thread_; // last: starts when all the rest is there
+};
+
+/// The messages of the last minute, for "keep what just happened". From any thread.
+class RecentMessages {
+public:
+    explicit RecentMessages(std::int64_t keptNs = 60'000'000'000, std::size_t keptBytes = 128U << 20U)
+        : keptNs_(keptNs), keptBytes_(keptBytes) {}
+
+    void push(RecordingMessagePtr message);
+    [[nodiscard]] std::vector<RecordingMessagePtr> messages() const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    std::int64_t keptNs_;
+    std::size_t keptBytes_;
+    mutable std::mutex mutex_;
+    std::deque<RecordingMessagePtr> messages_;
+    std::size_t bytes_ = 0;
+};
+
+/// The bytes of a whole recording.
+[[nodiscard]] Bytes recordingBytes(const SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages);
+
+/// Writes them as a file that appears whole or not at all.
+Result<Done> saveMessages(const std::filesystem::path& path, const SweepMetadata& metadata,
+                          const std::vector<RecordingMessagePtr>& messages);
+
+} // namespace edgescan
