@@ -2,9 +2,9 @@
 #include "core/recording/recorded_robot.h"
 
 #include "core/base/utc_time.h"
-#include "core/georef/rotations.h"
 #include "core/cola/cola_commands.h"
 #include "core/cola/cola_frames.h"
+#include "core/georef/rotations.h"
 #include "core/lms/scan_telegram.h"
 #include "core/scan/acquisition.h"
 

@@ -57,13 +57,11 @@ RecordingWriter::~RecordingWriter() {
 
 void RecordingWriter::post(RecordingMessagePtr message) {
     const std::size_t size = sizeOf(*message);
-    bool tooSlow = false;
     {
         const std::lock_guard lock(mutex_);
         if (closing_ || state_.ended || state_.waiting + size > options_.queueBytes) {
             ++state_.dropped;
-            tooSlow = !closing_ && !state_.ended && !state_.problem;
-            if (tooSlow) {
+            if (!closing_ && !state_.ended && !state_.problem) {
                 state_.problem = Error{"the disk is slower than the scanner, telegrams are missing in the recording", file_.path().string(),
                                        "record on another disk"};
             }
@@ -83,28 +81,23 @@ RecordingState RecordingWriter::state() const {
 }
 
 void RecordingWriter::loop() {
-    bool told = false;
     for (bool last = false; !last;) {
         std::vector<RecordingMessagePtr> messages;
-        std::optional<Error> problem;
         {
             std::unique_lock lock(mutex_);
-            const auto something = [&] { return closing_ || !queue_.empty() || (state_.problem && !told); };
+            const auto something = [&] { return closing_ || !queue_.empty(); };
             if (chunkSince_)
                 wake_.wait_for(lock, kWakesEvery, something);
             else
                 wake_.wait(lock, something);
             messages.swap(queue_);
             last = closing_;
-            problem = state_.problem;
         }
-        if (problem && !std::exchange(told, true) && options_.onProblem) options_.onProblem(*problem);
         encode(messages);
         const auto longest = std::chrono::nanoseconds(options_.limits.chunkNs);
         if (chunkSince_ && SteadyClock::now() - *chunkSince_ >= longest) encoder_.endChunk();
         if (last) encoder_.finish();
-        static_cast<void>(write());
-        if (const auto now = state(); now.ended && !std::exchange(told, true) && options_.onProblem) options_.onProblem(*now.problem);
+        static_cast<void>(write()); // a failure is in the state
         if (encoder_.openMessages() == 0) chunkSince_.reset();
     }
 }
@@ -116,7 +109,7 @@ void RecordingWriter::encode(const std::vector<RecordingMessagePtr>& messages) {
         size += sizeOf(*message);
         ++encoded_;
         if (!chunkSince_ || encoder_.openMessages() == 1) chunkSince_ = SteadyClock::now();
-        if (encoder_.openMessages() == 1) static_cast<void>(write()); // the chunk before this message; a failure is told by the loop
+        if (encoder_.openMessages() == 1) static_cast<void>(write()); // the chunk before this message; a failure is in the state
     }
     const std::lock_guard lock(mutex_);
     state_.waiting -= size;

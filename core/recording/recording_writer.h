@@ -8,7 +8,6 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -44,8 +43,6 @@ public:
     struct Options {
         McapLimits limits;
         std::size_t queueBytes = 32U << 20U; ///< waiting for the disk at most
-        /// Called once, on the recording's own thread, when something cannot be recorded.
-        std::function<void(const Error&)> onProblem;
     };
 
     /// Error: the file exists, the folder does not, the disk is full ...

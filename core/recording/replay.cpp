@@ -87,10 +87,6 @@ void Replay::seek(int line) {
     while (next_ < end) playOne();
 }
 
-void Replay::advanceTo(std::int64_t timeNs) {
-    while (!atEnd() && recording_->messages()[next_].logNs <= timeNs) playOne();
-}
-
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options) {
     const SweepMetadata& metadata = recording.metadata();
     sweep.format = "recording";

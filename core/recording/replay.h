@@ -47,8 +47,6 @@ public:
     bool step();
     /// To just behind `line` lines, forward or backward; the end is lines().
     void seek(int line);
-    /// Everything that was received up to a time.
-    void advanceTo(std::int64_t timeNs);
 
     [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
     [[nodiscard]] SweepProgress progress() const { return feed_.assembler().progress(); }

@@ -69,20 +69,6 @@ std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row,
 
 } // namespace
 
-const char* angleSourceName(AngleSource source) {
-    switch (source) {
-    case AngleSource::Encoder:
-        return "encoder";
-    case AngleSource::Stepper:
-        return "stepper";
-    case AngleSource::Steps:
-        return "step count";
-    case AngleSource::Time:
-        return "time";
-    }
-    return "";
-}
-
 AngleSource angleSourceOf(std::span<const LineFacts> lines, const SweepSettings& settings) {
     if (settings.ticksPerDeg && std::any_of(lines.begin(), lines.end(), [](const LineFacts& l) { return l.encoder.has_value(); }))
         return AngleSource::Encoder;

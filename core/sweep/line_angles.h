@@ -12,9 +12,6 @@ namespace edgescan {
 
 enum class AngleSource : std::uint8_t { Encoder, Stepper, Steps, Time };
 
-/// "encoder", "stepper", "step count", "time".
-[[nodiscard]] const char* angleSourceName(AngleSource source);
-
 /// What one line brought along about its angle.
 struct LineFacts {
     bool received = false;
