@@ -59,14 +59,12 @@ std::int64_t Replay::timeNs(int line) const {
     return recording_->messages()[lineAt_[static_cast<std::size_t>(std::clamp(line, 0, last))]].logNs;
 }
 
-bool Replay::playOne() {
-    if (atEnd()) return false;
+void Replay::playOne() {
     const std::size_t message = next_++;
     feed_.message(recording_->messages()[message]);
     const auto line = static_cast<std::size_t>(position_);
     if (line < lineAt_.size() && lineAt_[line] == message) ++position_;
     if (atEnd()) feed_.assembler().finish();
-    return true;
 }
 
 bool Replay::step() {

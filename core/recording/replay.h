@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
-    bool playOne();
+    void playOne();
 
     std::shared_ptr<const Recording> recording_;
     SweepSettings settings_;
