@@ -1,9 +1,9 @@
 // edgescan-cli replay: a recording through the live path, a JSON line per line received, and the edges of the sweep at the end.
+#include "core/recording/replay.h"
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
-#include "core/recording/replay.h"
 #include "core/report/report.h"
 
 #include <nlohmann/json.hpp>

@@ -235,8 +235,8 @@ Result<PlainJson> parseJsonObject(std::string_view text, const std::string& form
     const std::string found =
         object.contains("format") && object["format"].is_string() ? object["format"].get<std::string>() : std::string();
     if (found != format) {
-        return Error{found.empty() ? "\"format\" is missing" : "\"format\" is \"" + found.substr(0, 60) + "\", not \"" + format + "\"", where,
-                     "choose a file with " + wanted};
+        return Error{found.empty() ? "\"format\" is missing" : "\"format\" is \"" + found.substr(0, 60) + "\", not \"" + format + "\"",
+                     where, "choose a file with " + wanted};
     }
     object.erase("format");
     return object;

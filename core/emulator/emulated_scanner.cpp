@@ -1,8 +1,8 @@
 // An emulated LMS511 on a TCP port: one thread, any number of connections, nothing that grows without bounds.
 #include "core/emulator/emulated_scanner.h"
 
-#include "core/emulator/emulated_sweep.h"
 #include "core/cola/cola_link.h"
+#include "core/emulator/emulated_sweep.h"
 
 #include <boost/asio.hpp>
 

@@ -57,7 +57,7 @@ MaskDirection directionOf(MaskComponents answers, double share) {
 
 Grid<float> robertsResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings) {
     return responseOfNeighbours(levels, missing,
-                           [norm = settings.norm](const Neighbours& at) { return strengthOf(robertsDifferences(at), norm); });
+                                [norm = settings.norm](const Neighbours& at) { return strengthOf(robertsDifferences(at), norm); });
 }
 
 // The sum of both diagonal differences falls from line to line, their difference rises from beam to beam.

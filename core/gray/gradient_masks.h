@@ -37,7 +37,8 @@ template <int kCorner, int kMiddle>
 [[nodiscard]] Grid<float> threeByThreeResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing,
                                                const Settings& settings) {
     const Norm norm = settings.norm;
-    return responseOfNeighbours(levels, missing, [=](const Neighbours& at) { return strengthOf(differencesOfThree<kCorner, kMiddle>(at), norm); });
+    return responseOfNeighbours(levels, missing,
+                                [=](const Neighbours& at) { return strengthOf(differencesOfThree<kCorner, kMiddle>(at), norm); });
 }
 template <int kCorner, int kMiddle>
 [[nodiscard]] MaskDirection threeByThreeDirection(const Neighbours& at) {

@@ -13,7 +13,7 @@
 namespace edgescan {
 
 inline constexpr const char* kCopyAgain = "copy the file again, it may be cut off"; ///< what to do about fewer bytes than promised
-inline constexpr std::uint64_t kMostPoints = 0xFFFFFFF0;                              ///< that a header may promise
+inline constexpr std::uint64_t kMostPoints = 0xFFFFFFF0;                            ///< that a header may promise
 
 /// One field of a record. In text `column` counts numbers, in binary record n of the field starts at offset + n * stride.
 struct RecordField {

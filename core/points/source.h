@@ -21,7 +21,7 @@ struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
-    bool inMemory = false; ///< there is no file, and no other may be touched
+    bool inMemory = false;  ///< there is no file, and no other may be touched
     LinePlayed played = {}; ///< called behind every line of a recording
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }

@@ -12,7 +12,6 @@ namespace {
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kRowsWithDigits = 20000; // enough to know how numbers are printed
 
-
 /// "1.#QNAN", "-1.#IND", "1.#INF" of old Microsoft programs.
 bool isOldNan(const char* from, const char* to) {
     return to - from >= 3 && from[0] == '#' && (from[1] == 'Q' || from[1] == 'I' || from[1] == 'S');

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mcap/mcap_writer.h"
+#include "core/sweep/counters.h"
 #include "core/sweep/stepper_track.h"
 
 #include <array>

@@ -74,17 +74,20 @@ void checkStorey(const std::string& storey) {
     std::set<std::string> lower;
     for (const std::string& room : rooms) {
         const std::set<std::string> uses = usedBy(storey, room);
-        for (const std::string& used : uses) EXPECT_TRUE(lower.contains(used)) << storey << '/' << room << " uses " << used << ", which is not below it";
+        for (const std::string& used : uses)
+            EXPECT_TRUE(lower.contains(used)) << storey << '/' << room << " uses " << used << ", which is not below it";
         std::set<std::string> included;
         for (const auto& [file, includes] : includesOf(kSource / storey / room)) {
             for (const std::string& include : includes) {
                 const std::string other = roomOf(include, storey);
                 if (other.empty() || other == room) continue;
                 included.insert(other);
-                EXPECT_TRUE(uses.contains(other)) << file << " includes " << include << ", but " << room << " does not say that it uses " << other;
+                EXPECT_TRUE(uses.contains(other))
+                    << file << " includes " << include << ", but " << room << " does not say that it uses " << other;
             }
         }
-        for (const std::string& used : uses) EXPECT_TRUE(included.contains(used)) << storey << '/' << room << " says that it uses " << used << " and does not";
+        for (const std::string& used : uses)
+            EXPECT_TRUE(included.contains(used)) << storey << '/' << room << " says that it uses " << used << " and does not";
         lower.insert(room);
     }
 }
@@ -96,7 +99,8 @@ void expectNone(const std::string& folder, const std::regex& forbidden) {
         if (!entry.is_directory()) continue;
         for (const auto& [file, includes] : includesOf(entry.path())) {
             ++files;
-            for (const std::string& include : includes) EXPECT_FALSE(std::regex_search(include, forbidden)) << file << " includes " << include;
+            for (const std::string& include : includes)
+                EXPECT_FALSE(std::regex_search(include, forbidden)) << file << " includes " << include;
         }
     }
     EXPECT_GT(files, 20);

@@ -1,6 +1,6 @@
 // Poses, frames, attached points and records from outside.
-#include "core/io/save_scan.h"
 #include "core/georef/calibration.h"
+#include "core/io/save_scan.h"
 #include "core/recording/recording_writer.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"

@@ -97,7 +97,7 @@ private:
     SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
     std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
-    PictureSource lastSource_; // of the last run
+    PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
     Worker<Asked, std::shared_ptr<const Picture>> worker_; // last: its thread uses all of the above, and is joined before they go

@@ -1,6 +1,6 @@
 // Whatever is opened, the answer is a scan or one sentence: never a crash, a hang, a huge allocation or half a scan.
-#include "core/formats/formats.h"
 #include "core/base/memory.h"
+#include "core/formats/formats.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
 #include "tests/support/point_lists.h"

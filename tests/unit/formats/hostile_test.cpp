@@ -1,7 +1,7 @@
 // Files that once crashed a reader, loaded garbage or lost something without a word.
-#include "core/method/pipeline.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "core/method/pipeline.h"
 #include "core/scan/cartesian.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

@@ -1,6 +1,6 @@
 // LAS in and out, against a small reader of its own written from the ASPRS specification.
-#include "core/io/save_scan.h"
 #include "core/base/whole_file.h"
+#include "core/io/save_scan.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
 

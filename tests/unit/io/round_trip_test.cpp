@@ -1,9 +1,9 @@
 // What is saved comes back: same ranges, same states, same angles, whatever the format.
 #include "core/base/sha256.h"
-#include "core/io/open_scan.h"
-#include "core/pictures/png.h"
-#include "core/io/save_scan.h"
 #include "core/base/whole_file.h"
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
+#include "core/pictures/png.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

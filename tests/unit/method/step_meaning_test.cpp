@@ -1,7 +1,7 @@
 // What thresholds stand for, against scans of steps of known depth.
 #include "core/gray/smooth.h"
-#include "core/method/step_meaning.h"
 #include "core/method/pipeline.h"
+#include "core/method/step_meaning.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/presets.h"
 #include "tests/support/detectors.h"
@@ -160,7 +160,8 @@ TEST(StepMeaning, NoUsualThresholdFindsEdgesOnRoundedPlanes) {
                     for (int j = 0; j < 90; ++j)
                         plane.at(i, j) = static_cast<std::uint8_t>(std::lround(40 + alongLines * i + alongBeams * j));
                 }
-                const Grid<std::uint8_t> edges = test::detectorMask(method, reads(method, kReadsKernel) ? smooth(plane, s) : plane, nullptr, s);
+                const Grid<std::uint8_t> edges =
+                    test::detectorMask(method, reads(method, kReadsKernel) ? smooth(plane, s) : plane, nullptr, s);
                 EXPECT_EQ(std::ranges::count(edges.cells, 0), 90 * 90)
                     << static_cast<int>(method) << ' ' << alongLines << ' ' << alongBeams;
             }

@@ -52,4 +52,3 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
     }
     EXPECT_GT(grown, 2000);
 }
-
