@@ -37,6 +37,8 @@ std::vector<ColaFrame> ColaStream::push(ByteView bytes, HostTime received) {
     arrivals_.push_back({counts_.bytes, received});
     counts_.bytes += bytes.size();
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    std::uint8_t sum = sums_.empty() ? std::uint8_t{0} : sums_.back();
+    for (const std::uint8_t byte : bytes) sums_.push_back(sum ^= byte);
     ColaFrame frame;
     for (Step step = tryStep(frame); step != Step::Wait; step = tryStep(frame)) {
         if (step == Step::Frame) frames.push_back(std::move(frame));
@@ -98,7 +100,8 @@ ColaStream::Step ColaStream::tryBinary(ColaFrame& frame) {
         return drop(1);
     }
     if (bytes.size() < kHead + length + 1) return Step::Wait;
-    if (checksum(bytes.subspan(kHead, length)) != bytes[kHead + length]) {
+    const std::size_t before = start_ + kHead - 1;
+    if ((sums_[before] ^ sums_[before + length]) != bytes[kHead + length]) {
         ++counts_.badChecksum;
         return drop(1);
     }
@@ -128,6 +131,7 @@ ColaStream::Step ColaStream::drop(std::size_t count) {
 
 void ColaStream::compact() {
     buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(start_));
+    sums_.erase(sums_.begin(), sums_.begin() + static_cast<std::ptrdiff_t>(start_));
     start_ = 0;
     if (buffer_.empty()) arrivals_.clear();
     while (arrivals_.size() > 1 && arrivals_[1].offset <= offset_) arrivals_.pop_front();

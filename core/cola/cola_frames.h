@@ -79,6 +79,7 @@ private:
 
     std::optional<Dialect> only_;
     Bytes buffer_;
+    Bytes sums_; ///< per byte of buffer_: exclusive or of it and all before, so that a false start costs no reading of what it claims
     std::size_t start_ = 0;          ///< first byte of buffer_ that is still undecided
     std::size_t searched_ = 0;       ///< of a CoLa A frame: bytes already known to be neither STX nor ETX
     std::uint64_t offset_ = 0;       ///< in the stream, of buffer_[start_]
