@@ -62,16 +62,17 @@ private:
         while (true) {
             wake_.wait(lock, [this] { return waiting_ || stop_; });
             if (stop_) return;
-            const Request request = *std::exchange(waiting_, std::nullopt);
+            std::optional<Request> request = std::exchange(waiting_, std::nullopt);
             running_ = true;
             lock.unlock();
             std::optional<Result> result;
             std::string failure;
             try {
-                result = run_(request);
+                result = run_(*request);
             } catch (const std::exception& error) {
                 failure = error.what();
             }
+            request.reset(); // as the results below: what is large is let go of while nobody waits for the lock
             lock.lock();
             running_ = false;
             failure_ = std::move(failure);

@@ -48,8 +48,14 @@ int cellsOn(const Grid<std::uint8_t>& mask, int firstBeam, int lastBeam) {
     return count;
 }
 
-TEST(Peers, EachFindsTheOutlineOfABoxInItsCells) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+class Peers : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+    }
+};
+
+TEST_F(Peers, EachFindsTheOutlineOfABoxInItsCells) {
     const Scan scan = boxBeforeWall();
     const PeerScan seen = peerScan(scan);
     PeerLimits limits;
@@ -72,8 +78,7 @@ TEST(Peers, EachFindsTheOutlineOfABoxInItsCells) {
     }
 }
 
-TEST(Peers, BordersAreToldApart) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, BordersAreToldApart) {
     const PeerScan seen = peerScan(boxBeforeWall());
     const Result<PeerEdges> borders = runPeer(Peer::RangeImageBorder, seen, {});
     ASSERT_TRUE(borders);
@@ -89,8 +94,7 @@ TEST(Peers, BordersAreToldApart) {
     EXPECT_GT(cellsOn(organised->classes[1].mask, 37, 39), 15); // occluded
 }
 
-TEST(Peers, ASlowOneStopsWhenItsTimeIsUp) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, ASlowOneStopsWhenItsTimeIsUp) {
     PeerLimits limits;
     limits.seconds = 0.0;
     const Result<PeerEdges> edges = runPeer(Peer::BoundaryNeighbours, peerScan(boxBeforeWall()), limits);
@@ -99,15 +103,13 @@ TEST(Peers, ASlowOneStopsWhenItsTimeIsUp) {
     EXPECT_LT(edges->share, 0.5);
 }
 
-TEST(Peers, TooLittleIsRefusedInOneSentence) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, TooLittleIsRefusedInOneSentence) {
     const PeerScan nothing = peerScan(test::makeScan(20, 20, [](int, int) { return 0.0F; }));
     for (int n = 0; n < kPeers; ++n) EXPECT_FALSE(runPeer(static_cast<Peer>(n), nothing, {}));
 }
 
 // PCL's normals crashed on grids of 8 and 9 lines: whatever the grid, there are edges or one sentence, and never a crash.
-TEST(Peers, SmallGridsGiveEdgesOrASentence) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
     for (const auto& [lines, beams] : {std::pair{8, 60}, {9, 60}, {10, 60}, {60, 9}, {7, 200}}) {
         const PolarGeometry polar = test::regularAngles(lines, beams);
         const PeerScan seen = peerScan(test::makeScan(lines, beams, [&](int i, int j) { return test::wallRangeMm(polar, i, j, 5000.0); }));
@@ -122,8 +124,7 @@ TEST(Peers, SmallGridsGiveEdgesOrASentence) {
     }
 }
 
-TEST(Peers, OneThatRunsOutOfMemoryIsTold) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, OneThatRunsOutOfMemoryIsTold) {
     PeerLimits limits;
     limits.memoryBytes = 300U << 20U; // enough for PCL's libraries, not for the scan
     const PeerScan large = peerScan(test::makeScan(1000, 1000, [](int, int) { return 5000.0F; }));
@@ -132,8 +133,7 @@ TEST(Peers, OneThatRunsOutOfMemoryIsTold) {
     EXPECT_NE(edges.error().sentence().find("needed more than 314.6 MB of memory"), std::string::npos) << edges.error().sentence();
 }
 
-TEST(Peers, OneThatCrashesIsTold) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+TEST_F(Peers, OneThatCrashesIsTold) {
     PeerScan broken = peerScan(boxBeforeWall());
     broken.unrolledM = Grid<Eigen::Vector3f>(1, 1, Eigen::Vector3f::Zero()); // the guard looks at pointsM; PCL takes "1 - 10" for a size
     const Result<PeerEdges> edges = runPeer(Peer::OrganizedEdgeUnrolled, broken, {});
