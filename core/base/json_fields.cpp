@@ -1,6 +1,7 @@
 // Checks of JSON values.
 #include "core/base/json_fields.h"
 
+#include "core/base/bounded_json.h"
 #include "core/base/number_text.h"
 #include "core/base/utc_time.h"
 
@@ -13,10 +14,6 @@ namespace edgescan {
 namespace {
 
 using PlainJson = nlohmann::json;
-
-constexpr double kLargest = 1e12;
-constexpr std::size_t kLargestText = 64U << 20U;
-constexpr int kDeepest = 12;
 
 /// A key without its unit, for "did you mean".
 std::string withoutUnit(const std::string& key) {
@@ -47,12 +44,13 @@ bool JsonFields::has(const char* key) {
 double JsonFields::checked(const PlainJson& value, const std::string& key, NumberLimits limits) {
     if (!value.is_number()) return refuse(key, "must hold numbers, not " + std::string(value.type_name())), 0.0;
     const auto number = value.get<double>();
-    if (!std::isfinite(number) || std::abs(number) > kLargest) return refuse(key, "holds a number out of all reason"), 0.0;
+    if (!physical::kCoordinate.hold(number)) return refuse(key, "holds a number out of all reason"), 0.0;
     if (number < limits.least || number > limits.most) {
-        const std::string range = std::isinf(limits.most)    ? shortestText(limits.least) + " or more"
-                                  : std::isinf(limits.least) ? shortestText(limits.most) + " or less"
-                                                             : "from " + shortestText(limits.least) + " to " + shortestText(limits.most);
-        return refuse(key, "is " + shortestText(number) + " and must be " + range), limits.least;
+        const auto shown = [](double n) { return significantText(n, 12); };
+        const std::string range = std::isinf(limits.most)    ? shown(limits.least) + " or more"
+                                  : std::isinf(limits.least) ? shown(limits.most) + " or less"
+                                                             : "from " + shown(limits.least) + " to " + shown(limits.most);
+        return refuse(key, "is " + shown(number) + " and must be " + range), limits.least;
     }
     return number;
 }
@@ -94,18 +92,18 @@ std::size_t JsonFields::choice(const char* key, const std::vector<std::string>& 
     return refuse(key, "must be " + list), 0;
 }
 
-std::vector<double> JsonFields::numbers(const char* key) {
+std::vector<double> JsonFields::numbers(const char* key, NumberLimits limits) {
     std::vector<double> list;
     if (!has(key)) return list;
     if (!at(key).is_array()) return refuse(key, "must be a list of numbers"), list;
     list.reserve(at(key).size());
-    for (const PlainJson& item : at(key)) list.push_back(checked(item, key, {}));
+    for (const PlainJson& item : at(key)) list.push_back(checked(item, key, limits));
     return list;
 }
 
-std::vector<double> JsonFields::numbers(const char* key, std::size_t count) {
+std::vector<double> JsonFields::numbers(const char* key, std::size_t count, NumberLimits limits) {
     if (!has(key)) refuse(key, "is missing");
-    std::vector<double> list = numbers(key);
+    std::vector<double> list = numbers(key, limits);
     if (list.size() != count) refuse(key, "must hold " + std::to_string(count) + " numbers");
     list.resize(count, 0.0);
     return list;
@@ -196,41 +194,11 @@ void JsonFields::done() {
     }
 }
 
-namespace {
-
-/// nlohmann's parser survives any depth, but what it builds is as deep as the text says.
-bool nestedTooDeep(std::string_view json) {
-    int depth = 0;
-    bool inString = false;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (inString && c == '\\') {
-            ++i;
-        } else if (c == '"') {
-            inString = !inString;
-        } else if (!inString && (c == '{' || c == '[')) {
-            if (++depth > kDeepest) return true;
-        } else if (!inString && (c == '}' || c == ']')) {
-            --depth;
-        }
-    }
-    return false;
-}
-
-} // namespace
-
 Result<PlainJson> parseJsonObject(std::string_view text, const std::string& format, const std::string& where) {
     const std::string wanted = "\"format\": \"" + format + "\"";
-    if (text.size() > kLargestText || nestedTooDeep(text))
-        return Error{"this JSON is too large or nested too deep", where, "choose a file with " + wanted};
-    PlainJson object;
-    try {
-        object = PlainJson::parse(text);
-    } catch (const PlainJson::parse_error& problem) {
-        return Error{"the JSON is damaged or cut off here", where + ": byte " + std::to_string(problem.byte), "check it around this place"};
-    } catch (const PlainJson::exception&) {
-        return Error{"the JSON holds a number that no computer can store", where, "correct it"};
-    }
+    auto parsed = parseJson(text, where);
+    if (!parsed) return parsed.error();
+    PlainJson& object = *parsed;
     if (!object.is_object()) return Error{"the JSON holds no object", where, "choose a file with " + wanted};
     const std::string found =
         object.contains("format") && object["format"].is_string() ? object["format"].get<std::string>() : std::string();
@@ -239,7 +207,7 @@ Result<PlainJson> parseJsonObject(std::string_view text, const std::string& form
                      where, "choose a file with " + wanted};
     }
     object.erase("format");
-    return object;
+    return parsed;
 }
 
 } // namespace edgescan

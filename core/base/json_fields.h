@@ -1,13 +1,13 @@
 // Reading a JSON object that a person wrote: every key is checked, and the first thing wrong becomes one sentence.
 #pragma once
 
+#include "core/base/physical_limits.h"
 #include "core/base/result.h"
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,12 +15,6 @@
 #include <vector>
 
 namespace edgescan {
-
-struct NumberLimits {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-};
-inline constexpr NumberLimits kAngle{-360, 360}; ///< degrees, of any angle in a file
 
 /// One object. A key that is asked for is a known key; done() refuses all others. Objects inside share the first error.
 class JsonFields {
@@ -40,9 +34,9 @@ public:
     [[nodiscard]] Eigen::Vector3d vector(const char* key, const Eigen::Vector3d& missing, NumberLimits limits = {});
     [[nodiscard]] Eigen::Vector3d neededVector(const char* key, NumberLimits limits = {});
     /// A list of any length; empty when the key is missing.
-    [[nodiscard]] std::vector<double> numbers(const char* key);
+    [[nodiscard]] std::vector<double> numbers(const char* key, NumberLimits limits = {});
     /// Exactly `count` numbers in a list.
-    [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
+    [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count, NumberLimits limits = {});
     /// Three rows of three numbers; refused when it is no proper rotation.
     [[nodiscard]] Eigen::Matrix3d rotation(const char* key);
     /// Seconds since 1970, or NaN when the key is missing.
@@ -73,7 +67,7 @@ private:
     std::shared_ptr<std::optional<Error>> problem_;
 };
 
-/// Text as a JSON object. Error: damaged (with the byte), no object, nested too deep, another format than `format`.
+/// Text as a JSON object. Error: that of parseJson(), no object, another format than `format`.
 Result<nlohmann::json> parseJsonObject(std::string_view text, const std::string& format, const std::string& where);
 
 } // namespace edgescan

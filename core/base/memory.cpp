@@ -1,19 +1,27 @@
-// Available memory, from /proc/meminfo and the control group (version 2, then 1).
+// Available memory, from /proc/meminfo, the control groups (versions 2 and 1) and the limit of the address space.
 #include "core/base/memory.h"
 
 #include "core/base/number_text.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <optional>
 
 namespace edgescan {
 namespace {
 
-std::optional<std::uint64_t> numberIn(const char* path) {
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+std::optional<std::uint64_t> numberIn(const fs::path& path) {
     std::ifstream file(path);
     std::string word;
     if (!(file >> word)) return std::nullopt;
@@ -23,37 +31,80 @@ std::optional<std::uint64_t> numberIn(const char* path) {
     return value;
 }
 
-std::optional<std::uint64_t> memAvailable() {
-    std::ifstream file("/proc/meminfo");
-    std::string key;
-    std::uint64_t kilobytes = 0;
-    std::string unit;
-    while (file >> key >> kilobytes) {
-        std::getline(file, unit);
-        if (key == "MemAvailable:") return kilobytes * 1024;
+/// The number behind a word, as in "inactive_file 4096".
+std::optional<std::uint64_t> numberAfter(const fs::path& path, std::string_view wanted) {
+    std::ifstream file(path);
+    std::string key, rest;
+    std::uint64_t value = 0;
+    while (file >> key >> value) {
+        std::getline(file, rest); // a unit
+        if (key == wanted) return value;
     }
     return std::nullopt;
 }
 
-std::optional<std::uint64_t> leftIn(const char* limitPath, const char* usedPath) {
-    const auto limit = numberIn(limitPath);
-    const auto used = numberIn(usedPath);
-    if (!limit || !used) return std::nullopt;
-    return *limit > *used ? *limit - *used : 0;
+/// The two versions of control groups name their files differently.
+struct GroupFiles {
+    const char* limit;
+    const char* used;
+    const char* reclaimable; ///< in memory.stat: pages of files that are given up at once when memory is wanted
+};
+constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
+constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
+
+std::uint64_t leftIn(const fs::path& group, const GroupFiles& files) {
+    const auto limit = numberIn(group / files.limit);
+    const auto used = numberIn(group / files.used);
+    if (!limit || !used) return kNoLimit;
+    const std::uint64_t taken = *used - std::min(*used, numberAfter(group / "memory.stat", files.reclaimable).value_or(0));
+    return *limit - std::min(*limit, taken);
+}
+
+/// The least that is left on the way from `root`/`path` up to `root`. A path that is not there is that of another name space: `root` is
+/// ours.
+std::uint64_t leftOnTheWay(const fs::path& root, const fs::path& path, const GroupFiles& files) {
+    std::uint64_t left = leftIn(root, files);
+    fs::path group = root;
+    for (const fs::path& part : path.relative_path()) {
+        if (part == "..") break; // seen from inside a name space: above what can be looked at
+        group /= part;
+        left = std::min(left, leftIn(group, files));
+    }
+    return left;
+}
+
+std::uint64_t addressSpaceLeft() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNoLimit;
+    const auto pages = numberIn("/proc/self/statm"); // the first number: the whole address space
+    const std::uint64_t used = pages.value_or(0) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
 } // namespace
 
-std::uint64_t availableMemoryBytes() {
-    std::uint64_t available = memAvailable().value_or(std::numeric_limits<std::uint64_t>::max());
-    static constexpr std::array<std::array<const char*, 2>, 2> kGroups{{
-        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
-        {"/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes"},
-    }};
-    for (const auto& group : kGroups) {
-        if (const auto left = leftIn(group[0], group[1])) available = std::min(available, *left);
+std::uint64_t memoryLeftInGroups(std::string_view groups, const fs::path& mount) {
+    std::uint64_t left = kNoLimit;
+    while (!groups.empty()) {
+        const std::string_view line = groups.substr(0, groups.find('\n'));
+        groups.remove_prefix(std::min(groups.size(), line.size() + 1));
+        const std::size_t first = line.find(':'); // number:controllers:path
+        const std::size_t second = first == std::string_view::npos ? first : line.find(':', first + 1);
+        if (second == std::string_view::npos) continue;
+        const std::string controllers = "," + std::string(line.substr(first + 1, second - first - 1)) + ",";
+        const fs::path path(line.substr(second + 1));
+        if (controllers == ",,") left = std::min(left, leftOnTheWay(mount, path, kVersion2));
+        if (controllers.find(",memory,") != std::string::npos) left = std::min(left, leftOnTheWay(mount / "memory", path, kVersion1));
     }
-    return available;
+    return left;
+}
+
+std::uint64_t availableMemoryBytes() {
+    const auto kilobytes = numberAfter("/proc/meminfo", "MemAvailable:");
+    const std::uint64_t available = kilobytes ? *kilobytes * 1024 : kNoLimit;
+    std::ifstream file("/proc/self/cgroup");
+    const std::string groups{std::istreambuf_iterator<char>(file), {}};
+    return std::min({available, memoryLeftInGroups(groups, "/sys/fs/cgroup"), addressSpaceLeft()});
 }
 
 std::string sizeText(std::uint64_t bytes) {

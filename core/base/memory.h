@@ -4,12 +4,19 @@
 #include "core/base/result.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace edgescan {
 
-/// Bytes that can be allocated without swapping or being killed: MemAvailable, or what the control group still allows if less.
+/// Bytes that can be allocated without swapping or being killed: the least of MemAvailable, what the control groups around this process
+/// still allow, and what is left of its address space (ulimit -v).
 [[nodiscard]] std::uint64_t availableMemoryBytes();
+
+/// What the control groups still allow, each one on the way up from the process's own: a limit of any of them holds. `groups` is the text
+/// of /proc/self/cgroup, `mount` the folder /sys/fs/cgroup. The largest number there is where nothing is limited.
+[[nodiscard]] std::uint64_t memoryLeftInGroups(std::string_view groups, const std::filesystem::path& mount);
 
 /// Error when `neededBytes` is more than is available: "needs 3.1 GB of memory, 2.2 GB are free". `where` is the path it is needed for.
 Result<Done> checkMemory(std::uint64_t neededBytes, const std::string& where);

@@ -2,7 +2,8 @@
 #include "core/base/number_text.h"
 
 #include <cmath>
-#include <string_view>
+#include <limits>
+#include <system_error>
 
 namespace edgescan {
 namespace {
@@ -37,6 +38,26 @@ std::string significantText(double value, int digits) {
 std::string shortestText(double value) {
     Digits digits;
     return std::string(write(digits, value, std::abs(value) < 1e15 ? std::chars_format::fixed : std::chars_format::general));
+}
+
+std::optional<double> numberOf(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || text.empty()) return std::nullopt;
+    if (code == std::errc::result_out_of_range) { // 1e999 is as good as infinite, 1e-999 as good as 0
+        const std::size_t exponent = text.find_first_of("eE");
+        const bool tiny = exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
+        return tiny ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), text[0] == '-' ? -1.0 : 1.0);
+    }
+    if (code != std::errc{}) return std::nullopt;
+    return value;
+}
+
+std::string asciiLower(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    return lower;
 }
 
 std::string rightAligned(const std::string& text, std::size_t width) {

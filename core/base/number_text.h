@@ -4,7 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace edgescan {
 
@@ -28,6 +30,12 @@ void appendShortest(std::string& text, Number value) {
     std::array<char, 40> digits;
     text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
+
+/// The number that a text is from its first character to its last: "12", "-1.5e3", "+2", "nan", "inf". Empty for anything else.
+[[nodiscard]] std::optional<double> numberOf(std::string_view text);
+
+/// Capital letters A to Z made small, whatever the locale: in Turkish an I would become another letter.
+[[nodiscard]] std::string asciiLower(std::string_view text);
 
 /// Text with blanks before it until it is so wide.
 [[nodiscard]] std::string rightAligned(const std::string& text, std::size_t width);

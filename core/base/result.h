@@ -13,12 +13,8 @@ struct Error {
     std::string where; ///< where it is wrong
     std::string hint;  ///< what the person can do about it, without a final stop
 
-    /// "where: what; hint."
-    [[nodiscard]] std::string sentence() const {
-        std::string text = where.empty() ? what : where + ": " + what;
-        if (!hint.empty()) text += "; " + hint;
-        return text + ".";
-    }
+    /// "where: what; hint.", printable and short whatever a file or a name put into it (foreign_text.h).
+    [[nodiscard]] std::string sentence() const;
 };
 
 /// Used wherever the outside world can say no: files, sockets, telegrams, settings text.

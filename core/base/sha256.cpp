@@ -3,6 +3,9 @@
 
 #include <openssl/evp.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -50,8 +53,13 @@ std::string sha256Hex(std::span<const std::byte> bytes) {
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path) {
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const std::unique_ptr<std::FILE, CloseFile> file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"));
     if (!file) return Error{std::string("the file cannot be opened: ") + std::strerror(errno), path.string(), "check the path"};
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        return Error{"this is no regular file", path.string(), "choose a file"};
     const Context context = startedContext();
     std::vector<unsigned char> piece(std::size_t{1} << 20U);
     while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) {

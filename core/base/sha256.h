@@ -13,7 +13,7 @@ namespace edgescan {
 /// 64 lower-case hex digits.
 [[nodiscard]] std::string sha256Hex(std::span<const std::byte> bytes);
 
-/// The same for a file, read in pieces, so of any size. Error: the file cannot be read.
+/// The same for a file, read in pieces, so of any size. Error: no regular file, or it cannot be read.
 Result<std::string> sha256OfFile(const std::filesystem::path& path);
 
 } // namespace edgescan

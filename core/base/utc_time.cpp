@@ -1,11 +1,11 @@
 // ISO 8601 by hand: no locale, no time zone.
 #include "core/base/utc_time.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 namespace edgescan {
 namespace {
@@ -58,11 +58,13 @@ std::string utcText(double seconds) {
     const sys_days midnight{floor<days>(sys_time<std::chrono::milliseconds>{std::chrono::milliseconds{milliseconds}})};
     const year_month_day date{midnight};
     const long long ofDay = milliseconds - duration_cast<std::chrono::milliseconds>(midnight.time_since_epoch()).count();
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d.%03dZ", static_cast<int>(date.year()),
-                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(ofDay / 3600000),
-                  static_cast<int>(ofDay / 60000 % 60), static_cast<int>(ofDay / 1000 % 60), static_cast<int>(ofDay % 1000));
-    return text.data();
+    const auto part = [](long long value, std::size_t digits) {
+        const std::string text = std::to_string(value);
+        return std::string(digits - std::min(digits, text.size()), '0') + text;
+    };
+    return part(static_cast<int>(date.year()), 4) + "-" + part(static_cast<unsigned>(date.month()), 2) + "-" +
+           part(static_cast<unsigned>(date.day()), 2) + "T" + part(ofDay / 3600000, 2) + ":" + part(ofDay / 60000 % 60, 2) + ":" +
+           part(ofDay / 1000 % 60, 2) + "." + part(ofDay % 1000, 3) + "Z";
 }
 
 double utcNow() {

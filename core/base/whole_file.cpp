@@ -1,16 +1,21 @@
 // Writing through a temporary and a rename; reading in one go.
 #include "core/base/whole_file.h"
 
+#include "core/base/inputs.h"
 #include "core/base/memory.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <system_error>
+#include <thread>
 
 namespace edgescan {
 namespace {
@@ -69,6 +74,8 @@ Error writeError(const fs::path& path, int code) {
         return {"the file would be larger than the limit set for it", path.string(), "choose another disk or raise the limit"};
     case EISDIR:
         return {"this is a folder, not a file", path.string(), "give a file name"};
+    case ELOOP:
+        return {"this link leads in a circle", path.string(), "give the file itself"};
     case ENAMETOOLONG:
         return {"the file name is too long", path.string(), "choose a shorter name"};
     default:
@@ -103,13 +110,23 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
     return 0;
 }
 
+/// Where a path leads to through its links. Somebody else could have laid a link here to have one of our files overwritten.
 Result<fs::path> finalTarget(const fs::path& path) {
     std::error_code problem;
     if (fs::is_directory(path, problem)) return writeError(path, EISDIR);
     if (!path.has_filename()) return Error{"there is no file name to write to", path.string(), "give a file name"};
-    if (!fs::is_symlink(path, problem)) return path;
-    const fs::path resolved = fs::weakly_canonical(path, problem);
-    return problem ? Result<fs::path>(writeError(path, problem.value())) : Result<fs::path>(resolved);
+    constexpr int kMostLinks = 40; // as the kernel follows
+    fs::path target = path;
+    for (int links = 0; links <= kMostLinks; ++links) {
+        struct stat status {};
+        if (::lstat(target.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return target;
+        if (status.st_uid != ::geteuid() && status.st_uid != 0)
+            return Error{"this is a link that belongs to another user", target.string(), "give the file it leads to, or another name"};
+        const fs::path next = fs::read_symlink(target, problem);
+        if (problem) return writeError(path, problem.value());
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    return writeError(path, ELOOP);
 }
 
 fs::path temporaryNameFor(const fs::path& target) {
@@ -131,7 +148,7 @@ Result<Temporary> writeTemporary(const fs::path& path, const fs::path& target, s
         temporary.renamed = true; // nothing of ours to remove
         return writeError(path, errno);
     }
-    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 07777U)); // not worth failing for
+    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 0777U)); // not worth failing for
     if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
     if (::fsync(file.number()) != 0 && errno != EINVAL) return writeError(path, errno);
     if (::close(file.release()) != 0 && errno != EINTR) return writeError(path, errno);
@@ -146,21 +163,81 @@ void syncFolder(const fs::path& file) {
 
 /// Renaming over /dev/null or a pipe would destroy it; those are written to as they are.
 bool isDevice(const fs::path& path) {
+    if (isStandardOutput(path)) return true;
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
     return !problem && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+constexpr std::chrono::seconds kReaderComesWithin{3};
+constexpr std::chrono::seconds kReaderReadsWithin{30};
+
+/// Opens for writing without waiting for ever: a pipe can be opened only once somebody reads from it.
+Result<int> openDevice(const fs::path& path) {
+    const auto until = std::chrono::steady_clock::now() + kReaderComesWithin;
+    while (true) {
+        const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+        if (descriptor >= 0) return descriptor;
+        std::error_code ignored;
+        if (const int code = errno; code != ENXIO || !fs::is_fifo(path, ignored)) return writeError(path, code);
+        if (std::chrono::steady_clock::now() >= until)
+            return Error{"nobody reads from this pipe", path.string(), "start what reads from it first, or choose a file"};
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+/// As long as this lives, a pipe whose reader goes away is an errno and no signal that ends the program.
+class NoBrokenPipe {
+public:
+    NoBrokenPipe() {
+        sigemptyset(&pipe_);
+        sigaddset(&pipe_, SIGPIPE);
+        sigset_t pending;
+        sigpending(&pending);
+        wasPending_ = sigismember(&pending, SIGPIPE) == 1;
+        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    }
+    NoBrokenPipe(const NoBrokenPipe&) = delete;
+    NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
+    ~NoBrokenPipe() {
+        const timespec now{};
+        if (!wasPending_) sigtimedwait(&pipe_, nullptr, &now);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+
+private:
+    sigset_t pipe_{}, before_{};
+    bool wasPending_ = false;
+};
+
 Result<Done> writeDevice(const fs::path& path, std::span<const std::byte> bytes) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.number() < 0) return writeError(path, errno);
-    if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
+    const Result<int> opened = isStandardOutput(path) ? Result<int>(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)) : openDevice(path);
+    if (!opened) return opened.error();
+    const Descriptor file(*opened);
+    const NoBrokenPipe guard;
+    while (!bytes.empty()) {
+        pollfd wait{file.number(), POLLOUT, 0};
+        const int ready = ::poll(&wait, 1, static_cast<int>(std::chrono::milliseconds(kReaderReadsWithin).count()));
+        if (ready < 0 && errno == EINTR) continue;
+        if (ready == 0) return Error{"what reads from this pipe takes nothing", path.string(), "start it again, or choose a file"};
+        const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (count < 0 && errno == EPIPE)
+            return Error{"what reads from this pipe has ended", path.string(), "start it again, or choose a file"};
+        if (count < 0) return writeError(path, errno);
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
     return Done{};
 }
 
 } // namespace
 
+bool isStandardOutput(const fs::path& path) { return path == "-" || (!path.has_parent_path() && path.native().starts_with("-.")); }
+
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
+    for (const FileContent& file : files) {
+        if (auto other = checkIsNoInput(file.path); !other) return other;
+    }
     std::vector<Temporary> ready;
     for (const FileContent& file : files) {
         if (isDevice(file.path)) {
@@ -185,7 +262,7 @@ Result<Done> writeWholeFile(const fs::path& path, std::span<const std::byte> byt
 
 Result<Done> writeWholeFile(const fs::path& path, const std::string& text) { return writeWholeFile(path, std::as_bytes(std::span(text))); }
 
-Result<std::vector<std::byte>> readWholeFile(const fs::path& path) {
+Result<std::vector<std::byte>> readWholeFile(const fs::path& path, std::uint64_t most) {
     // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0) return readError(path, errno);
@@ -194,6 +271,9 @@ Result<std::vector<std::byte>> readWholeFile(const fs::path& path) {
     if (S_ISDIR(status.st_mode)) return readError(path, EISDIR);
     if (!S_ISREG(status.st_mode)) return Error{"this is a device or a pipe, not a file", path.string(), "choose a file"};
     const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size > most)
+        return Error{"the file is too large for what it should be: " + sizeText(size) + ", and at most " + sizeText(most) + " are read",
+                     path.string(), "choose another file"};
     if (auto enough = checkMemory(size, path.string()); !enough) return enough.error();
     std::vector<std::byte> bytes(size);
     std::size_t filled = 0;

@@ -1,0 +1,109 @@
+// Builds a value from the events of nlohmann's parser and stops at the first event that is out of bounds.
+#include "core/base/bounded_json.h"
+
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kMostKeysOfOne = 4096; // an ordered object looks through all of its keys for each new one
+constexpr std::uint64_t kBytesPerByte = 32;  // a value of two bytes of text takes sixteen, and twice that while its list grows
+constexpr std::size_t kAskFrom = std::size_t{1} << 20U;
+constexpr std::size_t kLongestShown = 60;
+
+template <class Json>
+class BoundedBuilder final : public nlohmann::json_sax<Json> {
+public:
+    explicit BoundedBuilder(const JsonBounds& bounds) : bounds_(bounds) {}
+
+    bool null() override { return add(Json()); }
+    bool boolean(bool value) override { return add(Json(value)); }
+    bool number_integer(typename Json::number_integer_t value) override { return add(Json(value)); }
+    bool number_unsigned(typename Json::number_unsigned_t value) override { return add(Json(value)); }
+    bool number_float(typename Json::number_float_t value, const std::string&) override { return add(Json(value)); }
+    bool string(std::string& value) override { return add(Json(std::move(value))); }
+    bool binary(typename Json::binary_t&) override { return false; } // JSON text has none
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return open_.pop_back(), true; }
+    bool end_array() override { return open_.pop_back(), true; }
+
+    bool key(std::string& name) override {
+        auto& object = open_.back()->template get_ref<typename Json::object_t&>();
+        if (++keys_ > bounds_.keys || object.size() >= kMostKeysOfOne) return stop("the JSON holds too many keys");
+        const auto [place, fresh] = object.emplace(name, Json());
+        if (!fresh) return stop("the key \"" + name.substr(0, kLongestShown) + "\" stands twice in the same object of the JSON");
+        slot_ = &place->second;
+        return true;
+    }
+    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& problem) override {
+        constexpr int kNumberTooLarge = 406; // nlohmann's out_of_range
+        if (problem.id == kNumberTooLarge) return stop("the JSON holds a number that no computer can store");
+        problem_ = "the JSON is damaged or cut off here";
+        byte_ = byte;
+        return false;
+    }
+
+    Json take() { return std::move(root_); }
+    [[nodiscard]] Error error(const std::string& where) const {
+        if (byte_ == 0) return {problem_, where, "correct the file or choose another"};
+        return {problem_, where + ": byte " + std::to_string(byte_), "check it around this place"};
+    }
+
+private:
+    bool stop(std::string problem) {
+        problem_ = std::move(problem);
+        return false;
+    }
+    bool add(Json value) { return place(std::move(value)), true; }
+    bool open(Json empty) {
+        if (open_.size() >= static_cast<std::size_t>(bounds_.depth)) return stop("this JSON is nested too deep");
+        open_.push_back(place(std::move(empty)));
+        return true;
+    }
+    /// Where the value has come to stand: a list does not grow while something inside is open.
+    Json* place(Json value) {
+        if (open_.empty()) return &(root_ = std::move(value));
+        if (!open_.back()->is_array()) return &(*slot_ = std::move(value));
+        open_.back()->push_back(std::move(value));
+        return &open_.back()->back();
+    }
+
+    const JsonBounds& bounds_;
+    Json root_;
+    std::vector<Json*> open_;
+    Json* slot_ = nullptr; // of the key that was read last
+    std::size_t keys_ = 0;
+    std::string problem_;
+    std::size_t byte_ = 0;
+};
+
+template <class Json>
+Result<Json> parsedWithin(std::string_view text, const std::string& where, const JsonBounds& bounds) {
+    if (text.size() > bounds.bytes)
+        return Error{"this JSON is too large: " + sizeText(text.size()) + ", and " + sizeText(bounds.bytes) + " are read", where,
+                     "choose another file"};
+    if (text.size() >= kAskFrom) {
+        if (auto enough = checkMemory(productOf({text.size(), kBytesPerByte}), where); !enough) return enough.error();
+    }
+    BoundedBuilder<Json> builder(bounds);
+    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(where);
+    return builder.take();
+}
+
+} // namespace
+
+Result<nlohmann::json> parseJson(std::string_view text, const std::string& where, const JsonBounds& bounds) {
+    return parsedWithin<nlohmann::json>(text, where, bounds);
+}
+
+Result<nlohmann::ordered_json> parseOrderedJson(std::string_view text, const std::string& where, const JsonBounds& bounds) {
+    return parsedWithin<nlohmann::ordered_json>(text, where, bounds);
+}
+
+} // namespace edgescan
