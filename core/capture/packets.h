@@ -1,0 +1,41 @@
+// The packets of a network capture: PCAP (both byte orders, microseconds and nanoseconds) and PCAPNG.
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// What a packet begins with (tcpdump.org, "Link-layer header types"); others are in the file as they are.
+enum class LinkType : std::uint32_t {
+    Null = 0,
+    Ethernet = 1,
+    Raw = 101,
+    Loop = 108,
+    LinuxCooked = 113,
+    Ipv4 = 228,
+    Ipv6 = 229,
+    LinuxCooked2 = 276,
+};
+
+struct Packet {
+    std::int64_t timeNs = 0; ///< since 1970 UTC
+    LinkType link = LinkType::Ethernet;
+    ByteView bytes; ///< as far as they were captured
+};
+
+struct PacketFile {
+    std::vector<Packet> packets; ///< in the order of the file; their bytes are those of the file
+    bool cutOff = false;         ///< the file ends within a packet; all before it are here
+};
+
+/// True when the file begins like one.
+[[nodiscard]] bool isPacketFile(ByteView file);
+
+/// Error: no such file, or damaged at a byte that it names.
+Result<PacketFile> readPackets(ByteView file, const std::string& where);
+
+} // namespace edgescan
