@@ -10,7 +10,9 @@
 #include "core/straighten/interlace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace edgescan {
@@ -66,35 +68,36 @@ void suppress(const Lines& alongBeams, const Lines& alongLines, int line, const 
     kept.insert(kept.end(), values.begin(), values.end());
 }
 
-// Keeps chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least.
-Grid<std::uint8_t> linked(const Grid<float>& strength, float high, float low, int minimum) {
-    Grid<std::uint8_t> state(strength.lines, strength.beams); // 1 = waiting, 255 = edge
-    for (std::size_t k = 0; k < strength.size(); ++k) state[k] = strength[k] > low ? 1 : 0;
-    const auto beams = static_cast<std::size_t>(strength.beams);
-    std::vector<std::size_t> chain;
-    for (std::size_t seed = 0; seed < state.size(); ++seed) {
-        if (state[seed] != 1) continue;
-        chain.assign(1, seed);
-        state[seed] = 2;
-        bool strong = false;
-        for (std::size_t at = 0; at < chain.size(); ++at) {
-            const std::size_t k = chain[at];
-            strong = strong || strength[k] > high;
-            const int line = static_cast<int>(k / beams);
-            const int beam = static_cast<int>(k % beams);
-            for (int i = line - 1; i <= line + 1; ++i) {
-                for (int j = beam - 1; j <= beam + 1; ++j) {
-                    if (!state.contains(i, j) || state.at(i, j) != 1) continue;
-                    state.at(i, j) = 2;
-                    chain.push_back(state.index(i, j));
-                }
-            }
-        }
-        const bool kept = strong && static_cast<int>(chain.size()) >= minimum;
-        for (const std::size_t k : chain) state[k] = kept ? 255 : 0;
-    }
-    return state;
+// Appends a line of `window` to `cells` where the line is one of the sweep.
+void append(std::vector<float>& cells, const Lines& window, int line, int lines) {
+    if (line < 0 || line >= lines) return;
+    const float* values = window.line(line);
+    cells.insert(cells.end(), values, values + window.beams);
 }
+
+// The grids of DepthCracks while they grow.
+class CrackCopies {
+public:
+    CrackCopies(DepthCracks& cracks, int lines, int beams) : cracks_(&cracks), lines_(lines) {
+        for (Grid<float>* grid : grids()) {
+            *grid = Grid<float>(lines, beams, hugePageVector<float>(static_cast<std::size_t>(lines) * static_cast<std::size_t>(beams)));
+        }
+    }
+    void take(const SurfaceLines& surface) {
+        append(cracks_->jumpBeams.cells, surface.cracks(Along::Beams), surface.jumpLine(), lines_);
+        append(cracks_->jumpLines.cells, surface.cracks(Along::Lines), surface.jumpLine(), lines_);
+        append(cracks_->smoothed.cells, surface.smoothed(), surface.foldLine(), lines_);
+        append(cracks_->foldBeams.cells, surface.folds(Along::Beams), surface.foldLine(), lines_);
+        append(cracks_->foldLines.cells, surface.folds(Along::Lines), surface.foldLine(), lines_);
+    }
+
+private:
+    [[nodiscard]] std::array<Grid<float>*, 5> grids() const {
+        return {&cracks_->smoothed, &cracks_->jumpBeams, &cracks_->jumpLines, &cracks_->foldBeams, &cracks_->foldLines};
+    }
+    DepthCracks* cracks_;
+    int lines_;
+};
 
 // 1 at measured cells with a void beside them. Before the first and after the last line the line itself is given: that adds no void.
 EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
@@ -151,14 +154,17 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
     return limits;
 }
 
-DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings) {
+DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
     auto jumps = hugePageVector<float>(support.size());
     auto folds = hugePageVector<float>(support.size());
     SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits);
+    std::optional<CrackCopies> copies;
+    if (cracks != nullptr) copies.emplace(*cracks, support.lines, support.beams);
     while (folds.size() < support.size()) {
         lines.advance();
+        if (copies) copies->take(lines);
         // One line behind the newest: suppression looks at the lines on both sides.
         suppress(lines.jumps(Along::Beams), lines.jumps(Along::Lines), lines.jumpLine() - 1, support, false, jumps);
         suppress(lines.folds(Along::Beams), lines.folds(Along::Lines), lines.foldLine() - 1, support, true, folds);
@@ -171,6 +177,35 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     result.jumpMm = static_cast<double>(limits.jumpMm);
     result.border = borderCells(support);
     return result;
+}
+
+Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum) {
+    Grid<std::uint8_t> state(strength.lines, strength.beams); // 1 = waiting, 255 = edge
+    for (std::size_t k = 0; k < strength.size(); ++k) state[k] = strength[k] > low ? 1 : 0;
+    const auto beams = static_cast<std::size_t>(strength.beams);
+    std::vector<std::size_t> chain;
+    for (std::size_t seed = 0; seed < state.size(); ++seed) {
+        if (state[seed] != 1) continue;
+        chain.assign(1, seed);
+        state[seed] = 2;
+        bool strong = false;
+        for (std::size_t at = 0; at < chain.size(); ++at) {
+            const std::size_t k = chain[at];
+            strong = strong || strength[k] > high;
+            const int line = static_cast<int>(k / beams);
+            const int beam = static_cast<int>(k % beams);
+            for (int i = line - 1; i <= line + 1; ++i) {
+                for (int j = beam - 1; j <= beam + 1; ++j) {
+                    if (!state.contains(i, j) || state.at(i, j) != 1) continue;
+                    state.at(i, j) = 2;
+                    chain.push_back(state.index(i, j));
+                }
+            }
+        }
+        const bool kept = strong && static_cast<int>(chain.size()) >= minimum;
+        for (const std::size_t k : chain) state[k] = kept ? 255 : 0;
+    }
+    return state;
 }
 
 DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
@@ -187,7 +222,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
     }
     const auto high = static_cast<float>(settings.sensitivity);
     const Grid<std::uint8_t> kept =
-        linked(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
+        linkedChains(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
     for (std::size_t k = 0; k < kept.size(); ++k) {
         if (kept[k] == 0) continue;
         result.mask[k] = 255;

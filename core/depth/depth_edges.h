@@ -58,8 +58,20 @@ struct DepthSurface {
 /// The thresholds of all stages, from sliders and noise.
 [[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
 
-/// Steps 2 to 5.
-[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings);
+/// What lies between the edges: the surface and its cracks before a neighbour suppresses anything. Grids are lines x beams.
+struct DepthCracks {
+    Grid<float> smoothed;  ///< 1/m: mixed pixels snapped, smoothed along surfaces
+    Grid<float> jumpBeams; ///< S_J of the crack between a cell and the next beam; over 1 the surface breaks there; 0 beside a void
+    Grid<float> jumpLines; ///< likewise towards the next line
+    Grid<float> foldBeams; ///< S_C of a cell along the beams; positive: convex, negative: concave
+    Grid<float> foldLines; ///< likewise along the lines
+};
+
+/// Steps 2 to 5. `cracks`: filled on the way where it is not null; the responses are the same.
+[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks = nullptr);
+
+/// Chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least: 255, else 0.
+[[nodiscard]] Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum);
 
 /// Step 7: classes, hysteresis and minimum length.
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);

@@ -24,6 +24,9 @@ public:
     /// ... and S_C. Both have lines of 0 after the last one of the sweep.
     [[nodiscard]] const Lines& folds(Along along) const { return along == Along::Beams ? folds_.alongBeams : folds_.alongLines; }
 
+    /// S_J of the cracks of the newest line of jumps; empty before the first.
+    [[nodiscard]] const Lines& cracks(Along along) const { return along == Along::Beams ? crackBeams_ : crackLines_; }
+
     /// u of the newest lines of jumps, mixed pixels snapped, and where it is solid.
     [[nodiscard]] DepthField surface() const { return {snapped_, solid_}; }
     /// u of the newest line of folds and those around it, smoothed, and where neighbours are linked.

@@ -17,6 +17,7 @@ namespace edgescan {
 enum class Keeps : std::uint8_t {
     States,    ///< every cell with its state
     NoReturns, ///< every cell; all states but valid become no return
+    Beside,    ///< as NoReturns, by the grid in the record beside the file; every state where comment lines are asked for
     Points,    ///< a list of the valid points
 };
 
@@ -28,11 +29,12 @@ struct Format {
     bool (*recognises)(const Source&){};           ///< by content; the extension is only a hint
     Result<PointTable> (*points)(const Source&){}; ///< the points as the file has them, before any grid is looked for
     Result<Scan> (*read)(const Source&){};         ///< where a scan is more than its points
-    Result<std::string> (*write)(const CloudColumns&, const std::string& where, bool asText){}; ///< `asText`: where there is a choice
+    Result<std::string> (*write)(CloudColumns, const std::string& where, bool asText){}; ///< `asText`: where there is a choice
     /// Instead of columns: the files of a whole scan as ranges and angles, in the order they must appear.
     Result<std::vector<FileBytes>> (*writeScan)(const Scan&, const std::filesystem::path&){};
     std::string (*record)(std::string_view bytes) = recordInComments; ///< the record of an export that is inside; empty = none
     Keeps keeps = Keeps::States;
+    bool keepsPlace = false;   ///< a whole scan in the scanner's frame opens again with its place in the mine
     bool placesItself = false; ///< pose and calibration are taken into account by `read`
 };
 

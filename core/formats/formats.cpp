@@ -2,32 +2,40 @@
 #include "core/formats/formats.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace edgescan {
 
 Format rawGridFormat();
+Format numpyFormat();
+Format numpyArchiveFormat();
 Format fileThatIsNoScan();
 Format pcdFormat();
 Format plyFormat();
 Format pointListFormat();
 Format rangeTableFormat();
 Format pointTableFormat();
-Format ptxFormat();
 Format lasFormat();
+Format e57Format();
+Format dxfFormat();
+Format ptxFormat();
 Format objFormat();
 Format rangePictureFormat();
 Format scan3dFormat();
-Format dxfFormat();
 Format recordingFormat();
+Format packetCaptureFormat();
+Format colaCaptureFormat();
+Format fileOfAnotherProgram();
 
 namespace {
 
 /// In this order they are asked whether they recognise a content, and stand in dialogs.
-const std::array<Format, 14>& rows() {
-    static const std::array<Format, 14> all{rawGridFormat(),    fileThatIsNoScan(),   pcdFormat(),    plyFormat(),      pointListFormat(),
-                                            rangeTableFormat(), pointTableFormat(),   lasFormat(),    dxfFormat(),      ptxFormat(),
-                                            objFormat(),        rangePictureFormat(), scan3dFormat(), recordingFormat()};
+const std::vector<Format>& rows() {
+    static const std::vector<Format> all{rawGridFormat(),    numpyFormat(),         numpyArchiveFormat(), fileThatIsNoScan(),
+                                         pcdFormat(),        plyFormat(),           pointListFormat(),    rangeTableFormat(),
+                                         pointTableFormat(), lasFormat(),           e57Format(),          dxfFormat(),
+                                         ptxFormat(),        objFormat(),           rangePictureFormat(), scan3dFormat(),
+                                         recordingFormat(),  packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
     return all;
 }
 
@@ -44,7 +52,8 @@ const Format& formatOfContent(const Source& source) {
 }
 
 const Format* writtenFormat(const std::filesystem::path& path) {
-    const std::string extension = Source{path, {}}.extension();
+    // Standard output has no name; nothing is written packed.
+    const std::string extension = path == "-" ? ".pcd" : Source::lowerCase(path.extension());
     const auto found = std::ranges::find_if(
         rows(), [&](const Format& format) { return std::ranges::find(format.writes, extension) != format.writes.end(); });
     return found == rows().end() ? nullptr : &*found;

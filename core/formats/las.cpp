@@ -3,9 +3,12 @@
 
 #include "core/formats/format.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/base/physical_limits.h"
 #include "core/formats/las_layout.h"
 #include "core/formats/laz.h"
+#include "core/points/column_names.h"
 #include "core/points/point_columns.h"
 
 #include <algorithm>
@@ -29,13 +32,17 @@ T valueAt(const Source& source, std::uint64_t offset) {
 
 struct LasHeader {
     int minor = 0;
-    std::uint64_t headerBytes = 0, pointsAt = 0, records = 0, points = 0, extendedAt = 0, extended = 0;
+    std::uint64_t headerBytes = 0, pointsAt = 0, records = 0, points = 0, extendedAt = 0, extended = 0, waveformAt = 0;
     unsigned format = 0;
     std::uint64_t pointBytes = 0;
     Eigen::Vector3d scale, offset;
 };
 
-bool isReasonable(const Eigen::Vector3d& v) { return v.allFinite() && v.cwiseAbs().maxCoeff() < 1e12; }
+constexpr NumberLimits kScales{1e-12, 1e6}; // metres per count
+bool isScale(const Eigen::Vector3d& v) {
+    return kScales.hold(std::abs(v.x())) && kScales.hold(std::abs(v.y())) && kScales.hold(std::abs(v.z()));
+}
+bool isReasonable(const Eigen::Vector3d& v) { return v.allFinite() && physical::kCoordinate.hold(v.cwiseAbs().maxCoeff()); }
 
 Result<LasHeader> readLasHeader(const Source& source) {
     if (source.bytes.size() < las::kHeader12) return source.refused("the file ends within its LAS header", kCopyAgain);
@@ -56,6 +63,7 @@ Result<LasHeader> readLasHeader(const Source& source) {
     const std::uint64_t least = header.minor == 4 ? las::kHeader14 : las::kHeader12;
     if (header.headerBytes < least || header.headerBytes > source.bytes.size())
         return source.refused("the LAS header says it is " + std::to_string(header.headerBytes) + " bytes long", kCopyAgain);
+    if (header.minor >= 3 && header.headerBytes >= las::kHeader13) header.waveformAt = valueAt<std::uint64_t>(source, las::kWaveformAt);
     if (header.minor == 4) {
         header.extendedAt = valueAt<std::uint64_t>(source, las::kExtendedAt);
         header.extended = valueAt<std::uint32_t>(source, las::kExtendedCount);
@@ -65,7 +73,7 @@ Result<LasHeader> readLasHeader(const Source& source) {
         header.scale[axis] = valueAt<double>(source, las::kScale + 8 * static_cast<std::size_t>(axis));
         header.offset[axis] = valueAt<double>(source, las::kOffset + 8 * static_cast<std::size_t>(axis));
     }
-    if (!isReasonable(header.scale) || !isReasonable(header.offset) || !(header.scale.cwiseAbs().minCoeff() > 0))
+    if (!isScale(header.scale) || !isReasonable(header.offset))
         return source.refused("the scale or offset in the LAS header is no number that coordinates have", "export the file again");
     return header;
 }
@@ -85,7 +93,7 @@ Result<Done> checkPoints(const LasHeader& header, const Source& source) {
                                   " bytes and the file holds " + std::to_string(held) + " bytes of them",
                               kCopyAgain);
     }
-    return checkMemory(header.points * sizeof(Eigen::Vector3d), source.path.string());
+    return checkMemory(productOf({header.points, sizeof(Eigen::Vector3d)}), source.path.string());
 }
 
 /// Our own records of a file that this program saved.
@@ -93,6 +101,7 @@ struct OwnRecords {
     std::string description;
     std::string provenance;
     std::span<const std::byte> cells;
+    std::uint64_t missing = 0; ///< records that the header promises and the file does not hold
 };
 
 void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::span<const std::byte> content) {
@@ -105,9 +114,10 @@ void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::sp
     if (id == las::kProvenanceId) own.provenance.assign(reinterpret_cast<const char*>(content.data()), content.size());
 }
 
-/// Records behind the points (LAS 1.4). Damaged ones end the search: the points are there all the same.
+/// Records behind the points (LAS 1.4). A damaged one ends the search: the points are there all the same, and how many are missing is told.
 OwnRecords ownRecords(const LasHeader& header, const Source& source) {
     OwnRecords own;
+    own.missing = header.extended;
     std::uint64_t at = header.extendedAt;
     for (std::uint64_t n = 0; n < header.extended; ++n) {
         if (at > source.bytes.size() || source.bytes.size() - at < las::kExtendedHeader) break;
@@ -115,6 +125,7 @@ OwnRecords ownRecords(const LasHeader& header, const Source& source) {
         const std::uint64_t from = at + las::kExtendedHeader;
         if (length > source.bytes.size() - from) break;
         keepRecord(own, source, at, source.bytes.subspan(from, length));
+        --own.missing;
         at = from + length;
     }
     return own;
@@ -132,6 +143,43 @@ Result<std::vector<Eigen::Vector3d>> readPoints(const LasHeader& header, const S
             return source.cancelled();
     }
     return points;
+}
+
+/// What the file does not hold of what its header promises behind the points, or holds beyond it.
+void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own, const Source& source) {
+    if (own.missing > 0) {
+        table.remarks.push_back("The end of the file is damaged or missing: " + std::to_string(own.missing) + " of " +
+                                std::to_string(header.extended) +
+                                " records behind the points cannot be read. A grid, cell states or a place in the mine that they told are "
+                                "lost; copy the file again.");
+    }
+    if (table.format == "LAZ") return;
+    const std::uint64_t end = header.pointsAt + header.points * header.pointBytes; // checkPoints: the file holds as much
+    std::uint64_t next = source.bytes.size();
+    if (header.extended > 0) next = std::min(next, header.extendedAt);
+    if (header.waveformAt > 0) next = std::min(next, header.waveformAt);
+    if (next < end || next - end < header.pointBytes) return;
+    table.remarks.push_back("Behind the " + std::to_string(header.points) + " points that the header promises lie " +
+                            std::to_string(next - end) + " bytes, which may be more points; they were left out.");
+}
+
+/// Lines, beams and ranges of the points, where extra bytes hold them.
+void readColumns(PointTable& table, const LasHeader& header, const Source& source) {
+    const std::vector<RecordField> fields = las::extraFields(source.bytes, header.headerBytes, header.records, header.pointsAt,
+                                                             las::kFormatBytes[header.format], header.pointBytes);
+    std::vector<std::string> names;
+    for (const RecordField& field : fields) names.push_back(field.name);
+    const NamedColumns named = columnsNamed(names);
+    if (!named.hasCell()) return;
+    const auto value = [&](ColumnRole role, std::uint64_t n) {
+        const RecordField& field = fields[*named[role]];
+        return readScalar(field.scalar, source.bytes.data() + header.pointsAt + n * header.pointBytes + field.offset, false);
+    };
+    for (std::uint64_t n = 0; n < header.points; ++n) {
+        table.line.push_back(indexOf(value(ColumnRole::Line, n)));
+        table.beam.push_back(indexOf(value(ColumnRole::Beam, n)));
+        if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm, n)));
+    }
 }
 
 /// Spreads the valid points over the cells that were saved with them.
@@ -187,7 +235,10 @@ Result<PointTable> readLasPoints(const Source& source) {
         table.points = std::move(*points);
     }
     const OwnRecords own = ownRecords(*header, source);
+    tellRest(table, *header, own, source);
+    if (table.format == "LAS" && (own.description.empty() || own.cells.empty())) readColumns(table, *header, source);
     if (!own.description.empty() && !own.cells.empty()) {
+        if (auto enough = checkMemory(productOf({own.cells.size(), 8}), source.path.string()); !enough) return enough.error();
         if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();
     }
     table.width = table.points.size();
@@ -203,7 +254,8 @@ Format lasFormat() {
             .recognises = looksLikeLas,
             .points = readLasPoints,
             .write = lasBytes,
-            .record = lasRecord};
+            .record = lasRecord,
+            .keepsPlace = true};
 }
 
 } // namespace edgescan

@@ -1,5 +1,6 @@
-// LAS 1.4, point format 6, whole millimetres about an offset; other columns as extra bytes; a whole scan with its cells behind the
-// points, so that it comes back as it was.
+// LAS 1.4, point format 7 (colours) or 6, whole millimetres about an offset, a coordinate system that says what the numbers are; other
+// columns as extra bytes; a whole scan with its cells behind the points, so that it comes back as it was.
+#include "core/formats/coordinate_system.h"
 #include "core/formats/las_layout.h"
 
 #include "core/base/memory.h"
@@ -21,9 +22,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "LAS is written as the machine stores numbers");
 
 constexpr double kScale = 0.001;
-constexpr std::size_t kPointFormat = 6;
 constexpr std::size_t kExtraBytesRecord = 192;
 constexpr std::uint16_t kExtraBytesId = 4; // of user LASF_Spec
+constexpr std::uint16_t kWktId = 2112;     // of user LASF_Projection
 
 template <class T>
 void put(std::string& bytes, std::size_t at, T value) {
@@ -48,6 +49,7 @@ struct Extra {
 std::vector<Extra> extrasOf(const CloudColumns& cloud) {
     std::vector<Extra> extras;
     for (std::size_t i = 3; i < cloud.columns.size(); ++i) {
+        if (isColour(cloud.columns[i].name)) continue;
         static constexpr std::array<std::uint8_t, 4> kTypes{9, 10, 5, 1}; // float, double, unsigned long, unsigned char
         static constexpr std::array<std::size_t, 4> kBytes{4, 8, 4, 1};
         const std::size_t kind = cloud.columns[i].values.index();
@@ -81,8 +83,31 @@ std::string extraBytesRecord(const std::vector<Extra>& extras) {
 
 struct Extent {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-    Eigen::AlignedBox3d box;
+    Eigen::AlignedBox3d box; ///< of the points as the file holds them: rounded
     std::size_t points = 0;
+    [[nodiscard]] Eigen::Vector3d steps(const Eigen::Vector3d& p) const {
+        return ((p - offset) / kScale).unaryExpr([](double step) { return std::round(step); });
+    }
+};
+
+/// The columns that the record itself has room for.
+struct Known {
+    std::array<const CloudColumn*, 3> colours;
+    const CloudColumn* edge;
+    const CloudColumn* classes;
+    bool onlyEdges;
+
+    explicit Known(const CloudColumns& cloud)
+        : colours{columnNamed(cloud, "red"), columnNamed(cloud, "green"), columnNamed(cloud, "blue")}, edge(columnNamed(cloud, "edge")),
+          classes(columnNamed(cloud, "class")), onlyEdges(colours[0] != nullptr && edge == nullptr) {}
+
+    [[nodiscard]] std::size_t pointFormat() const { return colours[0] != nullptr ? 7 : 6; }
+    /// docs/formats.md, "LAS": 1 not classified; from 64 on the file's own: 64 an edge, 65 to 68 its class.
+    [[nodiscard]] std::uint8_t classOf(std::size_t row) const {
+        const bool isEdge = onlyEdges || (edge != nullptr && numberIn(*edge, row) != 0);
+        if (!isEdge) return 1;
+        return static_cast<std::uint8_t>(64 + (classes != nullptr ? numberIn(*classes, row) : 0));
+    }
 };
 
 /// Offset and bounds of the points that are there. Mine coordinates leave their large part to the offset.
@@ -95,19 +120,23 @@ Result<Extent> extentOf(const CloudColumns& cloud, const std::string& where) {
         ++frame.points;
     }
     if (frame.points == 0) return Error{"there are no points to save", where, "choose other cells or settings"};
+    Eigen::AlignedBox3d rounded;
     if (frame.box.min().cwiseAbs().maxCoeff() > 1e4 || frame.box.max().cwiseAbs().maxCoeff() > 1e4)
         frame.offset = frame.box.min().array().floor();
     if ((frame.box.max() - frame.offset).maxCoeff() / kScale > std::numeric_limits<std::int32_t>::max()) {
         return Error{"LAS holds 2147 km in whole millimetres, and these points lie farther apart", where, "save them as .pcd or .ply"};
     }
+    // Readers refuse points outside the bounds, and compare what they compute from the steps.
+    for (const Eigen::Vector3d& corner : {frame.box.min(), frame.box.max()}) rounded.extend(frame.steps(corner) * kScale + frame.offset);
+    frame.box = rounded;
     return frame;
 }
 
-std::string headerBytes(const Extent& frame, std::size_t pointBytes, std::size_t records, std::uint64_t pointsAt, std::uint64_t extendedAt,
-                        std::uint32_t extended) {
+std::string headerBytes(const Extent& frame, std::size_t pointFormat, std::size_t pointBytes, std::size_t records, std::uint64_t pointsAt,
+                        std::uint64_t extendedAt, std::uint32_t extended) {
     std::string bytes(las::kHeader14, '\0');
     putText(bytes, 0, "LASF", 4);
-    put<std::uint16_t>(bytes, las::kGlobalEncoding, 1U << 4U); // coordinate systems, if any, as WKT: asked for by point format 6
+    put<std::uint16_t>(bytes, las::kGlobalEncoding, 1U << 4U); // coordinate systems as WKT: asked for by point formats from 6 on
     bytes[las::kVersionMajor] = 1;
     bytes[las::kVersionMinor] = 4;
     putText(bytes, las::kSystem, "EXTRACTION", 32);
@@ -115,7 +144,7 @@ std::string headerBytes(const Extent& frame, std::size_t pointBytes, std::size_t
     put(bytes, las::kHeaderSize, static_cast<std::uint16_t>(las::kHeader14));
     put(bytes, las::kPointsAt, static_cast<std::uint32_t>(pointsAt));
     put(bytes, las::kRecordCount, static_cast<std::uint32_t>(records));
-    bytes[las::kPointFormat] = static_cast<char>(kPointFormat);
+    bytes[las::kPointFormat] = static_cast<char>(pointFormat);
     put(bytes, las::kPointBytes, static_cast<std::uint16_t>(pointBytes));
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
@@ -131,16 +160,21 @@ std::string headerBytes(const Extent& frame, std::size_t pointBytes, std::size_t
     return bytes;
 }
 
-void appendPoints(std::string& bytes, const CloudColumns& cloud, const Extent& frame, const std::vector<Extra>& extras) {
+void appendPoints(std::string& bytes, const CloudColumns& cloud, const Extent& frame, const Known& known,
+                  const std::vector<Extra>& extras) {
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         const Eigen::Vector3d p = pointIn(cloud, row);
         if (!p.allFinite()) continue;
-        for (int axis = 0; axis < 3; ++axis)
-            append(bytes, static_cast<std::int32_t>(std::llround((p[axis] - frame.offset[axis]) / kScale)));
-        append<std::uint16_t>(bytes, 0);                          // intensity
-        append<std::uint8_t>(bytes, 0x11);                        // return 1 of 1
-        append<std::uint8_t>(bytes, 0);                           // flags
-        bytes.append(las::kFormatBytes[kPointFormat] - 16, '\0'); // class, user, angle, source, time: not known
+        const Eigen::Vector3d steps = frame.steps(p);
+        for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<std::int32_t>(steps[axis]));
+        append<std::uint16_t>(bytes, 0);   // intensity
+        append<std::uint8_t>(bytes, 0x11); // return 1 of 1
+        append<std::uint8_t>(bytes, 0);    // flags
+        append(bytes, known.classOf(row));
+        bytes.append(las::kFormatBytes[6] - 17, '\0'); // user, angle, source, time: not known
+        for (const CloudColumn* colour : known.colours) {
+            if (colour != nullptr) append(bytes, static_cast<std::uint16_t>(numberIn(*colour, row) * 257.0));
+        }
         for (const Extra& extra : extras) {
             std::visit([&](const auto& values) { append(bytes, values[row]); }, extra.column->values);
         }
@@ -163,9 +197,10 @@ std::string cellRecords(const CloudColumns& cloud) {
 
 } // namespace
 
-Result<std::string> lasBytes(const CloudColumns& cloud, const std::string& where, bool) {
+Result<std::string> lasBytes(CloudColumns cloud, const std::string& where, bool) {
     const std::vector<Extra> extras = extrasOf(cloud);
-    std::size_t pointBytes = las::kFormatBytes[kPointFormat];
+    const Known known(cloud);
+    std::size_t pointBytes = las::kFormatBytes[known.pointFormat()];
     for (const Extra& extra : extras) pointBytes += extra.bytes;
     if (auto enough = checkMemory(std::uint64_t{rowsOf(cloud)} * (pointBytes + las::kCellBytes), where); !enough) return enough.error();
     const auto frame = extentOf(cloud, where);
@@ -173,14 +208,16 @@ Result<std::string> lasBytes(const CloudColumns& cloud, const std::string& where
     // Points that were read and moved into another frame would not come back as they were.
     const bool wholeScan = !cloud.description.empty() && columnNamed(cloud, "state") != nullptr &&
                            columnNamed(cloud, "range_mm") != nullptr && columnNamed(cloud, "scanner_x") == nullptr;
-    const std::string records = extraBytesRecord(extras);
+    const std::string wkt = coordinateSystemWkt(cloud);
+    const std::string records =
+        recordHeader("LASF_Projection", kWktId, wkt.size() + 1, "coordinate system", false) + wkt + '\0' + extraBytesRecord(extras);
     const std::uint64_t pointsAt = las::kHeader14 + records.size();
     const std::uint64_t extendedAt = pointsAt + std::uint64_t{frame->points} * pointBytes;
     const std::uint32_t extended = (wholeScan ? 2U : 0U) + (cloud.record.empty() ? 0U : 1U);
-    std::string bytes = headerBytes(*frame, pointBytes, 1, pointsAt, extendedAt, extended);
+    std::string bytes = headerBytes(*frame, known.pointFormat(), pointBytes, 2, pointsAt, extendedAt, extended);
     bytes.reserve(extendedAt);
     bytes += records;
-    appendPoints(bytes, cloud, *frame, extras);
+    appendPoints(bytes, cloud, *frame, known, extras);
     if (wholeScan) bytes += cellRecords(cloud);
     if (!cloud.record.empty())
         bytes += recordHeader(las::kOurUser, las::kProvenanceId, cloud.record.size(), "provenance as JSON", true) + cloud.record;

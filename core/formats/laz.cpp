@@ -2,6 +2,7 @@
 #include "core/formats/laz.h"
 
 #ifdef EDGESCAN_WITH_LASZIP
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/formats/las_layout.h"
 
@@ -107,7 +108,11 @@ Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& st
     const std::uint64_t count =
         header->number_of_point_records != 0 ? header->number_of_point_records : header->extended_number_of_point_records;
     if (count == 0) return source.refused("the file holds no points", "choose another file");
-    if (auto enough = checkMemory(count * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough.error();
+    if (productOf({count, header->point_data_record_length}) > mostUnpackedBytes(source.bytes.size()))
+        return source.refused("the header promises " + std::to_string(count) + " points, more than a file of " +
+                                  sizeText(source.bytes.size()) + " holds of a scan",
+                              "copy it again, or save it as .las");
+    if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d)}), source.path.string()); !enough) return enough.error();
     std::vector<Eigen::Vector3d> points;
     for (std::uint64_t n = 0; n < count; ++n) {
         Eigen::Vector3d p;
@@ -145,7 +150,7 @@ Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
 
 Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
     return source.refused("this LAS file is compressed (LAZ), and this build of the program was made without LASzip",
-                          "save it uncompressed as .las");
+                          "save it uncompressed as .las, with CloudCompare or \"laszip -i IN.laz -o OUT.las\"");
 }
 
 #endif

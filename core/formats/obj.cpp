@@ -92,18 +92,30 @@ Result<PointTable> readObjPoints(const Source& source) {
             return source.cancelled();
     }
     if (table.points.empty()) return source.refused("this OBJ file has no vertices", "choose another file");
+    if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.width = table.points.size();
     table.precision = precisionOf(digits);
     return table;
 }
 
-Result<std::string> objBytes(const CloudColumns& cloud, const std::string& where, bool) {
-    if (auto enough = checkMemory(std::uint64_t{rowsOf(cloud)} * 40, where); !enough) return enough.error();
+/// Viewers draw no vertices that nothing refers to: every one is a point element too, a hundred per line.
+void appendElements(std::string& text, std::size_t points) {
+    constexpr std::size_t kPerLine = 100;
+    for (std::size_t n = 1; n <= points; ++n) {
+        text += (n - 1) % kPerLine == 0 ? "p " : " ";
+        text += std::to_string(n);
+        if (n % kPerLine == 0 || n == points) text += '\n';
+    }
+}
+
+Result<std::string> objBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkMemory(std::uint64_t{rowsOf(cloud)} * 60, where); !enough) return enough.error();
     std::string text = "# " + frameText(cloud) + "\n";
     for (const std::string& line : commentLines(cloud.record, kRecordMark)) text += "# " + line + "\n";
-    const CloudColumn* edge = columnNamed(cloud, "edge");
+    const std::array<const CloudColumn*, 3> colours{columnNamed(cloud, "red"), columnNamed(cloud, "green"), columnNamed(cloud, "blue")};
     const CloudColumn* state = columnNamed(cloud, "state");
     const int decimals = cloud.frame == CoordinateFrame::Mine ? 4 : 6;
+    std::size_t points = 0;
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         if (state != nullptr && numberIn(*state, row) != 0) continue; // no point there
         text += 'v';
@@ -112,10 +124,15 @@ Result<std::string> objBytes(const CloudColumns& cloud, const std::string& where
             text += ' ';
             appendFixed(text, point[axis], decimals);
         }
-        // Vertex colours are the common extension: edges green as on the screen.
-        if (edge != nullptr) text += numberIn(*edge, row) != 0 ? " 0 1 0" : " 0.5 0.5 0.5";
+        for (const CloudColumn* colour : colours) { // behind the vertex: the common extension
+            if (colour == nullptr) continue;
+            text += ' ';
+            appendFixed(text, numberIn(*colour, row) / 255.0, 3);
+        }
         text += '\n';
+        ++points;
     }
+    appendElements(text, points);
     return text;
 }
 

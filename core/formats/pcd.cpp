@@ -1,10 +1,12 @@
 // Point Cloud Data v0.7 (PCL): ascii, binary and binary_compressed; fields of any type and count. Everything a header promises is compared
 // with the bytes that are there before anything is allocated.
 
+#include "core/formats/pcd.h"
 #include "core/formats/format.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
-#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
 
@@ -20,6 +22,7 @@ namespace edgescan {
 namespace {
 
 constexpr std::size_t kMostFields = 4096;
+constexpr auto kMostAlong = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr std::uint64_t kLargestRecord = 1U << 20U;
 constexpr std::uint64_t kMostPerPackedByte = 132; // three bytes of LZF stand for 264 at most
 
@@ -30,13 +33,12 @@ struct PcdHeader {
     std::uint64_t width = 0, height = 1;
     std::optional<std::uint64_t> points;
     Eigen::Vector3d sensor = Eigen::Vector3d::Zero();
+    std::optional<Eigen::Vector3d> originM, sensorM; ///< of our own files in mine coordinates: see pcd.h
     std::string encoding;
     std::string description;
     std::size_t firstByte = 0; ///< of the points
     std::size_t firstLine = 1;
 };
-
-constexpr double kFarthestSensor = 1e9; // in the numbers of the file
 
 std::optional<std::vector<std::uint64_t>> wholeNumbers(const std::vector<std::string_view>& words) {
     std::vector<std::uint64_t> numbers;
@@ -52,7 +54,7 @@ void readViewpoint(const std::vector<std::string_view>& words, PcdHeader& header
     for (std::size_t i = 1; i < words.size() && i <= 3; ++i) {
         double value = 0;
         std::from_chars(words[i].data(), words[i].data() + words[i].size(), value);
-        if (!(std::abs(value) < kFarthestSensor)) value = 0; // no place on earth: as good as not given
+        if (!physical::kPlaceM.hold(value)) value = 0; // no place on earth: as good as not given
         header.sensor[static_cast<Eigen::Index>(i - 1)] = value;
     }
 }
@@ -85,12 +87,23 @@ bool readHeaderLine(const std::vector<std::string_view>& words, PcdHeader& heade
     return false;
 }
 
+void readOwnComment(std::string_view line, PcdHeader& header) {
+    for (const auto& [mark, target] : {std::pair(kPcdOrigin, &header.originM), std::pair(kPcdSensor, &header.sensorM)}) {
+        const std::size_t found = line.substr(0, 32).find(mark);
+        if (found == std::string_view::npos) continue;
+        const auto words = wordsOf(line.substr(found));
+        PcdHeader numbers;
+        readViewpoint(words, numbers);
+        *target = numbers.sensor;
+    }
+}
+
 Result<PcdHeader> readPcdHeader(const Source& source) {
     PcdHeader header;
     HeaderLines lines(source.text());
     while (header.encoding.empty() && lines.next()) {
         if (lines.line().starts_with('#')) {
-            addToDescription(lines.line().substr(1), header.description);
+            if (!addToDescription(lines.line().substr(1), header.description)) readOwnComment(lines.line(), header);
             continue;
         }
         const auto words = wordsOf(lines.line());
@@ -136,7 +149,7 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
                               "export the file again");
     }
     PcdLayout layout;
-    if (header.width > kMostPoints || header.height > kMostPoints || (header.height > 0 && header.width > kMostPoints / header.height)) {
+    if (productOf({header.width, header.height}) > kMostPoints || header.width > kMostAlong || header.height > kMostAlong) {
         return source.refused("the header promises more points than any file holds", "check WIDTH and HEIGHT");
     }
     layout.points = header.width * header.height;
@@ -178,6 +191,7 @@ Error tooShort(const Source& source, const PcdLayout& layout, std::uint64_t held
 Result<Done> readBinary(PointTable& table, const PcdHeader& header, const PcdLayout& layout, const Source& source) {
     const auto held = source.bytes.subspan(header.firstByte);
     if (held.size() / layout.recordBytes < layout.points) return tooShort(source, layout, held.size());
+    if (auto whole = checkRest(table, layout.points, layout.recordBytes, held.size(), source); !whole) return whole;
     if (!readRecords(table, layout.fields, layout.points, held, false, source)) return source.cancelled();
     return Done{};
 }
@@ -191,12 +205,18 @@ Result<Done> readCompressed(PointTable& table, const PcdHeader& header, const Pc
         return source.refused("promises " + std::to_string(packedSize) + " compressed bytes and holds " + std::to_string(held.size() - 8),
                               kCopyAgain);
     }
-    if (size != layout.points * layout.recordBytes || size / kMostPerPackedByte > packedSize) return tooShort(source, layout, size);
+    if (size != productOf({layout.points, layout.recordBytes}) || size / kMostPerPackedByte > packedSize)
+        return tooShort(source, layout, size);
+    if (size > mostUnpackedBytes(packedSize))
+        return source.refused("promises that " + sizeText(packedSize) + " unpack to " + sizeText(size) + ", which no scan does",
+                              "export the file again, uncompressed");
     if (auto enough = checkMemory(size, source.path.string()); !enough) return enough.error();
     std::vector<std::byte> unpacked(size);
     const bool sound = packedSize > 0 && lzf_decompress(held.data() + 8, static_cast<unsigned>(packedSize), unpacked.data(),
                                                         static_cast<unsigned>(size)) == size;
     if (!sound) return source.refused("the compressed points are damaged", "copy the file again");
+    if (const std::uint64_t rest = held.size() - 8 - packedSize; rest > 0)
+        table.remarks.push_back(std::to_string(rest) + " bytes behind the points are none of them and were left out.");
     if (!readRecords(table, layout.fields, layout.points, unpacked, false, source)) return source.cancelled();
     return Done{};
 }
@@ -206,9 +226,9 @@ Result<Done> readPoints(PointTable& table, const PcdHeader& header, const PcdLay
     if (header.encoding == "binary_compressed") return readCompressed(table, header, layout, source);
     if (header.encoding == "ascii") {
         // Two bytes of text per number at least: a digit and a blank.
-        if (layout.points * layout.recordNumbers * 2 > source.bytes.size() + 2)
+        if (productOf({layout.points, layout.recordNumbers, 2}) > source.bytes.size() + 2)
             return tooShort(source, layout, source.bytes.size() - header.firstByte);
-        return readRows(table, layout.fields, layout.points, layout.recordNumbers, header.firstByte, header.firstLine, source);
+        return readRows(table, layout.fields, {layout.points, layout.recordNumbers, header.firstByte, header.firstLine}, source);
     }
     return source.refused("the encoding \"" + header.encoding.substr(0, 40) + "\" is none of ascii, binary, binary_compressed",
                           "export the file again");
@@ -237,56 +257,15 @@ Result<PointTable> readPcdPoints(const Source& source) {
     table.height = header->height;
     table.sensor = header->sensor;
     table.description = header->description;
-    if (auto enough =
-            checkMemory(std::min<std::uint64_t>(layout->points, source.bytes.size() * kMostPerPackedByte) * 32, source.path.string());
+    if (auto enough = checkMemory(productOf({std::min(layout->points, mostUnpackedBytes(source.bytes.size())), 32}), source.path.string());
         !enough)
         return enough.error();
     if (auto read = readPoints(table, *header, *layout, source); !read) return read.error();
+    if (header->originM) {
+        for (Eigen::Vector3d& p : table.points) p += *header->originM;
+        table.sensor = header->sensorM.value_or(*header->originM);
+    }
     return table;
-}
-
-/// Of each kind of column.
-struct PcdType {
-    const char* size;
-    const char* type;
-};
-PcdType pcdTypeOf(const CloudColumn& column) {
-    static constexpr std::array<PcdType, 4> kTypes{{{"4", "F"}, {"8", "F"}, {"4", "U"}, {"1", "U"}}};
-    return kTypes[column.values.index()];
-}
-
-template <class Word>
-std::string headerLine(const char* key, const CloudColumns& cloud, Word word) {
-    std::string line = key;
-    for (const CloudColumn& column : cloud.columns) {
-        line += ' ';
-        line += word(column);
-    }
-    line += '\n';
-    return line;
-}
-
-Result<std::string> pcdBytes(const CloudColumns& cloud, const std::string& where, bool ascii) {
-    if (auto enough = checkRoom(cloud, where, ascii ? 12 : 8); !enough) return enough.error();
-    std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
-    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
-    appendComments(text, cloud, "# ");
-    text += "VERSION 0.7\n";
-    text += headerLine("FIELDS", cloud, [](const CloudColumn& c) { return c.name; });
-    text += headerLine("SIZE", cloud, [](const CloudColumn& c) { return pcdTypeOf(c).size; });
-    text += headerLine("TYPE", cloud, [](const CloudColumn& c) { return pcdTypeOf(c).type; });
-    text += headerLine("COUNT", cloud, [](const CloudColumn&) { return "1"; });
-    text += "WIDTH " + std::to_string(cloud.width) + "\nHEIGHT " + std::to_string(cloud.height) + "\nVIEWPOINT ";
-    for (int axis = 0; axis < 3; ++axis) {
-        appendShortest(text, cloud.sensorM[axis]);
-        text += ' ';
-    }
-    text += "1 0 0 0\nPOINTS " + std::to_string(rowsOf(cloud)) + "\nDATA " + (ascii ? "ascii" : "binary") + "\n";
-    if (ascii)
-        appendRows(text, cloud, ' ');
-    else
-        appendRecords(text, cloud);
-    return text;
 }
 
 } // namespace
@@ -297,7 +276,8 @@ Format pcdFormat() {
             .writes = {".pcd"},
             .recognises = looksLikePcd,
             .points = readPcdPoints,
-            .write = pcdBytes};
+            .write = pcdBytes,
+            .keepsPlace = true};
 }
 
 } // namespace edgescan

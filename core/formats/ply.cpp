@@ -2,6 +2,7 @@
 
 #include "core/formats/format.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
@@ -111,7 +112,7 @@ Result<const Element*> vertexElement(PlyHeader& header, const Source& source) {
         const std::uint64_t held = source.bytes.size() - header.firstByte;
         if (element.recordBytes > 0 && element.count > held / element.recordBytes)
             return source.refused("the file ends before its vertices", kCopyAgain);
-        header.firstByte += element.count * element.recordBytes;
+        header.firstByte += productOf({element.count, element.recordBytes});
     }
     return source.refused("the PLY file has no vertices", "choose another file");
 }
@@ -125,13 +126,17 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
                                   std::to_string(held) + " bytes of them",
                               kCopyAgain);
     }
-    if (auto enough = checkMemory(vertex.count * 32, source.path.string()); !enough) return enough.error();
+    if (auto enough = checkMemory(productOf({vertex.count, 32}), source.path.string()); !enough) return enough.error();
+    const bool last = &vertex == &header.elements.back();
     if (header.encoding == "ascii")
-        return readRows(table, fields, vertex.count, vertex.fields.size(), header.firstByte, header.firstLine, source);
+        return readRows(table, fields, {vertex.count, vertex.fields.size(), header.firstByte, header.firstLine, last}, source);
     if (held / vertex.recordBytes < vertex.count) return source.refused("the file is cut off in its last vertex", kCopyAgain);
     const bool bigEndian = header.encoding == "binary_big_endian";
     if (!bigEndian && header.encoding != "binary_little_endian") {
         return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
+    }
+    if (last) {
+        if (auto whole = checkRest(table, vertex.count, vertex.recordBytes, held, source); !whole) return whole;
     }
     if (!readRecords(table, fields, vertex.count, source.bytes.subspan(header.firstByte), bigEndian, source)) return source.cancelled();
     return Done{};
@@ -157,7 +162,7 @@ Result<PointTable> readPlyPoints(const Source& source) {
 /// Of each kind of column.
 constexpr std::array<const char*, 4> kPlyTypes{"float", "double", "uint", "uchar"};
 
-Result<std::string> plyBytes(const CloudColumns& cloud, const std::string& where, bool ascii) {
+Result<std::string> plyBytes(CloudColumns cloud, const std::string& where, bool ascii) {
     if (auto enough = checkRoom(cloud, where, ascii ? 12 : 8); !enough) return enough.error();
     std::string text = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
     text += "comment " + frameText(cloud) + "\n";
@@ -181,7 +186,8 @@ Format plyFormat() {
             .writes = {".ply"},
             .recognises = looksLikePly,
             .points = readPlyPoints,
-            .write = plyBytes};
+            .write = plyBytes,
+            .keepsPlace = true};
 }
 
 } // namespace edgescan

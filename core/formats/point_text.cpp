@@ -2,71 +2,45 @@
 
 #include "core/formats/format.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/memory.h"
+#include "core/points/column_names.h"
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
-
 struct Columns {
     std::array<std::size_t, 3> xyz{0, 1, 2};
-    std::size_t rangeMm = kNoColumn;
-    std::size_t state = kNoColumn;
-    std::array<std::size_t, 3> scanner{kNoColumn, kNoColumn, kNoColumn};
+    NamedColumns named;
     std::size_t needed = 3; ///< columns a row must have
-    std::optional<double> unitMm;
 };
 
-/// "x_mm", "x [mm]", "x(m)" -> millimetres per unit, and the name without it.
-std::optional<double> splitUnit(std::string& name) {
-    const std::size_t end = name.find_first_of("_ ([");
-    if (end == std::string::npos) return std::nullopt;
-    std::string unit;
-    std::copy_if(name.begin() + static_cast<std::ptrdiff_t>(end), name.end(), std::back_inserter(unit),
-                 [](char c) { return c >= 'a' && c <= 'z'; });
-    name.resize(end);
-    if (unit == "mm") return 1.0;
-    if (unit == "cm") return 10.0;
-    if (unit == "m") return 1000.0;
-    return std::nullopt;
-}
-
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
-    Columns columns;
     if (layout.columns < 3) {
         return source.refusedAtLine(layout.firstLine, "holds " + std::to_string(layout.columns) + " numbers where a point needs three",
                                     "choose a point list or a table of ranges");
     }
-    std::array<std::size_t, 3> named{kNoColumn, kNoColumn, kNoColumn};
-    std::optional<double> unit;
-    for (std::size_t i = 0; i < layout.names.size(); ++i) {
-        std::string name = layout.names[i];
-        if (name == "range_mm") columns.rangeMm = i;
-        if (name == "state") columns.state = i;
-        if (name.size() == 9 && name.starts_with("scanner_") && name[8] >= 'x' && name[8] <= 'z')
-            columns.scanner[static_cast<std::size_t>(name[8] - 'x')] = i;
-        const auto itsUnit = splitUnit(name);
-        if (name.size() != 1 || name[0] < 'x' || name[0] > 'z') continue;
-        named[static_cast<std::size_t>(name[0] - 'x')] = i;
-        if (itsUnit) unit = itsUnit;
-    }
-    if (std::count(named.begin(), named.end(), kNoColumn) == 0) {
-        columns.xyz = named;
-        columns.unitMm = unit;
+    Columns columns;
+    columns.named = columnsNamed(layout.names);
+    if (columns.named.hasPoint()) {
+        for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
     }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
-    for (const std::size_t own : {columns.rangeMm, columns.state, columns.scanner[0], columns.scanner[1], columns.scanner[2]}) {
-        if (own != kNoColumn) columns.needed = std::max(columns.needed, own + 1);
+    for (const auto& column : columns.named.of) {
+        if (column) columns.needed = std::max(columns.needed, *column + 1);
     }
     return columns;
+}
+
+/// Names of a table rather than a title between blanks or the numbers of its columns.
+bool areWords(const TextLayout& layout) {
+    const auto isNumber = [](const std::string& name) { return name.find_first_not_of("0123456789.") == std::string::npos; };
+    return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
 }
 
 Result<PointTable> readTextPoints(const Source& source) {
@@ -83,6 +57,7 @@ Result<PointTable> readTextPoints(const Source& source) {
     if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 10, source.path.string()); !enough) return enough.error();
     PointTable table;
     table.format = "point list";
+    const NamedColumns& named = columns->named;
     RowReader rows(source, layout);
     rows.measure(columns->xyz);
     std::vector<double> row;
@@ -94,13 +69,18 @@ Result<PointTable> readTextPoints(const Source& source) {
                                         "the file may be cut off here, copy it again");
         }
         table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
-        if (columns->rangeMm != kNoColumn) table.rangeMm.push_back(static_cast<float>(row[columns->rangeMm]));
-        if (columns->state != kNoColumn) {
-            const double state = row[columns->state];
+        const auto value = [&](ColumnRole role) { return row[*named[role]]; };
+        if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
+        if (named[ColumnRole::State]) {
+            const double state = value(ColumnRole::State);
             table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
         }
-        if (const auto& s = columns->scanner; std::count(s.begin(), s.end(), kNoColumn) == 0)
-            table.scannerPoints.emplace_back(row[s[0]], row[s[1]], row[s[2]]);
+        if (named.hasCell()) {
+            table.line.push_back(indexOf(value(ColumnRole::Line)));
+            table.beam.push_back(indexOf(value(ColumnRole::Beam)));
+        }
+        if (named.hasScannerPoint())
+            table.scannerPoints.emplace_back(value(ColumnRole::ScannerX), value(ColumnRole::ScannerY), value(ColumnRole::ScannerZ));
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();
@@ -111,9 +91,13 @@ Result<PointTable> readTextPoints(const Source& source) {
     }
     table.width = table.points.size();
     table.precision = precisionOf(rows.digits());
-    table.unitMm = columns->unitMm;
+    table.unitMm = named.unitMm;
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
+    if (!named.hasPoint() && areWords(layout)) {
+        table.remarks.push_back("The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " +
+                                layout.names[1] + ", " + layout.names[2] + ").");
+    }
     if (source.extension() == ".3d") {
         table.format = "3DTK scan";
         table.unitMm = 10.0; // 3DTK: centimetres, left-handed
@@ -122,25 +106,79 @@ Result<PointTable> readTextPoints(const Source& source) {
     return table;
 }
 
-/// Lists are read line by line whatever their length: the record takes one line, and whoever counts rows is hardly off.
-void appendListComments(std::string& text, const CloudColumns& cloud) {
-    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
-    for (const std::string& line : commentLines(cloud.description)) text += "# " + line + "\n";
-    if (!cloud.record.empty()) text += "# " + (kRecordMark + cloud.record) + "\n";
+/// What tables have their coordinates in: without a comment line the names alone tell the frame.
+std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
+    if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
+    if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
+    return {"x_m", "y_m", "z_m"};
 }
 
-template <char separator>
-Result<std::string> pointTextBytes(const CloudColumns& cloud, const std::string& where, bool) {
-    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
-    std::string text;
-    appendListComments(text, cloud);
-    if constexpr (separator == ' ') text += "# "; // many readers of .xyz take no header line
+/// Rows without a point would be no numbers.
+void dropEmptyRows(CloudColumns& cloud) {
+    const CloudColumn* state = columnNamed(cloud, "state");
+    if (state == nullptr) return;
+    std::vector<bool> kept(rowsOf(cloud));
+    for (std::size_t row = 0; row < kept.size(); ++row) kept[row] = numberIn(*state, row) == 0 && pointIn(cloud, row).allFinite();
+    for (CloudColumn& column : cloud.columns) {
+        std::visit(
+            [&](auto& values) {
+                std::size_t row = 0;
+                std::erase_if(values, [&](const auto&) { return !kept[row++]; });
+            },
+            column.values);
+    }
+    cloud.width = static_cast<std::size_t>(std::ranges::count(kept, true));
+    cloud.height = 1;
+}
+
+/// Lists are read line by line whatever their length: the record takes one line, and whoever counts rows is hardly off.
+/// A spreadsheet cuts the comments of a `table` at their commas too, and would take a part for a formula.
+void appendListComments(std::string& text, const CloudColumns& cloud, bool table) {
+    const auto written = [&](const std::string& json) { return table ? jsonWithoutFormulas(json) : json; };
+    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
+    for (const std::string& line : commentLines(written(cloud.description))) text += "# " + line + "\n";
+    if (!cloud.record.empty()) text += "# " + (kRecordMark + written(cloud.record)) + "\n";
+}
+
+void appendNames(std::string& text, const CloudColumns& cloud, char separator) {
+    const auto coordinates = coordinateNames(cloud.frame);
     for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
         if (i > 0) text += separator;
-        text += cloud.columns[i].name + (i < 3 ? "_m" : "");
+        text += i < 3 ? coordinates[i] : cloud.columns[i].name;
     }
     text += '\n';
-    appendRows(text, cloud, separator);
+}
+
+/// Nothing but numbers, as every program takes it; with comments all columns, their names behind a mark of comment.
+Result<std::string> xyzBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
+    dropColumns(cloud, isColour);
+    std::string text;
+    if (cloud.choices.comments) {
+        appendListComments(text, cloud, false);
+        text += "# ";
+        appendNames(text, cloud, ' ');
+    } else {
+        dropEmptyRows(cloud);
+        cloud.columns.erase(cloud.columns.begin() + 3, cloud.columns.end());
+    }
+    appendRows(text, cloud, ' ');
+    return text;
+}
+
+/// A plain header row and rows.
+Result<std::string> csvBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
+    dropColumns(cloud, isColour);
+    std::string text;
+    if (cloud.choices.comments) {
+        appendListComments(text, cloud, true);
+    } else {
+        dropEmptyRows(cloud);
+        dropColumns(cloud, [](std::string_view name) { return name == "state"; });
+    }
+    appendNames(text, cloud, ',');
+    appendRows(text, cloud, ',');
     return text;
 }
 
@@ -151,10 +189,13 @@ Format pointListFormat() {
             .reads = {".xyz", ".txt", ".asc", ".pts"},
             .writes = {".xyz", ".txt", ".asc"},
             .points = readTextPoints,
-            .write = pointTextBytes<' '>};
+            .write = xyzBytes,
+            .keeps = Keeps::Beside};
 }
 
-Format pointTableFormat() { return {.title = "Point table", .writes = {".csv"}, .points = readTextPoints, .write = pointTextBytes<','>}; }
+Format pointTableFormat() {
+    return {.title = "Point table", .writes = {".csv"}, .points = readTextPoints, .write = csvBytes, .keeps = Keeps::Beside};
+}
 
 Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }
 

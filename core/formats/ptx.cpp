@@ -3,25 +3,25 @@
 
 #include "core/formats/format.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
-#include "core/georef/chain.h"
+#include "core/base/physical_limits.h"
+#include "core/formats/written_place.h"
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
-#include "core/scan/placement.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace edgescan {
 namespace {
 
 constexpr std::size_t kHeaderLines = 10;
-constexpr std::uint64_t kMostAlongOneSide = 1U << 30U;
+constexpr auto kMostAlongOneSide = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
 
 struct PtxHeader {
@@ -31,7 +31,7 @@ struct PtxHeader {
     std::size_t firstByte = 0; ///< of the points
     std::size_t firstLine = 0; ///< its number
 
-    [[nodiscard]] std::uint64_t points() const { return columns * rows; }
+    [[nodiscard]] std::uint64_t points() const { return productOf({columns, rows}); }
 };
 
 std::optional<std::vector<double>> numbersIn(std::string_view line, std::size_t count) {
@@ -98,7 +98,8 @@ std::optional<std::size_t> afterLines(std::string_view text, std::size_t at, std
 struct PtxScan {
     PtxHeader header;
     std::size_t endByte = 0;
-    std::size_t inFile = 0; ///< scans that the file holds
+    std::size_t inFile = 0;  ///< scans that the file holds
+    bool restIsNone = false; ///< what follows a later scan is none
 };
 
 Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
@@ -117,7 +118,16 @@ Result<PtxScan> findScan(const Source& source) {
         const auto header = headerAt(text, at, lineNumber);
         if (!header) {
             if (text.find_first_not_of(" \t\r\n", at) == std::string_view::npos) break;
-            if (found.inFile > wanted) break; // what was asked for is whole; the rest is told by the count
+            if (found.inFile > wanted + 1) { // what was asked for is whole
+                found.restIsNone = true;
+                break;
+            }
+            if (found.inFile == wanted + 1) {
+                return source.refusedAtLine(lineNumber,
+                                            "behind the " + std::to_string(found.header.columns) + " columns of " +
+                                                std::to_string(found.header.rows) + " points that the header promises there are more",
+                                            "export the file again");
+            }
             return source.refusedAtLine(lineNumber, "scan " + std::to_string(found.inFile + 1) + " has no PTX header here",
                                         "export the file again");
         }
@@ -176,17 +186,7 @@ void placeByHeader(Scan& scan, const PtxHeader& header, const Source& source) {
         scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
         return;
     }
-    const Eigen::Vector3d place = header.place * (source.options->unitMm.value_or(1000.0) / 1000.0);
-    auto placement = std::make_shared<Placement>();
-    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    placement->mount.axis = polar != nullptr && polar->axis == Axis::Sweep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
-    placement->originEnhM = chooseOrigin(place);
-    placement->poses = {{turn, place - placement->originEnhM}};
-    placement->grid = "as the PTX file has it";
-    placement->source = "the header of " + source.path.filename().string();
-    placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
-    placement->warnings = {"The place is the one written in the PTX file: whether that is the mine grid, who registered it knows."};
-    scan.placement = std::move(placement);
+    placeAsWritten(scan, turn, header.place, "PTX", source);
 }
 
 bool looksLikePtx(const Source& source) {
@@ -211,7 +211,8 @@ Result<Scan> readPtx(const Source& source) {
     const auto found = findScan(source);
     if (!found) return found.error();
     const PtxHeader& header = found->header;
-    if (auto enough = checkMemory(header.points() * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough.error();
+    if (auto enough = checkMemory(productOf({header.points(), sizeof(Eigen::Vector3d)}), source.path.string()); !enough)
+        return enough.error();
     PointTable table;
     table.format = "PTX";
     table.unitMm = 1000.0;
@@ -224,6 +225,8 @@ Result<Scan> readPtx(const Source& source) {
         table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
                                 std::to_string(source.options->scanIndex + 1) + ", --scan chooses another.");
     }
+    if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
+    if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");
     Result<Scan> scan = scanFromPoints(std::move(table), source);
     if (scan) placeByHeader(*scan, header, source);
     return scan;
@@ -252,15 +255,24 @@ void appendThree(std::string& text, const Eigen::Vector3d& v, int decimals) {
     }
 }
 
-/// The whole grid about its sensor, 0 0 0 where a cell has no point to save; the matrix moves it into the frame of the columns.
-Result<std::string> ptxBytes(const CloudColumns& cloud, const std::string& where, bool) {
-    if (auto enough = checkMemory(std::uint64_t{cloud.lines * cloud.beams} * 48, where); !enough) return enough.error();
+/// The whole grid about its sensor and in its axes, 0 0 0 where a cell has no point to save; the matrix turns and moves it into the frame
+/// of the columns.
+Result<std::string> ptxBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkMemory(productOf({cloud.lines, cloud.beams, 48}), where); !enough) return enough.error();
     if (const CloudColumn* attached = columnNamed(cloud, "attached"); attached != nullptr)
         return Error{"PTX holds one point per cell, and points behind the nearest of their cell were asked for", where,
                      "use .pcd, .ply, .csv, .xyz, .las or .obj for them"};
     std::string text = std::to_string(cloud.lines) + "\n" + std::to_string(cloud.beams) + "\n";
     appendThree(text, cloud.sensorM, 6);
-    text += "\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
+    text += '\n';
+    for (int axis = 0; axis < 3; ++axis) { // the scanner's axes
+        appendThree(text, cloud.turn.col(axis), 9);
+        text += '\n';
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        appendThree(text, cloud.turn.col(axis), 9);
+        text += " 0\n";
+    }
     appendThree(text, cloud.sensorM, 6);
     text += " 1\n";
     const CloudColumn* edge = columnNamed(cloud, "edge");
@@ -269,7 +281,7 @@ Result<std::string> ptxBytes(const CloudColumns& cloud, const std::string& where
             text += "0 0 0 0.5\n";
             continue;
         }
-        appendThree(text, pointIn(cloud, row) - cloud.sensorM, 6);
+        appendThree(text, cloud.turn.transpose() * (pointIn(cloud, row) - cloud.sensorM), 6);
         text += edge != nullptr && numberIn(*edge, row) != 0 ? " 1\n" : " 0.5\n"; // intensity: edges stand out
     }
     return text;

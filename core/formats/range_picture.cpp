@@ -1,7 +1,9 @@
 // From a picture's numbers to a scan; PNG of 16 bits through libpng. Its errors leave by longjmp: see png.cpp.
 #include "core/formats/range_picture.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/base/physical_limits.h"
 #include "core/formats/format.h"
 #include "core/formats/range_geometry.h"
 
@@ -14,8 +16,6 @@
 
 namespace edgescan {
 namespace {
-
-constexpr float kLongestRangeMm = 1e9F;
 
 struct Reading {
     const std::byte* at = nullptr;
@@ -49,6 +49,7 @@ bool readHeader(png_structp png, png_infop head, Reading* reading, Header* heade
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_read_fn(png, reading, takeBytes);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1); // a thousand texts of 8 MB fit into 8 MB of file
     png_read_info(png, head);
     png_get_IHDR(png, head, &header->width, &header->height, &header->depth, &header->colour, &header->interlace, nullptr, nullptr);
     return true;
@@ -77,11 +78,10 @@ Result<Done> checkHeader(const Header& header, const Source& source) {
                                   (header.colour == PNG_COLOR_TYPE_GRAY ? " bit gray" : " bit colour") + ", and ranges need 16 bit gray",
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
-    const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
-    if (pixels * 2 > std::uint64_t{source.bytes.size()} * kMostPerDeflatedByte)
-        return source.refused("the picture promises more pixels than the file can hold", "copy the file again");
+    const std::uint64_t pixels = productOf({header.width, header.height});
+    if (auto possible = checkUnpacked(productOf({pixels, 2}), source); !possible) return possible;
     if (auto known = checkAnglesKnown(header.width, "picture", source); !known) return known.error();
-    return checkMemory(pixels * 16, source.path.string());
+    return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
 bool isPng(const Source& source) { return source.text().starts_with("\x89PNG\r\n\x1a\n"); }
@@ -119,6 +119,12 @@ Format rangePictureFormat() {
     return {.title = "Range picture", .reads = {".png", ".tif", ".tiff"}, .recognises = looksLikePicture, .read = readPicture};
 }
 
+Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {
+    if (bytes <= mostUnpackedBytes(source.bytes.size())) return Done{};
+    return source.refused("the picture promises more pixels than a file of " + sizeText(source.bytes.size()) + " holds of a scan",
+                          "copy the file again");
+}
+
 Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source) {
     auto angles = assumedAngles(static_cast<std::size_t>(values.lines), static_cast<std::size_t>(values.beams), "picture", source);
     if (!angles) return angles.error();
@@ -126,15 +132,20 @@ Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Sourc
     scan.format = format;
     scan.unitMm = source.options->unitMm.value_or(1.0);
     scan.state = Grid<CellState>(values.lines, values.beams, CellState::NoReturn);
+    std::size_t odd = 0;
     for (std::size_t k = 0; k < values.size(); ++k) {
         const auto mm = static_cast<float>(values[k] * scan.unitMm);
-        const bool valid = mm > 0 && mm <= kLongestRangeMm;
+        const bool valid = mm > 0 && physical::kRangeMm.hold(mm);
+        if (!valid && mm != 0) ++odd;
         values[k] = valid ? mm : 0.0F;
         if (valid) scan.state[k] = CellState::Valid;
     }
     scan.rangeMm = std::move(values);
     scan.geometry = std::move(angles->polar);
     if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
+    if (odd > 0)
+        scan.warnings.push_back(std::to_string(odd) +
+                                " pixels hold no range (negative, not a number, or too far) and were taken as no return.");
     if (!source.options->unitMm) scan.warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
     return scan;
 }

@@ -7,7 +7,10 @@
 
 namespace edgescan {
 
-inline constexpr std::uint64_t kMostPerDeflatedByte = 1032; // deflate shrinks no further
+inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes a scan
+
+/// Error when the file is far too small for so many bytes of pixels: a bomb, or a header that lies.
+Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
 
 /// lines x beams in millimetres (or unitMm of the options). Error: no gray picture of 16 bits or 4-byte floats, damaged, no angles; or when
 /// the program was built without libtiff.

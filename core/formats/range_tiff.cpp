@@ -1,4 +1,5 @@
 // Range pictures as TIFF, through libtiff where the program was built with it.
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/formats/range_geometry.h"
 #include "core/formats/range_picture.h"
@@ -64,13 +65,11 @@ Result<Done> checkShape(const TiffShape& shape, TIFF* tiff, const Source& source
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
     if (TIFFIsTiled(tiff) != 0) return source.refused("this TIFF picture is stored in tiles", "save it in strips");
-    const std::uint64_t pixels = std::uint64_t{shape.width} * shape.height;
-    if (pixels == 0 || shape.width > 1U << 30U || shape.height > 1U << 30U)
-        return source.refused("the picture has no pixels", "choose another file");
-    if (pixels * shape.bits / 8 > std::uint64_t{source.bytes.size()} * kMostPerDeflatedByte)
-        return source.refused("the picture promises more pixels than the file can hold", "copy the file again");
+    const std::uint64_t pixels = productOf({shape.width, shape.height});
+    if (pixels == 0) return source.refused("the picture has no pixels", "choose another file");
+    if (auto possible = checkUnpacked(productOf({pixels, shape.bits / 8U}), source); !possible) return possible;
     if (auto known = checkAnglesKnown(shape.width, "picture", source); !known) return known.error();
-    return checkMemory(pixels * 16, source.path.string());
+    return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
 } // namespace
@@ -104,7 +103,10 @@ Result<Scan> readRangeTiff(const Source& source) {
         }
         if (i % 256 == 0 && !source.goOn("reading the picture", static_cast<double>(i) / shape.height)) return source.cancelled();
     }
-    return scanFromPicture(std::move(values), "range TIFF", source);
+    const bool more = TIFFReadDirectory(tiff.get()) != 0;
+    auto scan = scanFromPicture(std::move(values), "range TIFF", source);
+    if (scan && more) scan->warnings.emplace_back("The file holds more pictures than the one that was read, the first.");
+    return scan;
 }
 
 #else

@@ -2,10 +2,13 @@
 
 #include "core/formats/format.h"
 
+#include "core/base/checked_size.h"
+#include "core/base/inputs.h"
 #include "core/base/memory.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/points/description.h"
+#include "core/scan/count_states.h"
 
 #include <algorithm>
 #include <array>
@@ -17,27 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kCounts = 65536;
-
-/// State of every possible count.
-std::array<CellState, kCounts> statesByCount(const GridDescription& grid) {
-    std::array<CellState, kCounts> states{};
-    states.fill(CellState::Valid);
-    for (const std::uint32_t code : grid.statusCodes) {
-        if (code < kCounts) states[code] = CellState::DeviceStatus;
-    }
-    for (const std::uint32_t code : grid.noReturnCodes) {
-        if (code < kCounts) states[code] = CellState::NoReturn;
-    }
-    return states;
-}
-
 Result<Done> checkSize(const GridDescription& grid, const fs::path& countsPath, std::size_t bytes) {
-    const std::uint64_t cells = grid.lines * grid.beams; // each at most 2^30, so no overflow
-    if (bytes == cells * 2) return Done{};
+    const std::uint64_t cells = productOf({grid.lines, grid.beams});
+    const std::uint64_t needed = productOf({cells, 2});
+    if (bytes == needed) return Done{};
     const std::string promised = std::to_string(grid.lines) + " lines x " + std::to_string(grid.beams) + " beams";
-    return Error{"holds " + std::to_string(bytes) + " bytes where " + promised + " need " + std::to_string(cells * 2), countsPath.string(),
-                 bytes < cells * 2 ? "copy the file again, it may be cut off" : "check lines and beams in the .json file"};
+    return Error{"holds " + std::to_string(bytes) + " bytes where " + promised + " need " + std::to_string(needed), countsPath.string(),
+                 bytes < needed ? "copy the file again, it may be cut off" : "check lines and beams in the .json file"};
 }
 
 Result<Done> readGeometry(const GridDescription& grid, const Source& source, Scan& scan) {
@@ -67,16 +56,12 @@ Result<Done> readGeometry(const GridDescription& grid, const Source& source, Sca
 
 Result<Scan> readPair(const GridDescription& grid, const Source& source, const fs::path& countsPath, std::span<const std::byte> counts) {
     if (auto fits = checkSize(grid, countsPath, counts.size()); !fits) return fits.error();
-    if (auto enough = checkMemory(grid.lines * grid.beams * 16, countsPath.string()); !enough) return enough.error();
+    if (auto enough = checkMemory(productOf({grid.lines, grid.beams, 16}), countsPath.string()); !enough) return enough.error();
     Scan scan;
     if (auto known = readGeometry(grid, source, scan); !known) return known.error();
+    takeDescription(scan, grid);
     scan.unitMm = source.options->unitMm.value_or(grid.unitMm);
-    scan.noReturnCodes = grid.noReturnCodes;
-    scan.statusCodes = grid.statusCodes;
-    scan.note = grid.note;
-    scan.placement = grid.placement;
-    scan.acquisition = grid.acquisition;
-    const auto states = statesByCount(grid);
+    const CountStates states = countStates(grid.noReturnCodes, grid.statusCodes);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     for (std::size_t k = 0; k < scan.cells(); ++k) {
@@ -84,9 +69,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
         scan.rangeMm[k] = static_cast<float>(count * scan.unitMm);
         scan.state[k] = states[count];
     }
-    for (const StateRun& run : grid.stateRuns) {
-        for (std::uint64_t k = run.firstCell; k < run.firstCell + run.cells; ++k) scan.state[k] = run.state;
-    }
+    applyStateRuns(scan, grid);
     scan.format = "raw grid";
     scan.sha256 = sha256Hex(counts);
     return scan;
@@ -111,6 +94,7 @@ class Counter {
 public:
     explicit Counter(const Scan& scan) : scan_(&scan), statusCodes_(scan.statusCodes), noReturnCodes_(scan.noReturnCodes) {
         if (noReturnCodes_.empty()) noReturnCodes_.push_back(0);
+        states_ = countStates(noReturnCodes_, statusCodes_);
     }
     [[nodiscard]] const std::vector<std::uint32_t>& statusCodes() const { return statusCodes_; }
     [[nodiscard]] const std::vector<std::uint32_t>& noReturnCodes() const { return noReturnCodes_; }
@@ -122,14 +106,15 @@ public:
         if (count && static_cast<float>(*count * scan_->unitMm) != scan_->rangeMm[k]) count.reset();
         switch (scan_->state[k]) {
         case CellState::Valid:
-            if (!count || holds(noReturnCodes_, *count) || holds(statusCodes_, *count)) return std::nullopt;
+            if (!count || states_[*count] != CellState::Valid) return std::nullopt;
             return count;
         case CellState::DeviceStatus:
-            if (!count || holds(noReturnCodes_, *count)) return std::nullopt;
-            if (!holds(statusCodes_, *count)) statusCodes_.push_back(*count);
+            if (!count || states_[*count] == CellState::NoReturn) return std::nullopt;
+            if (states_[*count] == CellState::Valid) statusCodes_.push_back(*count);
+            states_[*count] = CellState::DeviceStatus;
             return count;
         case CellState::NoReturn:
-            if (count && holds(noReturnCodes_, *count)) return count;
+            if (count && states_[*count] == CellState::NoReturn) return count;
             return noReturnCount();
         default:
             return count ? count : noReturnCount(); // told by state_runs
@@ -143,15 +128,13 @@ private:
         if (fits == noReturnCodes_.end()) return std::nullopt;
         return static_cast<std::uint16_t>(*fits);
     }
-    static bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t count) {
-        return std::find(codes.begin(), codes.end(), count) != codes.end();
-    }
     static std::optional<std::uint16_t> whole(double value) {
         if (!(value > -0.5 && value < 65535.5) || std::abs(value - std::round(value)) > 1e-3) return std::nullopt;
         return static_cast<std::uint16_t>(std::lround(value));
     }
     const Scan* scan_;
     std::vector<std::uint32_t> statusCodes_, noReturnCodes_;
+    CountStates states_{};
 };
 
 /// Through the description. The counts are in the file that it names, or in NAME.u16 beside it.
@@ -164,6 +147,7 @@ Result<Scan> readRawGridJson(const Source& source) {
     if (grid->dataFile && fs::exists(source.path.parent_path() / *grid->dataFile, ignored))
         countsPath = source.path.parent_path() / *grid->dataFile;
     const bool renamed = grid->dataFile && countsPath.filename() != fs::path(*grid->dataFile).filename();
+    claimInput(countsPath);
     const auto counts = readWholeFile(countsPath);
     if (!counts) return counts.error();
     Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
@@ -178,6 +162,7 @@ Result<Scan> readRawGridJson(const Source& source) {
 Result<Scan> readRawGridCounts(const Source& source) {
     if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
     const fs::path describedIn = withExtension(source.path, ".json");
+    claimInput(describedIn);
     const auto json = readWholeFile(describedIn);
     if (!json) {
         return source.refused("these counts need their description " + describedIn.filename().string() +
@@ -244,7 +229,8 @@ Format rawGridFormat() {
             .writes = {".json", ".u16"},
             .recognises = looksLikeRawGrid,
             .read = readRawGrid,
-            .writeScan = rawGridFiles};
+            .writeScan = rawGridFiles,
+            .keepsPlace = true};
 }
 
 } // namespace edgescan

@@ -24,6 +24,7 @@ Format recordingFormat() {
             .recognises = looksLikeRecording,
             .read = readRecording,
             .writeScan = recordingFile,
+            .keepsPlace = true,
             .placesItself = true};
 }
 

@@ -1,6 +1,7 @@
 // The robot's settings file.
 #include "core/georef/calibration.h"
 
+#include "core/base/inputs.h"
 #include "core/base/json_fields.h"
 #include "core/base/whole_file.h"
 #include "core/georef/chain.h"
@@ -18,7 +19,8 @@ constexpr const char* kCalibrationFormat = "edgescan-calibration/1";
 const std::vector<std::string> kViewings{"forward", "up", "rpy", "matrix"};
 const std::vector<std::string> kTilts{"elevations", "pitch_roll"};
 const std::vector<std::string> kAzimuths{"vertical", "robot_z"};
-constexpr NumberLimits kLever{-100, 100}; // metres: nothing on a robot is farther away
+constexpr NumberLimits kLever = physical::kLeverM.limits;
+constexpr NumberLimits kAngle = physical::kBeamDeg.limits;
 
 void readStepper(JsonFields stepper, Calibration& c) {
     c.mountRpyDeg = stepper.vector("mount_rpy_deg", c.mountRpyDeg, kAngle);
@@ -78,19 +80,21 @@ Result<Calibration> parseCalibration(std::string_view json, const std::string& w
     c.boresightRpyDeg = talin.vector("boresight_rpy_deg", c.boresightRpyDeg, kAngle);
     talin.done();
     JsonFields grid = fields.object("grid");
-    c.convergenceDeg = grid.number("convergence_deg", c.convergenceDeg, {-180, 180});
+    c.convergenceDeg = grid.number("convergence_deg", c.convergenceDeg, physical::kRollDeg.limits);
     c.gridScale = grid.number("scale", c.gridScale, {0.99, 1.01});
     grid.done();
     JsonFields limits = fields.object("limits");
     c.tiltChangeLimitDeg = limits.number("tilt_change_deg", c.tiltChangeLimitDeg, {0, 90});
     c.poseAgeLimitS = limits.number("pose_age_s", c.poseAgeLimitS, {0, 1e9});
     limits.done();
+    static_cast<void>(fields.value("estimated")); // how the stepper's numbers were found: for people, no number of it is used
     fields.done();
     if (fields.problem()) return *fields.problem();
     return c;
 }
 
 Result<Calibration> openCalibration(const std::filesystem::path& path) {
+    claimInput(path);
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     return parseCalibration({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());

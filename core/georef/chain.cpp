@@ -1,6 +1,7 @@
 // The steps of the chain.
 #include "core/georef/chain.h"
 
+#include "core/base/number_text.h"
 #include "core/georef/rotations.h"
 
 #include <Eigen/Dense>
@@ -18,8 +19,8 @@ RigidTransform moverFromSensor(const Vector3d& mountRpyDeg, const Vector3d& moun
 Result<PitchRoll> pitchRollOfElevations(double tiltXDeg, double tiltYDeg) {
     const double sine = std::sin(radians(tiltYDeg)) / std::cos(radians(tiltXDeg));
     if (!(std::abs(tiltXDeg) < 90.0) || !(std::abs(sine) <= 1.0)) {
-        return Error{"the inclinometer's two axes cannot be raised by " + std::to_string(tiltXDeg) + " and " + std::to_string(tiltYDeg) +
-                         " degrees at once",
+        return Error{"the inclinometer's two axes cannot be raised by " + significantText(tiltXDeg, 6) + " and " +
+                         significantText(tiltYDeg, 6) + " degrees at once",
                      "", "check whether it reads pitch and roll instead of the elevations of its axes"};
     }
     return PitchRoll{tiltXDeg, degrees(std::asin(sine))};
@@ -56,8 +57,8 @@ Result<double> boomAzimuthOfSlew(const PitchRoll& robot, double slewDeg, double 
     const double across = up.z();
     const double sine = std::sin(radians(boomElevationDeg)) / std::hypot(along, across);
     if (!(std::abs(sine) <= 1.0)) {
-        return Error{"a boom slewed by " + std::to_string(slewDeg) + " degrees on this robot cannot be raised by " +
-                         std::to_string(boomElevationDeg),
+        return Error{"a boom slewed by " + significantText(slewDeg, 6) + " degrees on this robot cannot be raised by " +
+                         significantText(boomElevationDeg, 6),
                      "", "check the slew angle and the inclinometer"};
     }
     const double eps = std::asin(sine) - std::atan2(along, across);

@@ -94,4 +94,17 @@ const char* frameTail(CoordinateFrame frame) {
     return frame == CoordinateFrame::Scanner ? "_LOCAL" : frame == CoordinateFrame::MineLocal ? "_OFFSET" : "";
 }
 
+const char* frameName(CoordinateFrame frame) {
+    return frame == CoordinateFrame::Scanner ? "scanner"
+           : frame == CoordinateFrame::Mine  ? "mine grid"
+                                             : "local metres from the mine grid origin";
+}
+
+std::optional<CoordinateFrame> frameNamed(std::string_view name) {
+    for (const CoordinateFrame frame : {CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}) {
+        if (name == frameName(frame)) return frame;
+    }
+    return std::nullopt;
+}
+
 } // namespace edgescan

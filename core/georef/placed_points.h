@@ -4,6 +4,8 @@
 #include "core/scan/placement.h"
 #include "core/scan/scan.h"
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace edgescan {
@@ -51,6 +53,10 @@ struct MinePoint {
 
 /// What a name says of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin (docs/operator.md, "S6").
 [[nodiscard]] const char* frameTail(CoordinateFrame frame);
+
+/// What records call it: "scanner", "mine grid", "local metres from the mine grid origin".
+[[nodiscard]] const char* frameName(CoordinateFrame frame);
+[[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
 
 /// Mine where the scan has a place, else Scanner: what an export should carry unless somebody says otherwise.
 [[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {

@@ -39,7 +39,7 @@ bool isTransform(const nlohmann::json& value) {
     if (!value.is_array() || value.size() != 12) return false;
     std::vector<double> numbers;
     for (const auto& item : value) {
-        if (!item.is_number() || !(std::abs(item.get<double>()) < 1e9)) return false;
+        if (!item.is_number() || !physical::kPlaceM.hold(item.get<double>())) return false;
         numbers.push_back(item.get<double>());
     }
     return rotationError(transformOf(numbers).rotation) < kRotationTolerance;
@@ -72,8 +72,8 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     auto placement = std::make_shared<Placement>();
     Placement& p = *placement;
     JsonFields fields(object, where, kPlacementHint);
-    p.originEnhM = fields.neededVector("origin_enh_m", {-1e8, 1e8});
-    p.gridScale = fields.number("grid_scale", 1.0, {0.9, 1.1});
+    p.originEnhM = fields.neededVector("origin_enh_m", physical::kPlaceM.limits);
+    p.gridScale = fields.number("grid_scale", 1.0, physical::kGridScale.limits);
     p.grid = fields.text("grid");
     p.source = fields.text("source");
     p.timeUtc = fields.text("time");
@@ -81,22 +81,22 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.outOfSpec = fields.boolean("out_of_spec", false);
     p.warnings = fields.texts("warnings");
     JsonFields stepper = fields.object("stepper");
-    if (stepper.has("mover_from_sensor") && isTransform(object["stepper"]["mover_from_sensor"]))
-        p.mount.sensorInMover = transformOf(object["stepper"]["mover_from_sensor"].get<std::vector<double>>());
+    if (const nlohmann::json& mount = stepper.value("mover_from_sensor"); isTransform(mount))
+        p.mount.sensorInMover = transformOf(mount.get<std::vector<double>>());
     else
         stepper.refuse("mover_from_sensor", "must be a rotation and a translation, twelve numbers");
-    p.mount.axis = stepper.neededVector("axis");
+    p.mount.axis = stepper.neededVector("axis", {-1e3, 1e3});
     if (!(p.mount.axis.norm() > 1e-6)) stepper.refuse("axis", "has no direction");
-    p.mount.zeroDeg = stepper.neededNumber("zero_deg");
+    p.mount.zeroDeg = stepper.neededNumber("zero_deg", physical::kLineDeg.limits);
     p.mount.direction = stepper.neededNumber("direction");
     if (std::abs(p.mount.direction) != 1.0) stepper.refuse("direction", "must be 1 or -1");
     stepper.done();
-    const bool list = fields.has("poses") && object["poses"].is_array();
-    const std::size_t count = list ? object["poses"].size() : 0;
+    const nlohmann::json& poses = fields.value("poses");
+    const std::size_t count = poses.is_array() ? poses.size() : 0;
     if (count != 1 && count != lines) fields.refuse("poses", "must hold one pose or " + std::to_string(lines) + ", one per line");
     p.poses.clear();
     for (std::size_t i = 0; i < count && !fields.problem(); ++i) {
-        const nlohmann::json& pose = object["poses"][i];
+        const nlohmann::json& pose = poses[i];
         if (!isTransform(pose))
             fields.refuse("poses", "must hold rotations and translations, twelve numbers each");
         else

@@ -1,6 +1,7 @@
 // Reading pose files.
 #include "core/georef/poses.h"
 
+#include "core/base/inputs.h"
 #include "core/base/json_fields.h"
 #include "core/base/whole_file.h"
 #include "core/georef/calibration.h"
@@ -12,8 +13,9 @@ namespace {
 
 constexpr const char* kPoseFormat = "edgescan-pose/1";
 constexpr const char* kPoseHint = "compare it with the example in docs/coordinates.md";
-constexpr NumberLimits kTilt{-90, 90};
-constexpr NumberLimits kPlace{-1e8, 1e8};
+constexpr NumberLimits kTilt = physical::kTiltDeg.limits;
+constexpr NumberLimits kPlace = physical::kPlaceM.limits;
+constexpr NumberLimits kPoseAngle = physical::kBeamDeg.limits;
 constexpr double kDegPerMil = 360.0 / 6400.0;
 
 /// NAME_deg, or NAME_mil with 6400 to the turn as TALIN may be set to.
@@ -39,10 +41,10 @@ TalinReading readTalin(JsonFields fields, PoseTrack& poses) {
     TalinReading reading;
     reading.timeS = fields.time("time");
     reading.enhM = {fields.neededNumber("easting_m", kPlace), fields.neededNumber("northing_m", kPlace),
-                    fields.neededNumber("elevation_m", {-2e4, 2e4})};
-    reading.headingDeg = angle(fields, "heading", kAngle);
+                    fields.neededNumber("elevation_m", physical::kElevationM.limits)};
+    reading.headingDeg = angle(fields, "heading", kPoseAngle);
     reading.pitchDeg = angle(fields, "pitch", kTilt);
-    reading.rollDeg = angle(fields, "roll", {-180, 180});
+    reading.rollDeg = angle(fields, "roll", physical::kRollDeg.limits);
     reading.trueNorth = fields.choice("heading_ref", {"true", "grid"}) == 0;
     const std::string zone = fields.text("zone");
     const std::string datum = fields.text("datum");
@@ -75,8 +77,8 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
     if (poses.scanEndS < poses.scanStartS) fields.refuse("scan_end", "comes before \"scan_start\"");
     poses.moving = fields.choice("sweep", {"static", "moving"}) == 1;
     JsonFields boom = fields.object("boom");
-    poses.boomAzimuthDeg = boom.neededNumber("azimuth_deg", kAngle);
-    poses.headInRobotM = boom.vector("head_in_robot_m", poses.headInRobotM, {-100, 100});
+    poses.boomAzimuthDeg = boom.neededNumber("azimuth_deg", kPoseAngle);
+    poses.headInRobotM = boom.vector("head_in_robot_m", poses.headInRobotM, physical::kLeverM.limits);
     boom.done();
     for (const JsonFields& reading : fields.objects("inclinometer")) poses.inclinometer.push_back(readInclinometer(reading));
     for (const JsonFields& reading : fields.objects("talin")) poses.talin.push_back(readTalin(reading, poses));
@@ -88,6 +90,7 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
 }
 
 Result<PoseTrack> openPoses(const std::filesystem::path& path) {
+    claimInput(path);
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     return parsePoses({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());

@@ -1,11 +1,17 @@
 // Finds out what a file is and hands it to its reader.
 #include "core/io/open_scan.h"
 
+#include "core/base/inputs.h"
+#include "core/base/pipe.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/formats/formats.h"
 #include "core/georef/poses.h"
+#include "core/io/grid_beside.h"
+#include "core/io/measured_scan.h"
 #include "core/points/source.h"
+#include "core/scan/given_angles.h"
+#include "core/unpack/gunzip.h"
 
 #include <new>
 #include <stdexcept>
@@ -26,48 +32,72 @@ Result<Done> placeAsAsked(Scan& scan, const ReadingOptions& options, const std::
     return Done{};
 }
 
-/// Angles that the user gave win over what the file says or what was recognised.
-void applyAngles(std::vector<double>& degrees, std::optional<double> start, std::optional<double> step) {
-    if (!start && !step) return;
-    const double first = start.value_or(degrees.front());
-    const double shift = first - degrees.front();
-    for (std::size_t i = 0; i < degrees.size(); ++i) degrees[i] = step ? first + static_cast<double>(i) * *step : degrees[i] + shift;
-}
-
-void applyOptions(Scan& scan, const ReadingOptions& options) {
-    auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    if (polar == nullptr) return;
-    applyAngles(polar->beamDeg, options.beamStartDeg, options.beamStepDeg);
-    applyAngles(polar->lineDeg, options.lineStartDeg, options.lineStepDeg);
-    if (options.axis) polar->axis = *options.axis;
-}
-
 Result<Scan> readAs(const Format& format, const Source& source) {
-    if (format.read != nullptr) return format.read(source);
-    auto table = format.points(source);
-    if (!table) return table.error();
-    return scanFromPoints(std::move(*table), source);
+    std::vector<std::string> remarks;
+    if (format.points != nullptr && (format.read == nullptr || isGridBeside(source))) {
+        auto table = format.points(source);
+        if (!table) return table.error();
+        if (auto scan = scanOfGridBeside(*table, source)) return std::move(*scan);
+        if (format.read == nullptr) return scanFromPoints(std::move(*table), source);
+        remarks = std::move(table->remarks);
+    }
+    auto scan = format.read(source);
+    if (scan) scan->warnings.insert(scan->warnings.end(), remarks.begin(), remarks.end());
+    return scan;
 }
 
-Result<Scan> readWhole(const Source& source) {
+Result<Scan> readPlain(const Source& source) {
     if (source.bytes.empty()) return source.refused("the file is empty", "copy it again or choose another");
     const Format& format = formatOfContent(source);
     auto scan = readAs(format, source);
     if (!scan) return scan;
-    applyOptions(*scan, *source.options);
+    useGivenAngles(*scan, *source.options);
     if (!format.placesItself) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }
+    if (auto measured = checkMeasured(*scan, source.path.string()); !measured) return measured.error();
+    return scan;
+}
+
+/// What is packed, as if it were not; places in it are told as such.
+Result<Scan> readPacked(const Source& source) {
+    const std::string path = source.path.string();
+    auto unpacked = gunzip(source.bytes, path, [&](double done) { return source.goOn("unpacking", done); });
+    if (!unpacked) return unpacked.error();
+    Source inside = source;
+    inside.bytes = *unpacked;
+    auto scan = readPlain(inside);
+    if (scan || !scan.error().where.starts_with(path)) return scan;
+    Error error = scan.error();
+    return Error{error.what, path + " (unpacked)" + error.where.substr(path.size()), error.hint};
+}
+
+Result<Scan> readWhole(const Source& source) {
+    const bool packed = isGzip(source.bytes);
+    auto scan = packed ? readPacked(source) : readPlain(source);
+    if (!scan) return scan;
     ReadingOptions done = *source.options;
     done.straighten = false; // openAsAsked() does that
     scan->openedWith = readingOptionsText(done);
-    scan->name = source.path.stem().string();
+    scan->name = scanName(source.path);
     if (scan->sha256.empty()) scan->sha256 = sha256Hex(source.bytes);
     if (!source.goOn("opened", 1.0)) return source.cancelled();
     return scan;
 }
 
+/// The bytes of a file, or all that comes out of a pipe.
+Result<std::vector<std::byte>> bytesAt(const fs::path& path, const ReadingOptions& options) {
+    if (!isPipe(path)) return readWholeFile(path);
+    return readPipe(path, [&] { return !options.progress || options.progress("reading", 0.0); });
+}
+
 } // namespace
+
+std::string scanName(const fs::path& path) {
+    if (path == kStandardInput) return "stdin";
+    const fs::path stem = path.stem();
+    return (Source{path, {}}.isNamedPacked() ? stem.stem() : stem).string();
+}
 
 Result<Scan> withinMemory(const fs::path& path, const std::function<Result<Scan>()>& make) {
     try {
@@ -82,9 +112,10 @@ Result<Scan> withinMemory(const fs::path& path, const std::function<Result<Scan>
 Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const LinePlayed& played) {
     return withinMemory(path, [&]() -> Result<Scan> {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", path.string(), ""};
-        const auto bytes = readWholeFile(path);
+        claimInput(path);
+        const auto bytes = bytesAt(path, options);
         if (!bytes) return bytes.error();
-        auto scan = readWhole({path, *bytes, &options, false, played});
+        auto scan = readWhole({path, *bytes, &options, isPipe(path), played});
         if (scan) scan->path = path.string();
         return scan;
     });

@@ -5,6 +5,7 @@
 #include "core/formats/formats.h"
 
 #include <span>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -24,12 +25,8 @@ const Format* cloudFormat(const std::filesystem::path& path) {
 
 Result<std::string> bytesOf(CloudColumns columns, const Format& format, const std::filesystem::path& path, const SaveOptions& options) {
     columns.record = options.record;
-    return format.write(columns, path.string(), options.ascii);
-}
-
-Result<Done> write(const Result<std::string>& bytes, const std::filesystem::path& path) {
-    if (!bytes) return bytes.error();
-    return writeWholeFile(path, *bytes);
+    columns.choices = options.choices;
+    return format.write(std::move(columns), path.string(), options.ascii);
 }
 
 Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const std::filesystem::path& path) {
@@ -62,8 +59,8 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
                      "save it without a frame, or as " + writtenExtensions(false)};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     const bool allPoints = options.includeAttached && !scan.attached.empty();
-    const CloudColumns columns = allPoints ? validPoints(scan, nullptr, options.frame, true) : everyCell(scan, options.frame);
-    return oneFile(path, bytesOf(columns, *format, path, options));
+    CloudColumns columns = allPoints ? validPoints(scan, nullptr, options.frame, true) : everyCell(scan, options.frame);
+    return oneFile(path, bytesOf(std::move(columns), *format, path, options));
 }
 
 std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
@@ -78,12 +75,20 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     if (attached && !options.includeAttached)
         lost.push_back(std::to_string(scan.attached.size()) +
                        " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
+    const bool keepsBeside = format->keeps == Keeps::Beside;
+    const bool beside = keepsBeside && !options.choices.comments;
     const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);
     if (list)
         lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
-    else if (format->keeps == Keeps::NoReturns && without > noReturn)
-        lost.push_back("PTX knows only points and no returns: " + std::to_string(without - noReturn) +
+    else if ((format->keeps == Keeps::NoReturns || beside) && without > noReturn)
+        lost.push_back("This file knows only points and no returns: " + std::to_string(without - noReturn) +
                        " cells of other states become no returns.");
+    if (beside && !list)
+        lost.push_back("The file holds numbers only: keep " + path.filename().string() +
+                       ".provenance.json beside it, which holds the grid, or write it with --comments.");
+    if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(keepsBeside && options.choices.comments))
+        lost.emplace_back(
+            "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");
     return lost;
 }
 
@@ -103,7 +108,8 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes), *format, path, options);
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.rocks), *format, path,
+                   options);
 }
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
@@ -113,16 +119,6 @@ Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMa
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes), *format, path, options);
-}
-
-Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
-                       const SaveOptions& options) {
-    return write(cloudBytes(scan, path, edgeMask, options), path);
-}
-
-Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
-                       const SaveOptions& options) {
-    return write(edgeBytes(scan, edgeMask, path, options), path);
 }
 
 } // namespace edgescan

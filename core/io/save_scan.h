@@ -5,6 +5,7 @@
 #include "core/base/grid.h"
 #include "core/base/result.h"
 #include "core/io/open_scan.h"
+#include "core/points/writing_choices.h"
 #include "core/scan/placement.h"
 #include "core/scan/scan.h"
 
@@ -24,6 +25,8 @@ struct SaveOptions {
     std::string record{};                     ///< provenance JSON for the comment lines; empty = none
     bool includeAttached = false;             ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
     const Grid<DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
+    WritingChoices choices{};
+    const Grid<std::uint32_t>* rocks = nullptr; ///< lines x beams: clouds get a field "rock" with it, 0 = none; null = no field
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.
@@ -46,13 +49,5 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
 /// are attached to cells are not part of a grid: with `includeAttached` a cloud of all points is saved in its place.
 /// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
-
-/// All valid points: x y z (metres), line, beam, range_mm, edge (0 or 255 as in `edgeMask`, lines x beams; null = all 0).
-Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
-                       const SaveOptions& options = {});
-
-/// Only the valid points whose mask is not 0: x y z (metres), line, beam, range_mm.
-Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
-                       const SaveOptions& options = {});
 
 } // namespace edgescan

@@ -4,8 +4,11 @@
 #include "core/base/number_text.h"
 #include "core/georef/placed_points.h"
 #include "core/points/description.h"
+#include "core/points/edge_colours.h"
 #include "core/points/text_layout.h"
 #include "core/scan/cartesian.h"
+
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +64,13 @@ void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::s
     for (std::size_t n = 0; n < cells.size(); ++n)
         points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams), points[n]);
     cloud.sensorM = placed.inFrame(cloud.frame, 0, 0, cloud.sensorM);
-    if (cloud.frame == CoordinateFrame::MineLocal) cloud.originM = placed.originEnhM();
+    cloud.originM = placed.originEnhM();
+    cloud.grid = scan.placement->grid;
+    const Eigen::Vector3d zero = placed.local(0, 0, Eigen::Vector3d::Zero());
+    Eigen::Matrix3d axes;
+    for (int axis = 0; axis < 3; ++axis) axes.col(axis) = placed.local(0, 0, Eigen::Vector3d::Unit(axis)) - zero;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    cloud.turn = svd.matrixU() * svd.matrixV().transpose(); // without the grid's scale, which is no rotation
 }
 
 /// The cells of a cloud, one per point; the last `attached.size()` are those of the points attached to them.
@@ -110,8 +119,16 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     return cloud;
 }
 
-void addClasses(CloudColumns& cloud, const std::vector<std::size_t>& cells, const Grid<DepthEdge>* classes) {
+void addClasses(CloudColumns& cloud, const std::vector<std::size_t>& cells, const Grid<std::uint8_t>* edgeMask,
+                const Grid<DepthEdge>* classes) {
     if (classes != nullptr) addColumn<std::uint8_t>(cloud, "class", cells, [&](std::size_t k) { return (*classes)[k]; });
+    const auto colour = [&](std::size_t k) {
+        if (edgeMask == nullptr || (*edgeMask)[k] == 0) return kNoEdgeColour;
+        return kEdgeColours[classes != nullptr ? static_cast<std::size_t>((*classes)[k]) : 0];
+    };
+    addColumn<std::uint8_t>(cloud, "red", cells, [&](std::size_t k) { return colour(k).red; });
+    addColumn<std::uint8_t>(cloud, "green", cells, [&](std::size_t k) { return colour(k).green; });
+    addColumn<std::uint8_t>(cloud, "blue", cells, [&](std::size_t k) { return colour(k).blue; });
 }
 
 template <class Wanted>
@@ -142,12 +159,13 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<DepthEdge>* classes) {
+                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks) {
     const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
-    addClasses(cloud, valid.cells, classes);
+    if (rocks != nullptr) addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](std::size_t k) { return (*rocks)[k]; });
+    addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
 
@@ -156,8 +174,12 @@ CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, Co
     const Chosen edges =
         cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
-    addClasses(cloud, edges.cells, classes);
+    addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
+}
+
+void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name)) {
+    std::erase_if(cloud.columns, [&](const CloudColumn& column) { return dropped(column.name); });
 }
 
 std::string frameText(const CloudColumns& cloud) {

@@ -3,6 +3,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
+#include "core/points/writing_choices.h"
 #include "core/scan/placement.h"
 #include "core/scan/scan.h"
 
@@ -30,24 +31,31 @@ struct CloudColumns {
     std::string description; ///< JSON for the comment lines; empty = none
     std::string record;      ///< provenance as JSON for the comment lines; empty = none
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< what to add to x y z for mine coordinates, when frame is MineLocal
-    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< in the same numbers as x y z
+    Eigen::Vector3d originM = Eigen::Vector3d::Zero();  ///< of local metres in mine coordinates; zero in the scanner's frame
+    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero();  ///< in the same numbers as x y z
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< scanner's axes -> those of x y z
+    std::string grid;                                   ///< name of the mine grid as the pose gives it; may be empty
+    WritingChoices choices;
 };
 
 /// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, state, and the description. A frame other
 /// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, edge, and class where `classes` is given. `edgeMask` may be null. With `withAttached` the
-/// points that are attached to these cells follow, and a column tells them.
+/// Valid cells: x y z, line, beam, range_mm, edge, class where `classes` is given, rock where `rocks` is, and red green blue. `edgeMask`
+/// may be null. With `withAttached` the points that are attached to these cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                       const Grid<DepthEdge>* classes = nullptr);
+                                       const Grid<DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr);
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, class as above; and what is attached to them.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, class and colours as above; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
                                       const Grid<DepthEdge>* classes = nullptr);
+
+/// Takes the columns out that the condition names.
+void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name));
+[[nodiscard]] inline bool isColour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
 
 /// What a header tells people of frame, unit, axis order and origin: one line of ASCII.
 [[nodiscard]] std::string frameText(const CloudColumns& cloud);

@@ -1,7 +1,9 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/points/description.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/json_fields.h"
+#include "core/base/json_text.h"
 #include "core/georef/placement_json.h"
 #include "core/points/acquisition_json.h"
 
@@ -15,27 +17,31 @@ namespace edgescan {
 namespace {
 
 constexpr const char* kFormat = "edgescan-raw-grid/1";
-constexpr std::uint64_t kMostCells = 1U << 30U; // along one side
+constexpr auto kMostCells = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
+constexpr std::size_t kMostCodes = 65536; // as many as 16 bits can tell apart
 const char* const kSeeFormat = "compare it with docs/formats.md, \"Raw grid\"";
 
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
     if (!fields.has(key)) return missing;
     std::vector<std::uint32_t> codes;
-    for (const double value : fields.numbers(key)) {
-        if (value < 0 || value > 4294967295.0 || value != std::floor(value)) return fields.refuse(key, "must hold counts"), missing;
+    for (const double value : fields.numbers(key, {0, 4294967295.0})) {
+        if (value != std::floor(value)) return fields.refuse(key, "must hold counts"), missing;
         codes.push_back(static_cast<std::uint32_t>(value));
     }
+    if (codes.size() > kMostCodes)
+        return fields.refuse(key, "holds " + std::to_string(codes.size()) + " counts, and there are " + std::to_string(kMostCodes)),
+               missing;
     return codes;
 }
 
-std::optional<AngleList> anglesIn(JsonFields& fields, const char* key, std::uint64_t count) {
+std::optional<AngleList> anglesIn(JsonFields& fields, const char* key, std::uint64_t count, NumberLimits limits) {
     if (!fields.has(key)) return std::nullopt;
     if (fields.value(key).is_object()) {
         JsonFields steps = fields.object(key);
         if (!steps.has("start") || !steps.has("step")) return fields.refuse(key, "needs start and step"), std::nullopt;
-        return AngleSteps{steps.number("start", 0), steps.number("step", 0)};
+        return AngleSteps{steps.number("start", 0, limits), steps.number("step", 0, physical::kStepDeg.limits)};
     }
-    auto list = fields.numbers(key);
+    auto list = fields.numbers(key, limits);
     if (list.size() != count)
         fields.refuse(key, "holds " + std::to_string(list.size()) + " angles, " + std::to_string(count) + " are needed");
     return AngleList{std::move(list)};
@@ -45,23 +51,29 @@ void readAxis(JsonFields& fields, GridDescription& grid) {
     if (fields.has("axis")) grid.axis = fields.choice("axis", {"spin", "sweep"}) == 0 ? Axis::Spin : Axis::Sweep;
     grid.lineDirection = fields.number("line_direction", 1.0);
     if (std::abs(grid.lineDirection) != 1.0) fields.refuse("line_direction", "must be 1 or -1");
-    if (fields.has("sensor_m")) grid.sensorM = fields.neededVector("sensor_m");
+    if (fields.has("sensor_m")) grid.sensorM = fields.neededVector("sensor_m", physical::kPlaceM.limits);
 }
 
 void readStateRuns(JsonFields& fields, GridDescription& grid) {
     if (!fields.has("state_runs")) return;
     const nlohmann::json& runs = fields.value("state_runs");
     if (!runs.is_array()) return fields.refuse("state_runs", "must be a list");
-    const double cells = static_cast<double>(grid.lines) * static_cast<double>(grid.beams);
+    const std::uint64_t cells = productOf({grid.lines, grid.beams});
     for (const nlohmann::json& run : runs) {
         const bool shaped =
             run.is_array() && run.size() == 3 && run[0].is_string() && run[1].is_number_unsigned() && run[2].is_number_unsigned();
         const auto state = shaped ? cellStateNamed(run[0].get<std::string>()) : std::nullopt;
         if (!state) return fields.refuse("state_runs", "must hold [\"state\", first cell, cells]");
         const StateRun read{*state, run[1].get<std::uint64_t>(), run[2].get<std::uint64_t>()};
-        if (static_cast<double>(read.firstCell) + static_cast<double>(read.cells) > cells)
-            return fields.refuse("state_runs", "leaves the grid");
-        grid.stateRuns.push_back(read);
+        if (sumOf({read.firstCell, read.cells}) > cells) return fields.refuse("state_runs", "leaves the grid");
+        if (read.cells > 0) grid.stateRuns.push_back(read);
+    }
+    // A cell has one state: runs that overlap say two, and a few bytes each could name the whole grid over and over.
+    std::ranges::sort(grid.stateRuns, {}, &StateRun::firstCell);
+    for (std::size_t i = 1; i < grid.stateRuns.size(); ++i) {
+        const StateRun& before = grid.stateRuns[i - 1];
+        if (before.firstCell + before.cells > grid.stateRuns[i].firstCell)
+            return fields.refuse("state_runs", "names cell " + std::to_string(grid.stateRuns[i].firstCell) + " twice");
     }
 }
 
@@ -98,12 +110,13 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
     grid.lines = fields.wholeNumber("lines", 1, kMostCells);
     grid.beams = fields.wholeNumber("beams", 1, kMostCells);
     grid.unitMm = fields.number("unit_mm", 1.0);
-    if (!(grid.unitMm > 0 && grid.unitMm <= 1e6)) fields.refuse("unit_mm", "must be greater than 0");
+    if (!(grid.unitMm > 0)) fields.refuse("unit_mm", "must be greater than 0");
+    grid.unitMm = fields.number("unit_mm", 1.0, physical::kUnitMm.limits);
     grid.noReturnCodes = codesIn(fields, "no_return", {0});
     grid.statusCodes = codesIn(fields, "status_codes", {});
-    grid.beamDeg = anglesIn(fields, "beam_deg", grid.beams);
-    grid.lineDeg = anglesIn(fields, "line_deg", grid.lines);
-    grid.lineSkewDeg = anglesIn(fields, "line_skew_deg", grid.beams);
+    grid.beamDeg = anglesIn(fields, "beam_deg", grid.beams, physical::kBeamDeg.limits);
+    grid.lineDeg = anglesIn(fields, "line_deg", grid.lines, physical::kLineDeg.limits);
+    grid.lineSkewDeg = anglesIn(fields, "line_skew_deg", grid.beams, physical::kLineDeg.limits);
     grid.note = fields.text("note");
     readDataFile(fields, grid);
     readAxis(fields, grid);
@@ -128,6 +141,29 @@ std::vector<double> anglesOf(const AngleList& list, std::uint64_t count) {
     return degrees;
 }
 
+std::optional<PolarGeometry> polarOf(const GridDescription& grid) {
+    if (!grid.beamDeg || !grid.lineDeg || !grid.axis) return std::nullopt;
+    PolarGeometry polar{anglesOf(*grid.beamDeg, grid.beams), anglesOf(*grid.lineDeg, grid.lines), *grid.axis, grid.lineDirection};
+    if (grid.lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid.lineSkewDeg, grid.beams);
+    return polar;
+}
+
+void takeDescription(Scan& scan, const GridDescription& grid) {
+    scan.unitMm = grid.unitMm;
+    scan.noReturnCodes = grid.noReturnCodes;
+    scan.statusCodes = grid.statusCodes;
+    scan.note = grid.note;
+    scan.placement = grid.placement;
+    scan.acquisition = grid.acquisition;
+}
+
+void applyStateRuns(Scan& scan, const GridDescription& grid) {
+    for (const StateRun& run : grid.stateRuns) {
+        const auto end = std::min<std::uint64_t>(run.firstCell + run.cells, scan.cells());
+        for (std::uint64_t k = run.firstCell; k < end; ++k) scan.state[k] = run.state;
+    }
+}
+
 AngleList shortestAngles(const std::vector<double>& degrees) {
     if (degrees.empty()) return degrees;
     const double start = degrees.front();
@@ -148,23 +184,23 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
     object["unit_mm"] = scan.unitMm;
     object["no_return"] = scan.noReturnCodes;
     object["status_codes"] = scan.statusCodes;
-    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
+    const auto* points = std::get_if<PointGeometry>(&scan.geometry);
+    const PolarGeometry* polar = points == nullptr ? &std::get<PolarGeometry>(scan.geometry) : points->angles ? &*points->angles : nullptr;
+    if (polar != nullptr) {
         object["beam_deg"] = angleJson(polar->beamDeg);
         object["line_deg"] = angleJson(polar->lineDeg);
         object["axis"] = polar->axis == Axis::Spin ? "spin" : "sweep";
         if (polar->lineDirection < 0) object["line_direction"] = -1;
         if (!polar->lineSkewDeg.empty()) object["line_skew_deg"] = angleJson(polar->lineSkewDeg);
-    } else {
-        const auto& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
-        object["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
+    if (points != nullptr) object["sensor_m"] = {points->sensorM.x(), points->sensorM.y(), points->sensorM.z()};
     if (scan.placement) object["placement"] = placementToJson(*scan.placement);
     if (scan.acquisition) {
         if (auto acquisition = acquisitionToJson(*scan.acquisition); !acquisition.empty()) object["acquisition"] = std::move(acquisition);
     }
     for (const StateRun& run : stateRunsOf(scan)) object["state_runs"].push_back({cellStateName(run.state), run.firstCell, run.cells});
     if (!scan.note.empty()) object["note"] = scan.note;
-    return object.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return jsonText(object, indent);
 }
 
 std::vector<StateRun> stateRunsOf(const Scan& scan) {

@@ -53,6 +53,16 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
 /// Angles of `count` beams or lines. Call it only when `count` has been checked against the file.
 [[nodiscard]] std::vector<double> anglesOf(const AngleList& list, std::uint64_t count);
 
+/// Beam and line angles, axis, direction and skew; empty where the description has not all of the first three. Call it only when lines and
+/// beams have been checked.
+[[nodiscard]] std::optional<PolarGeometry> polarOf(const GridDescription& grid);
+
+/// Unit, codes, note, place and acquisition.
+void takeDescription(Scan& scan, const GridDescription& grid);
+
+/// The states that the counts cannot tell, as far as the scan's cells go.
+void applyStateRuns(Scan& scan, const GridDescription& grid);
+
 /// {"start","step"} when that gives back the same doubles, else the list.
 [[nodiscard]] AngleList shortestAngles(const std::vector<double>& degrees);
 

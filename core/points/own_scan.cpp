@@ -1,6 +1,8 @@
 // Every cell in order with range and state, as the description says.
 #include "core/points/own_scan.h"
 
+#include "core/base/checked_size.h"
+#include "core/base/physical_limits.h"
 #include "core/points/description.h"
 
 namespace edgescan {
@@ -24,7 +26,7 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     if (!grid) return grid.error();
     const std::size_t cells = table.points.size();
     const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
-    if (grid->lines * grid->beams != cells)
+    if (productOf({grid->lines, grid->beams}) != cells)
         return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
     if (table.rangeMm.size() != cells || table.state.size() != cells) {
         return source.refused("describes " + shape + " but has no columns range_mm and state",
@@ -41,22 +43,16 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
     scan.state = Grid<CellState>(lines, beams, std::move(*states));
     for (std::size_t k = 0; k < cells; ++k) {
-        if (scan.state[k] == CellState::Valid && !(scan.rangeMm[k] >= 0 && scan.rangeMm[k] <= kLongestRangeMm))
+        if (scan.state[k] == CellState::Valid && !physical::kRangeMm.hold(scan.rangeMm[k]))
             return source.refused("a valid cell has a range that is no range", "save the scan again");
     }
-    scan.unitMm = grid->unitMm;
-    scan.noReturnCodes = grid->noReturnCodes;
-    scan.statusCodes = grid->statusCodes;
-    scan.note = grid->note;
-    scan.placement = grid->placement;
-    scan.acquisition = grid->acquisition;
+    takeDescription(scan, *grid);
     if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
+    std::optional<PolarGeometry> polar = polarOf(*grid);
     if (grid->sensorM) {
-        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM};
-    } else if (grid->beamDeg && grid->lineDeg && grid->axis) {
-        PolarGeometry polar{anglesOf(*grid->beamDeg, grid->beams), anglesOf(*grid->lineDeg, grid->lines), *grid->axis, grid->lineDirection};
-        if (grid->lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid->lineSkewDeg, grid->beams);
-        scan.geometry = std::move(polar);
+        scan.geometry = PointGeometry{Grid<Eigen::Vector3d>(lines, beams, std::move(table.points)), *grid->sensorM, std::move(polar)};
+    } else if (polar) {
+        scan.geometry = std::move(*polar);
     } else {
         return source.refused("the description in the comment lines has no angles", "save the scan again, or remove the comment lines");
     }

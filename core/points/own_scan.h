@@ -5,8 +5,6 @@
 
 namespace edgescan {
 
-inline constexpr double kLongestRangeMm = 1e9; ///< no scanner reaches as far
-
 /// The table's description, ranges and states as the scan they were. Error: they do not fit each other.
 Result<Scan> ownScan(PointTable& table, const Source& source);
 

@@ -1,6 +1,7 @@
 // Records to points.
 #include "core/points/point_columns.h"
 
+#include "core/points/column_names.h"
 #include "core/points/text_layout.h"
 
 #include <algorithm>
@@ -15,25 +16,33 @@ std::uint8_t stateByte(double value) { return value >= 0 && value < 256 ? static
 } // namespace
 
 std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
-    const auto named = [&](const char* name) -> std::optional<RecordField> {
-        const auto found = std::find_if(fields.begin(), fields.end(), [&](const RecordField& field) { return field.name == name; });
-        return found == fields.end() ? std::nullopt : std::optional(*found);
-    };
-    const auto x = named("x");
-    const auto y = named("y");
-    const auto z = named("z");
-    if (!x || !y || !z) return std::nullopt;
-    PointFields picked{*x, *y, *z, named("range_mm"), named("state"), {}};
-    for (const char* name : {"scanner_x", "scanner_y", "scanner_z"}) {
-        if (const auto field = named(name)) picked.scanner.push_back(*field);
+    std::vector<std::string> names;
+    for (const RecordField& field : fields) names.push_back(field.name);
+    const NamedColumns named = columnsNamed(names);
+    if (!named.hasPoint()) return std::nullopt;
+    const auto field = [&](ColumnRole role) { return named[role] ? std::optional(fields[*named[role]]) : std::nullopt; };
+    PointFields picked{*field(ColumnRole::X),
+                       *field(ColumnRole::Y),
+                       *field(ColumnRole::Z),
+                       field(ColumnRole::RangeMm),
+                       field(ColumnRole::State),
+                       {},
+                       {},
+                       {},
+                       named.unitMm};
+    if (named.hasCell()) {
+        picked.line = field(ColumnRole::Line);
+        picked.beam = field(ColumnRole::Beam);
     }
-    if (picked.scanner.size() != 3) picked.scanner.clear();
+    if (named.hasScannerPoint())
+        picked.scanner = {*field(ColumnRole::ScannerX), *field(ColumnRole::ScannerY), *field(ColumnRole::ScannerZ)};
     return picked;
 }
 
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source) {
     table.points.reserve(points);
+    table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
     const auto value = [&](const RecordField& field, std::size_t n) {
         return readScalar(field.scalar, bytes.data() + field.offset + n * field.stride, bigEndian);
     };
@@ -41,14 +50,29 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
         table.points.emplace_back(value(fields.x, n), value(fields.y, n), value(fields.z, n));
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(value(*fields.rangeMm, n)));
         if (fields.state) table.state.push_back(stateByte(value(*fields.state, n)));
+        if (fields.line) table.line.push_back(indexOf(value(*fields.line, n)));
+        if (fields.beam) table.beam.push_back(indexOf(value(*fields.beam, n)));
         if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(value(s[0], n), value(s[1], n), value(s[2], n));
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(points))) return false;
     }
     return true;
 }
 
-Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t points, std::size_t columns, std::size_t firstByte,
-                      std::size_t firstLine, const Source& source) {
+Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::uint64_t held, const Source& source) {
+    const std::uint64_t rest = held - promised * recordBytes; // the caller has checked that so many are there
+    if (rest == 0) return Done{};
+    if (rest >= recordBytes) {
+        return source.refused("the header promises " + std::to_string(promised) + " points of " + std::to_string(recordBytes) +
+                                  " bytes and the file holds " + std::to_string(held) + " bytes of them, which is more",
+                              "export the file again");
+    }
+    table.remarks.push_back(std::to_string(rest) + " bytes behind the points are none of them and were left out.");
+    return Done{};
+}
+
+Result<Done> readRows(PointTable& table, const PointFields& fields, const PromisedRows& promised, const Source& source) {
+    const auto& [points, columns, firstByte, firstLine, last] = promised;
+    table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
     TextLayout layout;
     layout.firstByte = firstByte;
     layout.firstLine = firstLine;
@@ -65,6 +89,8 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
+        if (fields.line) table.line.push_back(indexOf(row[fields.line->column]));
+        if (fields.beam) table.beam.push_back(indexOf(row[fields.beam->column]));
         if (const auto& s = fields.scanner; !s.empty())
             table.scannerPoints.emplace_back(row[s[0].column], row[s[1].column], row[s[2].column]);
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
@@ -75,6 +101,12 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t 
                                   std::to_string(table.points.size()),
                               "copy the file again, it may be cut off");
     }
+    if (last && (rows.next(row) || rows.problem())) {
+        return source.refusedAtLine(rows.lineNumber(),
+                                    "the header promises " + std::to_string(points) + " points, and more text follows them here",
+                                    "export the file again");
+    }
+    if (last && endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.precision = precisionOf(rows.digits());
     return Done{};
 }

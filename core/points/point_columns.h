@@ -24,11 +24,13 @@ struct RecordField {
     std::size_t stride = 0;
 };
 
-/// Fields x y z, and our own range_mm, state and scanner_x scanner_y scanner_z where present.
+/// Fields x y z by any of their usual names, line and beam where both are present, and our own range_mm, state and scanner_x scanner_y
+/// scanner_z.
 struct PointFields {
     RecordField x, y, z;
-    std::optional<RecordField> rangeMm, state;
+    std::optional<RecordField> rangeMm, state, line, beam;
     std::vector<RecordField> scanner; ///< three or none
+    std::optional<double> unitMm;     ///< where the names of x y z say it
 };
 
 /// Empty when x, y or z is missing.
@@ -38,9 +40,17 @@ struct PointFields {
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source);
 
-/// Reads exactly `points` rows of `columns` numbers from `text`, which starts at line `firstLine` of the file.
-Result<Done> readRows(PointTable& table, const PointFields& fields, std::size_t points, std::size_t columns, std::size_t firstByte,
-                      std::size_t firstLine, const Source& source);
+/// Rows of numbers as a header promises them.
+struct PromisedRows {
+    std::size_t points = 0, columns = 0;
+    std::size_t firstByte = 0, firstLine = 1; ///< of the file
+    bool last = true;                         ///< nothing else follows: more rows are an error
+};
+/// Reads exactly these rows. Error: fewer, more, or other columns.
+Result<Done> readRows(PointTable& table, const PointFields& fields, const PromisedRows& promised, const Source& source);
+
+/// What follows the records that a header promises. Error: as much as a further record, so that the header is wrong; less is a remark.
+Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::uint64_t held, const Source& source);
 
 /// Rounding errors of numbers printed like that.
 [[nodiscard]] Precision precisionOf(const PrintedDigits& digits);

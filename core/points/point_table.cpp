@@ -4,13 +4,19 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/base/physical_limits.h"
+#include "core/points/column_grid.h"
 #include "core/points/own_scan.h"
+#include "core/recognition/recognise_axis.h"
+#include "core/recognition/recognise_ranges.h"
 #include "core/recognition/recognise_unit.h"
 #include "core/recognition/regrid.h"
+#include "core/scan/cartesian.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace edgescan {
 namespace {
@@ -21,15 +27,19 @@ constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
 Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
     const std::size_t stride = std::max<std::size_t>(1, points.size() / 20000);
-    for (const double scale : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+    bool floats = true; // 8-byte numbers show their decimals to the last digit
+    for (std::size_t k = 0; k < points.size() && floats; k += stride)
+        floats = !isReturn(points[k]) || points[k].cast<float>().cast<double>() == points[k];
+    const double relative = floats ? precision.relative : std::min(precision.relative, 1e-14);
+    for (const double scale : {1.0, 10.0, 100.0, 1000.0, 1e4, 1e5, 1e6}) {
         std::size_t telling = 0;
         std::size_t whole = 0;
         for (std::size_t k = 0; k < points.size(); k += stride) {
             if (!isReturn(points[k])) continue;
             for (int axis = 0; axis < 3; ++axis) {
                 const double value = points[k][axis] * scale;
-                const double error = std::abs(value) * 2 * precision.relative + 1e-9;
-                if (error > 0.02) continue;
+                const double error = std::abs(value) * relative + 1e-9;
+                if (error > 0.15) continue;
                 ++telling;
                 whole += std::abs(value - std::round(value)) <= error ? 1 : 0;
             }
@@ -56,18 +66,41 @@ RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, con
     return recogniseUnit(returns, table.precision, known);
 }
 
+std::string sizeOfReach() { return significantText(physical::kRangeMm.limits.most * 1e-6, 6) + " km"; }
+
 /// Ranges and states of a scan whose cells are points of the list.
-void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& unit, const Grid<std::uint32_t>& pointOf) {
+/// `given`: ranges in mm that the file holds beside the points; may be empty.
+void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& unit, const Grid<std::uint32_t>& pointOf,
+               const std::vector<float>& given = {}) {
     scan.rangeMm = Grid<float>(pointOf.lines, pointOf.beams);
     scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
+    std::size_t tooFar = 0;
     for (std::size_t k = 0; k < pointOf.size(); ++k) {
         if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
-        const double mm = ranges[pointOf[k]] * unit.mmPerUnit;
-        if (!(mm <= kLongestRangeMm)) continue; // no scanner reaches as far: as good as no return
-        scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
+        const double mm = given.empty() ? ranges[pointOf[k]] * unit.mmPerUnit : static_cast<double>(given[pointOf[k]]);
+        if (!physical::kRangeMm.hold(mm)) { // no scanner reaches as far: as good as no return
+            ++tooFar;
+            continue;
+        }
+        scan.rangeMm[k] = static_cast<float>(unit.wholeMm && given.empty() ? std::round(mm) : mm);
         scan.state[k] = CellState::Valid;
     }
     if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
+    if (tooFar == 0) return;
+    scan.warnings.push_back(std::to_string(tooFar) + " points lie farther than " + sizeOfReach() +
+                            " from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.");
+}
+
+/// States that a file gives its cells without a point.
+void takeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {
+    if (table.state.empty()) return;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::NoReturn || pointOf[k] == RecognisedGrid::kNoPoint) continue;
+        const std::uint8_t state = table.state[pointOf[k]];
+        if (state >= kCellStates || state == static_cast<std::uint8_t>(CellState::Valid)) continue;
+        scan.state[k] = static_cast<CellState>(state);
+        if (!table.rangeMm.empty()) scan.rangeMm[k] = table.rangeMm[pointOf[k]];
+    }
 }
 
 PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& pointOf, const RangeUnit& unit) {
@@ -85,11 +118,11 @@ void takeStatusCodes(Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return;
     scan.statusCodes = lms2xxStatusCodes(scan.rangeMm, scan.state, *polar);
+    if (scan.statusCodes.empty()) return;
+    const std::set<std::uint32_t> codes(scan.statusCodes.begin(), scan.statusCodes.end());
     std::size_t cells = 0;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        const bool code = scan.state[k] == CellState::Valid &&
-                          std::find(scan.statusCodes.begin(), scan.statusCodes.end(), static_cast<std::uint32_t>(scan.rangeMm[k])) !=
-                              scan.statusCodes.end();
+        const bool code = scan.state[k] == CellState::Valid && codes.contains(static_cast<std::uint32_t>(scan.rangeMm[k]));
         if (!code) continue;
         scan.state[k] = CellState::DeviceStatus;
         ++cells;
@@ -109,21 +142,48 @@ bool endsInMidLine(const Grid<std::uint32_t>& pointOf) {
     return firstEmpty < pointOf.size() && !elsewhere && pointOf.size() - firstEmpty < static_cast<std::size_t>(pointOf.beams);
 }
 
-Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& source) {
+/// Coordinates that were rounded more coarsely than the scanner measures: their ranges as whole millimetres, where that is what they were.
+void takeWholeRanges(Scan& scan, const PointTable& table, const RecognisedGrid& grid, const RangeUnit& unit) {
+    DirectedPoints rounded;
+    std::vector<std::size_t> cells;
+    const CartesianTables tables(scan);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        Eigen::Vector3d p = grid.turn * ((table.points[grid.pointOf[k]] - table.sensor) * unit.mmPerUnit);
+        if (table.leftHanded) p.y() = -p.y();
+        cells.push_back(k);
+        rounded.pointMm.push_back(p);
+        rounded.direction.push_back(tables.direction(static_cast<int>(k / beams), static_cast<int>(k % beams)));
+    }
+    rounded.precision = {table.precision.absolute * unit.mmPerUnit, table.precision.relative};
+    const std::vector<float> whole = wholeRangesMm(rounded);
+    if (whole.empty()) return;
+    for (std::size_t n = 0; n < cells.size(); ++n) scan.rangeMm[cells[n]] = whole[n];
+    scan.warnings.emplace_back(
+        "The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.");
+}
+
+/// `inFrameOfFile`: the lines turn about an axis of the file's frame; else the points stay where they are, as they do about another sensor.
+Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& source, bool inFrameOfFile) {
     Scan scan;
     scan.format = table.format;
     const std::vector<double> ranges = rangesOf(table);
     const RangeUnit unit = unitOf(table, ranges, source);
-    fillCells(scan, ranges, unit, grid.pointOf);
+    fillCells(scan, ranges, unit, grid.pointOf, table.rangeMm);
+    takeStates(scan, table, grid.pointOf);
     if (table.leftHanded) {
         grid.geometry.lineDirection = -1.0;
         scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
     }
-    if (table.sensor.isZero(0.0)) {
-        scan.geometry = std::move(grid.geometry);
-        if (unit.wholeMm) takeStatusCodes(scan);
+    scan.geometry = grid.geometry;
+    if (!unit.wholeMm && table.rangeMm.empty()) takeWholeRanges(scan, table, grid, unit);
+    if (inFrameOfFile && table.sensor.isZero(0.0)) {
+        if (unit.wholeMm && table.state.empty()) takeStatusCodes(scan);
     } else {
-        scan.geometry = pointGeometry(table, grid.pointOf, unit);
+        PointGeometry points = pointGeometry(table, grid.pointOf, unit);
+        points.angles = std::move(grid.geometry);
+        scan.geometry = std::move(points);
     }
     std::move(grid.remarks.begin(), grid.remarks.end(), std::back_inserter(scan.warnings));
     const std::size_t empty = countCells(scan)[static_cast<std::size_t>(CellState::NoReturn)];
@@ -142,7 +202,8 @@ Scan organisedScan(const PointTable& table, const Source& source) {
     unit.wholeMm = false; // the points stay as they are, so the ranges follow them
     Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
     for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
-    fillCells(scan, ranges, unit, inOrder);
+    fillCells(scan, ranges, unit, inOrder, table.rangeMm);
+    takeStates(scan, table, inOrder);
     scan.geometry = pointGeometry(table, inOrder, unit);
     return scan;
 }
@@ -168,6 +229,19 @@ std::string withCoarseStep(std::string what, const PointTable& table) {
     return what;
 }
 
+/// Large numbers in 4-byte floats are coarse wherever the sensor is; printed ones are as fine as their decimals.
+Precision precisionAboutSensor(const PointTable& table) {
+    Precision precision = table.precision;
+    double largest = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!isReturn(p)) continue;
+        if (p.cast<float>().cast<double>() != p) return precision;
+        largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    if (!table.sensor.isZero(0.0)) precision.absolute = std::max(precision.absolute, kFloatError / 2 * largest);
+    return precision;
+}
+
 Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, std::size_t rowLength) {
     std::vector<Eigen::Vector3d> shifted;
     std::span<const Eigen::Vector3d> points = table.points;
@@ -176,9 +250,23 @@ Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, 
             shifted.push_back(isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
         points = shifted;
     }
-    PointList list{points, table.precision, rowLength, source.options->axis, {}};
+    PointList list{points, precisionAboutSensor(table), rowLength, source.options->axis, {}};
     list.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
     return recogniseGrid(list);
+}
+
+/// The grid of an organised cloud about whatever axis its lines turn.
+Result<RecognisedGrid> recogniseTurned(const PointTable& table, const Source& source) {
+    Grid<Eigen::Vector3d> points(static_cast<int>(table.height), static_cast<int>(table.width), table.points);
+    for (Eigen::Vector3d& p : points.cells) p = isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    const auto turn = turnToAxis(points);
+    if (!turn) return Error{"too few points", "", ""};
+    for (Eigen::Vector3d& p : points.cells) p = *turn * p;
+    PointList list{points.cells, precisionAboutSensor(table), table.width, Axis::Spin, {}};
+    list.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    auto grid = recogniseGrid(list);
+    if (grid) grid->turn = grid->turn * *turn;
+    return grid;
 }
 
 /// Distance in metres that few points exceed.
@@ -284,19 +372,47 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
     return scan;
 }
 
+bool isOfAnotherShape(const RecognisedGrid& grid, const PointTable& table) {
+    return grid.pointOf.size() != table.width * table.height || static_cast<std::size_t>(grid.pointOf.beams) != table.width ||
+           grid.unplaced > 0 || grid.doubled > 0 || grid.copied > 0;
+}
+
+/// Points behind the nearest of their cell, where the file says the cell.
+void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTable& table, const Source& source) {
+    if (behind.empty()) return;
+    const double metres = unitOf(table, rangesOf(table), source).mmPerUnit * kMetresPerMm;
+    for (const AttachedPoint& point : behind) scan.attached.push_back({point.cell, point.pointM * metres});
+}
+
 Result<Scan> scanOf(PointTable& table, const Source& source) {
     const Projection projection = source.options->projection;
     if (projection == Projection::Always) return projectedScan(table, source, {});
-    const bool organised = table.height > 1;
+    std::vector<AttachedPoint> behind;
+    const bool laidOut = !table.line.empty() && layOutByColumns(table, source.options->sensorM.has_value(), behind);
+    if (!laidOut) {
+        table.rangeMm.clear();
+        table.state.clear();
+    }
+    const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
     auto grid = recognise(table, source, organised ? table.width : 0);
     const bool text = table.format == "point list";
-    if (grid && text && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
+    if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
     }
-    if (grid) return recognisedScan(table, std::move(*grid), source);
-    if (grid.error().what == "cancelled") return source.cancelled();
-    if (organised) return organisedScan(table, source);
+    if (!grid && grid.error().what == "cancelled") return source.cancelled();
+    if (grid && (table.gridIsGiven || laidOut) && isOfAnotherShape(*grid, table)) grid = Error{"another grid", "", ""};
+    const bool inFrameOfFile = static_cast<bool>(grid);
+    if (!grid && laidOut) {
+        auto turned = recogniseTurned(table, source);
+        if (!turned && turned.error().what == "cancelled") return source.cancelled();
+        if (turned && !isOfAnotherShape(*turned, table)) grid = std::move(turned);
+    }
+    if (grid || organised) {
+        Scan scan = grid ? recognisedScan(table, std::move(*grid), source, inFrameOfFile) : organisedScan(table, source);
+        attach(scan, behind, table, source);
+        return scan;
+    }
     // Who names the axis knows of a grid; to project the points then would hide that it was not found.
     const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
     if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().hint);
@@ -316,6 +432,12 @@ bool addToDescription(std::string_view comment, std::string& description) {
     return true;
 }
 
+std::optional<std::string> leftOutSentence(const Scan& scan) {
+    if (scan.pointsLeftOut == 0) return std::nullopt;
+    return std::to_string(scan.pointsLeftOut) + " of the " + std::to_string(scan.pointsRead) +
+           " points of the file have no cell of their own.";
+}
+
 Result<Scan> scanFromPoints(PointTable table, const Source& source) {
     if (!table.description.empty()) {
         auto scan = ownScan(table, source);
@@ -325,11 +447,24 @@ Result<Scan> scanFromPoints(PointTable table, const Source& source) {
     if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
     if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
     std::size_t infinite = 0;
-    for (const Eigen::Vector3d& p : table.points) infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < 1e12 ? 0 : 1;
+    for (const Eigen::Vector3d& p : table.points)
+        infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < physical::kCoordinate.limits.most ? 0 : 1;
+    if (std::ranges::none_of(table.points, isReturn)) {
+        return source.refused("the file holds 0 points with a return, out of " + std::to_string(table.points.size()),
+                              "choose another file, or copy it again");
+    }
     table.precision = withDecimals(table.precision, table.points);
     takeGivenSensor(table, source);
+    const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));
     auto scan = scanOf(table, source);
+    // What was wrong with the file may be why its points make no scan.
+    if (!scan && !table.remarks.empty() && scan.error().what != "cancelled")
+        return Error{scan.error().what + "; " + table.remarks.front().substr(0, table.remarks.front().rfind('.')), scan.error().where,
+                     scan.error().hint};
     if (!scan) return scan;
+    scan->pointsRead = returns;
+    scan->pointsLeftOut = returns - std::min(returns, countCells(*scan)[static_cast<std::size_t>(CellState::Valid)]);
+    if (const auto sentence = leftOutSentence(*scan)) scan->warnings.push_back(*sentence);
     if (std::string coarse = coarseStep(table); !coarse.empty()) {
         coarse[0] = 'N';
         scan->warnings.push_back(coarse + ": it was written with 4-byte floats.");

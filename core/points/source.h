@@ -25,9 +25,12 @@ struct Source {
     LinePlayed played = {}; ///< called behind every line of a recording
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-    /// Lower case, with the dot.
-    [[nodiscard]] std::string extension() const {
-        std::string text = path.extension().string();
+    /// Named scan.pcd.gz: what is packed carries its own extension before the last one.
+    [[nodiscard]] bool isNamedPacked() const { return lowerCase(path.extension()) == ".gz"; }
+    /// Lower case, with the dot; of what is packed its own.
+    [[nodiscard]] std::string extension() const { return lowerCase(isNamedPacked() ? path.stem().extension() : path.extension()); }
+    [[nodiscard]] static std::string lowerCase(const std::filesystem::path& name) {
+        std::string text = name.string();
         for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
         return text;
     }

@@ -1,173 +1,203 @@
 // Finds out how a text of numbers is laid out from its first lines.
-#include "core/points/text_layout.h"
-
-#include "core/points/point_table.h"
+#include "core/points/column_names.h"
+#include "core/points/text_words.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kMostHeadLines = 2000;
 constexpr std::size_t kSampleRows = 20;
+constexpr std::size_t kWide = 16; ///< columns that are no point's
 
-bool isSeparator(char c) { return isBlank(c) || c == ',' || c == ';'; }
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
+/// Blanks behind it do not count.
+bool endsWith(std::string_view row, char separator) {
+    while (row.ends_with(' ')) row.remove_suffix(1);
+    return row.ends_with(separator);
 }
 
-/// What stands behind the comment sign; empty optional when the line is no comment.
-std::optional<std::string_view> commentIn(std::string_view line) {
-    const std::string_view text = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (text.starts_with("//")) return text.substr(2);
-    if (text.starts_with('#') || text.starts_with('%') || text.starts_with('!')) return text.substr(1);
-    return std::nullopt;
-}
-
-bool isNumber(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double value = 0;
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return problem != std::errc::invalid_argument && (end == word.data() + word.size() || *end == '#');
-}
-
-/// Words between any of blank, comma, semicolon.
-std::vector<std::string_view> wordsIn(std::string_view line) {
-    std::vector<std::string_view> words;
-    std::size_t at = 0;
-    while (at < line.size()) {
-        while (at < line.size() && isSeparator(line[at])) ++at;
-        const std::size_t from = at;
-        while (at < line.size() && !isSeparator(line[at])) ++at;
-        if (at > from) words.push_back(line.substr(from, at - from));
-    }
-    return words;
-}
-
-bool isRowOfNumbers(std::string_view line) {
-    const auto words = wordsIn(line);
-    return !words.empty() && std::all_of(words.begin(), words.end(), isNumber);
-}
-
-/// "1,5" between blanks or tabs: every word has one comma with a digit on both sides, and no point.
-bool hasDecimalCommas(std::string_view row, char separator) {
+/// "1,5" between blanks or tabs: most words have one comma with a digit on both sides, the others none, and there is no point.
+bool hasDecimalCommas(std::string_view row) {
     std::size_t words = 0;
+    std::size_t commas = 0;
     std::size_t at = 0;
     while (at < row.size()) {
-        std::size_t end = at;
-        while (end < row.size() && row[end] != separator && !(separator == ' ' && row[end] == '\t')) ++end;
+        const std::size_t end = std::min(row.find_first_of(" \t", at), row.size());
         const std::string_view word = trimmed(row.substr(at, end - at));
         at = end + 1;
         if (word.empty()) continue;
         const std::size_t comma = word.find(',');
-        if (comma == 0 || comma == std::string_view::npos || comma + 1 == word.size() ||
-            word.find(',', comma + 1) != std::string_view::npos)
-            return false;
-        if (word.find('.') != std::string_view::npos) return false;
+        if (comma == 0 || (comma != word.npos && (comma + 1 == word.size() || word.find(',', comma + 1) != word.npos))) return false;
+        if (word.find('.') != word.npos) return false;
+        commas += comma == word.npos ? 0 : 1;
         ++words;
     }
-    return words >= 2;
+    return commas >= 2 && 2 * commas > words;
+}
+
+/// Tabs between cells that are empty or have no blank inside, as many in every row; not tabs among blanks.
+bool tabsSeparate(const std::vector<std::string_view>& rows) {
+    const auto tabsIn = [](std::string_view row) { return std::ranges::count(row, '\t'); };
+    TextLayout tabs;
+    tabs.separator = '\t';
+    return tabsIn(rows.front()) > 0 && std::ranges::all_of(rows, [&](std::string_view row) {
+               return tabsIn(row) == tabsIn(rows.front()) &&
+                      std::ranges::none_of(cellsIn(row, tabs), [](std::string_view cell) { return cell.find(' ') != cell.npos; });
+           });
 }
 
 void chooseSeparator(const std::vector<std::string_view>& rows, TextLayout& layout) {
-    const auto anyHas = [&](char c) {
-        return std::any_of(rows.begin(), rows.end(), [&](auto row) { return row.find(c) != std::string_view::npos; });
+    const auto anyHas = [](std::span<const std::string_view> in, char c) {
+        return std::ranges::any_of(in, [&](std::string_view row) { return row.find(c) != row.npos; });
     };
-    const auto allAre = [&](char c) { return std::all_of(rows.begin(), rows.end(), [&](auto row) { return hasDecimalCommas(row, c); }); };
-    if (anyHas(';')) {
+    const auto measured = std::span(rows).subspan(rows.size() > 1 ? 1 : 0); // the first row may be the numbers of the columns
+    if (anyHas(rows, ';')) {
         layout.separator = ';';
-        layout.decimalComma = anyHas(',') && !anyHas('.');
-    } else if (anyHas(',') && !allAre(' ')) {
+        layout.decimalComma = anyHas(measured, ',') && !anyHas(measured, '.');
+    } else if (anyHas(rows, ',') &&
+               !std::ranges::all_of(rows, [](auto row) { return row.find(',') == row.npos || hasDecimalCommas(row); })) {
         layout.separator = ',';
     } else {
-        layout.decimalComma = anyHas(',');
-        const bool emptyCells = std::any_of(rows.begin(), rows.end(), [](auto row) { return row.find("\t\t") != std::string_view::npos; });
-        layout.separator = emptyCells ? '\t' : ' ';
+        layout.decimalComma = anyHas(measured, ',');
+        layout.separator = tabsSeparate(rows) ? '\t' : ' ';
     }
-    layout.trailingSeparator = layout.separator != ' ' && std::all_of(rows.begin(), rows.end(), [&](auto row) {
-                                   while (row.ends_with(' ')) row.remove_suffix(1);
-                                   return row.ends_with(layout.separator);
-                               });
+    layout.trailingSeparator =
+        layout.separator != ' ' && std::ranges::all_of(rows, [&](auto row) { return endsWith(row, layout.separator); });
 }
 
-std::size_t countColumns(std::string_view row, const TextLayout& layout) {
-    if (layout.separator == ' ' || layout.separator == '\t') {
-        if (layout.separator == ' ' && layout.decimalComma) {
-            std::string blanks(row);
-            std::replace(blanks.begin(), blanks.end(), ',', '.');
-            return wordsIn(blanks).size();
-        }
-        if (layout.separator == ' ') return wordsIn(row).size();
+double numberOf(std::string_view cell) {
+    if (cell.starts_with('+')) cell.remove_prefix(1);
+    double value = std::nan("");
+    const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    return problem == std::errc{} && end == cell.data() + cell.size() ? value : std::nan("");
+}
+
+/// First number and step of numbers that rise evenly.
+struct Even {
+    double first = 0, step = 0;
+    [[nodiscard]] bool counts() const { return step == 1 && (first == 0 || first == 1); }
+};
+std::optional<Even> evenlyRising(std::span<const std::string_view> cells) {
+    if (cells.size() < 2) return std::nullopt;
+    const double first = numberOf(cells.front());
+    const double step = (numberOf(cells.back()) - first) / static_cast<double>(cells.size() - 1);
+    if (!std::isfinite(first) || !(step > 0) || !std::isfinite(step)) return std::nullopt;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double off = numberOf(cells[i]) - (first + static_cast<double>(i) * step);
+        if (!(std::abs(off) < 0.05 * step)) return std::nullopt; // as far as rounding moves them
     }
-    const auto separators = static_cast<std::size_t>(std::count(row.begin(), row.end(), layout.separator));
-    return separators + (layout.trailingSeparator ? 0 : 1);
+    return Even{first, step};
+}
+
+/// The numbers of the columns instead of their names, as pandas writes them: rising evenly, as no row of measured numbers does.
+bool isHeaderOfNumbers(std::span<const std::string_view> cells, std::span<const std::string_view> below, const TextLayout& layout) {
+    const bool labelled = cells.front().empty();
+    const auto numbers = cells.subspan(labelled ? 1 : 0);
+    const auto even = evenlyRising(numbers);
+    if (!even || numbers.size() < 3) return false;
+    if (numbers.size() >= kWide) return labelled || even->counts() || even->first <= 0;
+    const char point = layout.decimalComma ? ',' : '.';
+    const auto whole = [&](std::string_view row) { return row.find(point) == std::string_view::npos; };
+    const bool amongOthers = !below.empty() && std::ranges::none_of(below, whole); // else it may be the point 0 1 2
+    return even->counts() && even->first == 0 && (labelled || amongOthers);
+}
+
+/// The first cell of each row counts the rows, from the first to the last.
+bool firstCellsCount(std::string_view text, const TextLayout& layout) {
+    std::size_t rows = 0;
+    double first = 0;
+    for (std::size_t at = layout.firstByte; at < text.size();) {
+        const TextLine line = textLineAt(text, at);
+        at = line.next;
+        std::string_view row = trimmed(line.text);
+        if (row.empty() || row.starts_with('#')) continue;
+        const char* const ends = layout.separator == ' ' ? " \t" : nullptr;
+        row = row.substr(0, ends != nullptr ? row.find_first_of(ends) : row.find(layout.separator));
+        const double number = numberOf(trimmed(row));
+        if (rows == 0) first = number;
+        if (rows == 0 && first != 0 && first != 1) return false;
+        if (number != first + static_cast<double>(rows)) return false;
+        ++rows;
+    }
+    return rows >= 2;
+}
+
+bool allRowsEndWith(std::string_view text, std::size_t from, char separator) {
+    while (from < text.size()) {
+        const TextLine line = textLineAt(text, from);
+        from = line.next;
+        const bool comment = line.text.starts_with('#') || line.text.starts_with('%') || line.text.starts_with('!');
+        if (!comment && !trimmed(line.text).empty() && !endsWith(line.text, separator)) return false;
+    }
+    return true;
+}
+
+/// A separator behind the last cell of the sample may stand before a column that is empty there.
+bool endsInEmptyColumn(std::string_view text, std::string_view header, std::string_view row, TextLayout layout) {
+    if (!allRowsEndWith(text, layout.firstByte, layout.separator)) return true;
+    layout.trailingSeparator = false;
+    const auto names = cellsIn(header, layout);
+    return names.size() == cellsIn(row, layout).size() && !names.back().empty();
 }
 
 std::vector<std::string> namesIn(std::string_view header, const TextLayout& layout) {
     std::vector<std::string> names;
-    const auto add = [&](std::string_view word) {
-        std::string name(trimmed(word));
-        std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    for (const std::string_view cell : cellsIn(header, layout)) {
+        const bool unit = layout.separator == ' ' && (cell.starts_with('(') || cell.starts_with('[')) && !names.empty(); // "x (m)"
+        if (unit) {
+            names.back() += cell;
+            continue;
+        }
+        std::string name(cell);
+        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
         names.push_back(std::move(name));
-    };
-    if (layout.separator == ' ') {
-        for (const auto word : wordsIn(header)) add(word);
-        return names;
     }
-    std::size_t at = 0;
-    while (at <= header.size()) {
-        const std::size_t end = std::min(header.find(layout.separator, at), header.size());
-        add(header.substr(at, end - at));
-        at = end + 1;
-    }
-    if (layout.trailingSeparator && !names.empty() && names.back().empty()) names.pop_back();
     return names;
 }
 
-/// What stands before the first row of numbers.
-struct Head {
-    std::size_t firstByte = 0;
-    std::size_t firstLine = 0;
-    std::string_view header; ///< last line that is neither blank nor numbers, comment sign removed
-    std::optional<std::size_t> promisedRows;
-    std::string description;
-    bool found = false;
-};
-
-Head readHead(std::string_view text) {
-    Head head;
-    std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    std::size_t headLines = 0; // comments do not count: our own can be long
-    for (std::size_t number = 1; at < text.size() && headLines <= kMostHeadLines; ++number) {
-        const TextLine line = textLineAt(text, at);
-        const auto comment = commentIn(line.text);
-        if (!comment) ++headLines;
-        if (comment) {
-            if (!addToDescription(*comment, head.description)) head.header = *comment;
-        } else if (isRowOfNumbers(line.text)) {
-            const auto words = wordsIn(line.text);
-            const std::string_view next = line.next < text.size() ? textLineAt(text, line.next).text : std::string_view();
-            std::size_t count = 0;
-            const auto [end, problem] = std::from_chars(words[0].data(), words[0].data() + words[0].size(), count);
-            const bool isCount =
-                words.size() == 1 && problem == std::errc{} && end == words[0].data() + words[0].size() && wordsIn(next).size() > 1;
-            if (!isCount) {
-                head.firstByte = at;
-                head.firstLine = number;
-                head.found = true;
-                return head;
-            }
-            head.promisedRows = count;
-        } else if (!trimmed(line.text).empty()) {
-            head.header = line.text;
-        }
-        at = line.next;
+/// Names of `cells` columns, a label included; none where a line about something else stands there.
+std::vector<std::string> namesOf(std::string_view header, std::size_t cells, const TextLayout& layout) {
+    if (trimmed(header).empty()) return {};
+    auto names = namesIn(header, layout);
+    if (names.size() != cells && !(layout.labels && names.size() + 1 == cells)) { // a header between blanks over rows between commas
+        TextLayout blanks = layout;
+        blanks.separator = ' ';
+        std::string text(header);
+        std::ranges::replace(text, ',', ' ');
+        std::ranges::replace(text, ';', ' ');
+        names = namesIn(text, blanks);
     }
-    return head;
+    return names;
+}
+
+/// The label's own name goes; R leaves it out itself.
+void nameColumns(std::string_view header, std::size_t cells, std::string_view text, TextLayout& layout) {
+    auto names = namesOf(header, cells, layout);
+    if (names.size() != cells && names.size() + 1 != cells) names.clear(); // a line about something else is no header
+    const bool pandas = names.size() == cells && cells > 2 && (names[0].empty() || names[0].starts_with("unnamed: 0"));
+    const bool counted = names.size() != cells && cells > 3 && firstCellsCount(text, layout);
+    layout.labels = layout.labels || pandas || counted;
+    if (layout.labels && names.size() == cells) names.erase(names.begin());
+    layout.columns = cells - (layout.labels ? 1 : 0);
+    layout.names = names.size() == layout.columns ? std::move(names) : std::vector<std::string>();
+}
+
+Error noNumbers(const Source& source) {
+    return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
+}
+
+/// "3,5","3,6": a comma is both.
+bool hasQuotedCommas(std::string_view row) {
+    for (std::size_t at = row.find('"'); at != std::string_view::npos;) {
+        const std::size_t end = row.find('"', at + 1);
+        if (end == std::string_view::npos) return false;
+        const std::string_view cell = row.substr(at + 1, end - at - 1);
+        if (cell.find(',') != std::string_view::npos && isRowOfNumbers(cell)) return true;
+        at = row.find('"', end + 1);
+    }
+    return false;
 }
 
 } // namespace
@@ -191,28 +221,42 @@ std::optional<std::size_t> firstByteThatIsNoText(std::string_view text) {
 
 Result<TextLayout> textLayoutOf(const Source& source) {
     const std::string_view text = source.text();
-    Head head = readHead(text);
-    if (!head.found) {
-        return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
-    }
+    TextHead head = readHead(text, false);
+    const bool labels = !head.found;
+    if (labels) head = readHead(text, true);
+    if (!head.found) return noNumbers(source);
     TextLayout layout;
     layout.firstByte = head.firstByte;
     layout.firstLine = head.firstLine;
     layout.promisedRows = head.promisedRows;
     layout.description = std::move(head.description);
+    layout.labels = labels;
     std::vector<std::string_view> rows;
+    std::vector<std::string_view> numbers;  // the rows without their labels
+    std::size_t firstNumbers = text.size(); // behind the first row that has some
     for (std::size_t at = head.firstByte; at < text.size() && rows.size() < kSampleRows;) {
         const TextLine line = textLineAt(text, at);
-        if (isRowOfNumbers(line.text)) rows.push_back(line.text);
         at = line.next;
+        const std::string_view cells = line.text.substr(labels ? std::min(line.text.find_first_of(",;\t"), line.text.size()) : 0);
+        if (!isRowOfNumbers(cells)) continue;
+        if (rows.empty()) firstNumbers = at;
+        rows.push_back(line.text);
+        numbers.push_back(cells);
     }
-    chooseSeparator(rows, layout);
-    layout.columns = countColumns(rows.front(), layout);
-    if (!head.header.empty()) {
-        layout.names = namesIn(head.header, layout);
-        // A comment about something else is no header.
-        if (layout.names.size() != layout.columns) layout.names.clear();
+    chooseSeparator(numbers, layout);
+    if (layout.separator == ',' && hasQuotedCommas(rows.back())) {
+        return source.refusedAtLine(layout.firstLine, "holds decimal commas in quotes between commas",
+                                    "save the table with semicolons, or with decimal points");
     }
+    layout.trailingSeparator = layout.trailingSeparator && !endsInEmptyColumn(text, head.header, rows.front(), layout);
+    const auto cells = cellsIn(rows.front(), layout);
+    if (!labels && isHeaderOfNumbers(cells, std::span(rows).subspan(1), layout)) {
+        for (std::size_t at = layout.firstByte; at < firstNumbers; at = textLineAt(text, at).next) ++layout.firstLine;
+        layout.firstByte = firstNumbers;
+        head.header = rows.front();
+    }
+    nameColumns(head.header, cells.size(), text, layout);
+    if (labels && layout.columns < kWide && !columnsNamed(layout.names).hasPoint()) return noNumbers(source);
     return layout;
 }
 

@@ -21,8 +21,9 @@ struct TextLayout {
     char separator = ' ';                    ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
     bool decimalComma = false;               ///< 1,5;2,25
     bool trailingSeparator = false;          ///< every row ends with a separator that begins no cell
-    std::size_t columns = 0;                 ///< of the first row
-    std::vector<std::string> names;          ///< column names of the header, lower case; empty when there is none
+    bool labels = false;                     ///< every row begins with a label or a count (the index of pandas) that is none of its numbers
+    std::size_t columns = 0;                 ///< numbers of the first row
+    std::vector<std::string> names;          ///< of the columns, from the header, lower case; empty when there is none
     std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
     std::string description;                 ///< JSON of our own "# edgescan " comment lines
 };
@@ -33,6 +34,9 @@ struct TextLine {
     std::size_t next = 0;
 };
 [[nodiscard]] TextLine textLineAt(std::string_view text, std::size_t from);
+
+/// What tables write where there is no number: "NA", "null", "None" ...; "nan" is a number already.
+[[nodiscard]] bool isMissingMark(std::string_view word);
 
 /// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
 [[nodiscard]] std::optional<std::size_t> firstByteThatIsNoText(std::string_view text);
@@ -56,7 +60,7 @@ struct PrintedDigits {
     [[nodiscard]] bool fixedDecimals() const { return !powers && decimals + whole <= significant; }
 };
 
-/// Rows of numbers one after the other. An empty cell and "nan" are NaN.
+/// Rows of numbers one after the other. An empty cell, "nan" and what tables write for nothing ("NA", "null") are NaN.
 class RowReader {
 public:
     RowReader(const Source& source, const TextLayout& layout);
@@ -68,11 +72,15 @@ public:
     [[nodiscard]] double fraction() const;                         ///< of the text that has been read
     /// Which columns digits() is about; the first three unless told otherwise.
     void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
+    void measureAll() { measured_.reset(); }
+    /// What stands before the numbers of the row that next() gave, where the layout has labels.
+    [[nodiscard]] std::string_view label() const { return label_; }
     /// Of the measured columns of the rows read so far.
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
 
 private:
     bool readRow(std::vector<double>& numbers);
+    bool skipLabel();
     bool readCell(std::vector<double>& numbers);
     void countDigits(const char* from, const char* to);
 
@@ -84,8 +92,9 @@ private:
     const char* rowEnd_ = nullptr;
     std::size_t line_;
     std::size_t nextLine_;
-    std::size_t rows_ = 0;
-    std::array<std::size_t, 3> measured_{0, 1, 2};
+    std::size_t measuredNumbers_ = 0;
+    std::optional<std::array<std::size_t, 3>> measured_{{0, 1, 2}};
+    std::string_view label_;
     PrintedDigits digits_;
     std::optional<Error> problem_;
 };

@@ -10,7 +10,7 @@ namespace edgescan {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kRowsWithDigits = 20000; // enough to know how numbers are printed
+constexpr std::size_t kNumbersWithDigits = 60000; // enough to know how numbers are printed
 
 /// "1.#QNAN", "-1.#IND", "1.#INF" of old Microsoft programs.
 bool isOldNan(const char* from, const char* to) {
@@ -36,9 +36,7 @@ bool RowReader::next(std::vector<double>& numbers) {
         at_ = rowEnd;
         if (at_ < end_) at_ += *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n' ? 2 : 1;
         if (!read) return false;
-        if (numbers.empty()) continue; // blank or comment
-        ++rows_;
-        return true;
+        if (!numbers.empty()) return true; // else blank or comment
     }
     return false;
 }
@@ -48,6 +46,7 @@ bool RowReader::readRow(std::vector<double>& numbers) {
     const char separator = layout_->separator;
     while (at_ < rowEnd_ && (*at_ == ' ' || *at_ == '"' || (*at_ == '\t' && separator != '\t'))) ++at_;
     if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true; // Ctrl+Z ended files once
+    if (layout_->labels && !skipLabel()) return true;
     for (;;) {
         if (!readCell(numbers)) return false;
         while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
@@ -60,6 +59,19 @@ bool RowReader::readRow(std::vector<double>& numbers) {
         ++at_; // the separator; readCell has checked that it is one
         if (at_ == rowEnd_ && layout_->trailingSeparator) return true;
     }
+}
+
+/// Past the label and its separator; false when the row ends there.
+bool RowReader::skipLabel() {
+    const char separator = layout_->separator;
+    const char* const from = at_;
+    while (at_ < rowEnd_ && *at_ != separator && !(separator == ' ' && *at_ == '\t')) ++at_;
+    label_ = std::string_view(from, static_cast<std::size_t>(at_ - from));
+    while (!label_.empty() && isBlank(label_.back())) label_.remove_suffix(1);
+    if (at_ == rowEnd_) return false;
+    ++at_;
+    while (separator == ' ' && at_ < rowEnd_ && isBlank(*at_)) ++at_;
+    return at_ < rowEnd_ || separator != ' ';
 }
 
 bool RowReader::readCell(std::vector<double>& numbers) {
@@ -95,14 +107,22 @@ bool RowReader::readCell(std::vector<double>& numbers) {
     if (parsed.ec == std::errc::invalid_argument || !ends) {
         const char* wordEnd = at_;
         while (wordEnd < rowEnd_ && !isBlank(*wordEnd) && *wordEnd != separator && wordEnd - at_ < 40) ++wordEnd;
+        if (isMissingMark({at_, static_cast<std::size_t>(wordEnd - at_)})) {
+            numbers.push_back(kMissing);
+            at_ = wordEnd;
+            return true;
+        }
         std::string word(at_, wordEnd);
         std::replace_if(
             word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
         problem_ = source_->refusedAtLine(line_, "\"" + word + "\" is no number", "correct the line or export the file again");
         return false;
     }
-    const bool measured = std::find(measured_.begin(), measured_.end(), numbers.size()) != measured_.end();
-    if (rows_ < kRowsWithDigits && measured) countDigits(from, end);
+    const bool measured = !measured_ || std::find(measured_->begin(), measured_->end(), numbers.size()) != measured_->end();
+    if (measured && measuredNumbers_ < kNumbersWithDigits) {
+        ++measuredNumbers_;
+        countDigits(from, end);
+    }
     numbers.push_back(value);
     at_ = end;
     return true;

@@ -4,6 +4,7 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/recognition/recognise_parts.h"
+#include "core/recognition/recognise_phases.h"
 
 #include <algorithm>
 #include <array>
@@ -270,6 +271,7 @@ RecognisedGrid finished(Found found, const PointList& list) {
         grid.remarks.emplace_back("The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.");
     }
     grid.pointOf = std::move(found.fit.pointOf);
+    if (!grid.complete) foldPhases(grid);
     tellRepairs(grid, putBack);
     return grid;
 }
@@ -292,18 +294,22 @@ Result<RecognisedGrid> recogniseGrid(const PointList& list) {
     const auto hypotheses = hypothesesFor(list.axis);
     std::optional<Found> best;
     std::array<NoFit, 3> seen{};
-    for (const bool inOrder : {true, false}) {
+    // Every cell in order; lines in order, with points left out; any order. An organised cloud is in order or no grid of angles.
+    enum Way : std::size_t { kEveryCell, kRuns, kGroups };
+    for (const Way way : {kEveryCell, kRuns, kGroups}) {
+        if (way != kEveryCell && list.rowLength > 0) break;
         for (std::size_t h = 0; h < hypotheses.size(); ++h) {
-            const double done = (static_cast<double>(h) / static_cast<double>(hypotheses.size()) + (inOrder ? 0 : 1)) / 2;
+            const double done = (static_cast<double>(h) / static_cast<double>(hypotheses.size()) + static_cast<double>(way)) / 3;
             if (list.progress && !list.progress("finding the grid", done)) return Error{"cancelled", "", ""};
             std::vector<AxisPoint> points = seenAlong(hypotheses[h], list.points);
-            auto fit = inOrder ? fitFileOrder(points, list.precision, list.rowLength) : fitGroups(points, list.precision, seen[h]);
+            auto fit = way == kEveryCell ? fitFileOrder(points, list.precision, list.rowLength)
+                       : way == kRuns    ? fitRuns(points, list.precision, seen[h])
+                                         : fitGroups(points, list.precision, seen[h]);
             if (!fit || !believable(*fit) || (best && best->fit.residual <= fit->residual)) continue;
             best = Found{std::move(*fit), hypotheses[h], std::move(points)};
             if (best->fit.plane.size() > 1) break; // only a single line can fit more than one axis
         }
         if (best) return finished(std::move(*best), list);
-        if (list.rowLength > 0) break; // an organised cloud is in order or no grid of angles
     }
     return Error{sentenceFor(seen, hypotheses, returns), "", "open the scan as the scanner stored it, with its origin at the scanner"};
 }

@@ -1,62 +1,87 @@
 // Finds the grid of a list in any order, with points left out: its plane angles and tilts gather in groups with voids between them.
 #include "core/base/order_statistic.h"
-#include "core/recognition/recognise_parts.h"
-#include "core/recognition/recognise_rings.h"
+#include "core/recognition/recognise_crowd.h"
+#include "core/recognition/recognise_seen.h"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
+#include <cmath>
+#include <limits>
 
 namespace edgescan::recognition {
 namespace {
 
-constexpr double kLeastFilled = 0.05; // of the cells; below, any cloud would fit
+constexpr double kTelling = 1.0 / 12;  // of a step: a more precise angle shows whether it lies on a group
+constexpr double kLeastTelling = 0.05; // of the returns
+constexpr double kSideSure = 0.6;      // error of the plane angle, radians
 
-/// One point that has a return.
-struct Return {
-    std::uint32_t point = 0;
-    double plane = 0.0, planeError = 0.0, tiltError = 0.0;
-    std::uint32_t line = kNone, beam = kNone;
-    bool unsure = false; ///< its own angle does not give its line: it is too near the axis, or written too coarsely
-    bool told = false;   ///< but its neighbours in the list do
-    bool off = false;    ///< between the lines
+/// How well angles lie on the groups of a ring.
+class OnRing {
+public:
+    explicit OnRing(const Ring& ring) : ring_(ring), least_(median(ring.voids()) * 0.5) {}
+
+    struct Place {
+        double at = 0.0;   ///< in groups
+        double step = 0.0; ///< to the neighbour on that side
+        std::size_t group = 0;
+        bool telling = false, off = false;
+    };
+    [[nodiscard]] Place place(double angle, double error) const {
+        const Ring::Nearest near = ring_.nearest(angle);
+        const double side = std::remainder(angle - ring_.centres[near.group], ring_.period) < 0 ? -1 : 1;
+        const double step = std::min(near.voidWidth, 8 * least_); // the void behind the last group is no step
+        Place place{static_cast<double>(near.group) + side * near.distance / step, step, near.group, false, false};
+        place.telling = error <= kTelling * step;
+        place.off = near.distance > 0.25 * step + error;
+        return place;
+    }
+
+private:
+    const Ring& ring_;
+    double least_;
+};
+
+/// Counts what is telling, and what of it is on the groups.
+struct Share {
+    std::size_t telling = 0, on = 0;
+    void add(const OnRing::Place& place) {
+        telling += place.telling ? 1 : 0;
+        on += place.telling && !place.off ? 1 : 0;
+    }
+    /// 0 where too few are telling.
+    [[nodiscard]] double of(std::size_t returns, std::size_t groups) const {
+        const bool enough =
+            static_cast<double>(telling) >= kLeastTelling * static_cast<double>(returns) && telling >= kPointsPerGroup * groups;
+        return enough ? static_cast<double>(on) / static_cast<double>(telling) : 0.0;
+    }
 };
 
 class GroupFitter {
 public:
-    GroupFitter(std::span<const AxisPoint> points, const Precision& precision, double period) : points_(points), period_(period) {
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const AxisPoint& p = points[k];
-            if (p.missing()) continue;
-            const double range = p.range();
-            const double eps = precision.absolute + precision.relative * range;
-            const double radius = std::sqrt(p.squaredRadius());
-            Return r;
-            r.point = static_cast<std::uint32_t>(k);
-            r.plane = p.plane();
-            r.planeError = radius > 0 ? eps / radius : kPi;
-            r.tiltError = eps / range;
-            returns_.push_back(r);
-        }
-    }
+    GroupFitter(std::span<const AxisPoint> points, const std::vector<Seen>& seen, double period)
+        : points_(points), seen_(seen), period_(period) {}
 
-    std::optional<Fit> fit(NoFit& seen) {
-        if (returns_.size() < 12) return std::nullopt;
-        const auto lineRings = ringsOf(
-            &Return::planeError, [](const Return& r) { return r.plane; }, period_);
-        for (Ring lines : lineRings) {
-            double sure = placeInLines(lines);
-            if (beginAsListed(lines)) sure = placeInLines(lines);
-            remember(seen, lines.centres.size(), 0, sure);
-            if (sure < kShareOnGrid) continue;
-            const auto tilt = [&](const Return& r) { return tiltOf(r, lines); };
-            takeLinesOfNeighbours();
-            for (const Ring& beams : ringsOf(&Return::tiltError, tilt, 2 * kPi)) {
-                const double placed = placeInBeams(lines, beams);
-                remember(seen, lines.centres.size(), beams.centres.size(), placed);
-                if (placed < kShareOnGrid || beams.centres.size() < 2) continue;
-                if (returns_.size() < kPointsPerGroup * (lines.centres.size() + beams.centres.size())) continue;
-                settleUnsure(lines, beams);
+    std::optional<Fit> fit(NoFit& best) {
+        std::vector<Angle> planes;
+        planes.reserve(seen_.size());
+        for (const Seen& s : seen_) {
+            if (s.planeError < kPi) planes.push_back({s.plane, s.planeError});
+        }
+        for (Ring& lines : ringsAmong(planes, period_)) {
+            const double onLines = placeOnLines(lines);
+            remember(best, lines.centres.size(), 0, onLines);
+            if (onLines < kShareOnGrid) continue;
+            if (beginWhereFanTurnsOver(lines)) placeOnLines(lines);
+            const std::vector<Angle> tilts = tiltsOn(lines);
+            for (const Ring& beams : ringsAmong(tilts, 2 * kPi)) {
+                if (seen_.size() < kPointsPerGroup * (lines.centres.size() + beams.centres.size())) continue;
+                const OnRing onRing(beams);
+                Share share;
+                for (std::size_t n = 0; n < seen_.size(); ++n) {
+                    if (sideKnown_[n]) share.add(onRing.place(signedTilt_[n], seen_[n].tiltError));
+                }
+                const double onBeams = share.of(seen_.size(), beams.centres.size());
+                remember(best, lines.centres.size(), beams.centres.size(), onBeams);
+                if (onBeams < kShareOnGrid) continue;
                 if (auto found = filled(lines, beams)) return found;
             }
         }
@@ -65,10 +90,10 @@ public:
     /// How often the line changes from one point of the list to the next: few changes show that the file was written in this order.
     [[nodiscard]] std::size_t lineChanges() const {
         std::size_t changes = 0;
-        for (std::size_t n = 1; n < returns_.size(); ++n) changes += returns_[n].line != returns_[n - 1].line ? 1 : 0;
+        for (std::size_t n = 1; n < line_.size(); ++n) changes += line_[n].group != line_[n - 1].group ? 1 : 0;
         return changes;
     }
-    [[nodiscard]] std::size_t returns() const { return returns_.size(); }
+    [[nodiscard]] std::size_t returns() const { return seen_.size(); }
 
 private:
     static void remember(NoFit& seen, std::size_t lines, std::size_t beams, double share) {
@@ -76,169 +101,114 @@ private:
         if (share * (beams > 0 ? 2 : 1) <= seen.onGrid * (seen.beams > 0 ? 2 : 1)) return;
         seen = {lines, beams, share};
     }
-    /// Rings that the angles suggest: of nearly all points, since a beam may hold few; then of the more precise half.
-    template <class Angle>
-    std::vector<Ring> ringsOf(double Return::*error, Angle angle, double period) const {
-        std::vector<double> errors;
-        for (const Return& r : returns_) errors.push_back(r.*error);
-        const double usual = median(std::move(errors));
-        std::vector<Ring> rings;
-        for (const double limit : {4 * usual, 1.0000001 * usual}) {
-            std::vector<double> angles;
-            for (const Return& r : returns_) {
-                if (r.*error <= limit && (error == &Return::planeError || tiltIsKnown(r))) angles.push_back(angle(r));
-            }
-            auto found = ringsIn(std::move(angles), period);
-            std::move(found.begin(), found.end(), std::back_inserter(rings));
+    /// Planes all around the axis leave no void to begin after, and the fan is on the other side of the plane before the place where they
+    /// begin. True when the ring was turned to begin there.
+    bool beginWhereFanTurnsOver(Ring& lines) const {
+        if (period_ > 1.5 * kPi || lines.centres.size() < 3) return false;
+        std::vector<double> side(lines.centres.size(), 0.0); // sum of the sines of the tilts
+        for (std::size_t n = 0; n < seen_.size(); ++n) {
+            const double sine = std::sin(seen_[n].tilt);
+            side[line_[n].group] += std::cos(seen_[n].plane - lines.centres[line_[n].group]) >= 0 ? sine : -sine;
         }
-        return rings;
-    }
-    /// The sign of the tilt is known only with the line, which gives the side of the axis; a point on the axis needs none.
-    [[nodiscard]] bool tiltIsKnown(const Return& r) const {
-        if (!r.unsure || r.told) return true;
-        const AxisPoint& p = points_[r.point];
-        return listedByLines_ && std::sqrt(p.squaredRadius()) <= 3 * r.tiltError * p.range();
-    }
-    [[nodiscard]] double tiltOf(const Return& r, const Ring& lines) const {
-        const AxisPoint& p = points_[r.point];
-        if (r.unsure && !r.told) return std::atan2(std::sqrt(p.squaredRadius()), p.u);
-        const double plane = lines.centres[r.line];
-        return std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u);
-    }
-    /// Share of the sure points that lie on a line.
-    double placeInLines(const Ring& lines) {
-        std::size_t good = 0;
-        std::size_t told = 0;
-        for (Return& r : returns_) {
-            const Ring::Nearest near = lines.nearest(r.plane);
-            r.line = static_cast<std::uint32_t>(near.group);
-            r.told = false;
-            r.unsure = 3 * r.planeError > 0.25 * std::min(near.voidWidth, 0.5);
-            r.off = !r.unsure && near.distance > 0.25 * near.voidWidth;
-            told += r.unsure ? 0 : 1;
-            good += r.unsure || r.off ? 0 : 1;
-        }
-        return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
-    }
-    /// Lines all around the axis leave no void to begin after. Then they begin where neighbouring lines lie far apart in the list, because
-    /// the side of a plane changes there. False when nothing was changed.
-    bool beginAsListed(Ring& lines) const {
-        if (lines.centres.size() < 3) return false;
-        std::vector<double> place(lines.centres.size(), 0.0);
-        std::vector<double> count(lines.centres.size(), 0.0);
-        for (std::size_t n = 0; n < returns_.size(); ++n) {
-            place[returns_[n].line] += static_cast<double>(n);
-            ++count[returns_[n].line];
-        }
+        double sum = 0;
+        for (const double one : side) sum += one;
+        double all = 0; // a fan that is even on both sides turns over nowhere
+        for (const Seen& s : seen_) all += std::sin(s.tilt);
+        double most = std::max(1.05 * std::abs(sum), 0.3 * all);
         std::size_t cut = 0;
-        double farthest = 0;
-        for (std::size_t i = 0; i < place.size(); ++i) {
-            const std::size_t next = (i + 1) % place.size();
-            const double apart = std::abs(place[next] / std::max(count[next], 1.0) - place[i] / std::max(count[i], 1.0));
-            if (apart > farthest) {
-                farthest = apart;
-                cut = next;
-            }
+        for (std::size_t i = 0; i + 1 < side.size(); ++i) {
+            sum -= 2 * side[i];
+            if (std::abs(sum) <= most) continue;
+            most = std::abs(sum);
+            cut = i + 1;
         }
-        if (farthest < 0.5 * static_cast<double>(returns_.size()) || cut == 0) return false;
-        lines.beginAt(cut);
-        return true;
+        if (cut > 0) lines.beginAt(cut);
+        return cut > 0;
     }
-    double placeInBeams(const Ring& lines, const Ring& beams) {
-        std::size_t good = 0;
-        std::size_t told = 0;
-        for (Return& r : returns_) {
-            const Ring::Nearest near = beams.nearest(tiltOf(r, lines));
-            const bool coarse = 3 * r.tiltError > 0.25 * std::min(near.voidWidth, 0.5);
-            const bool close = near.distance <= 0.25 * near.voidWidth;
-            r.beam = close && !coarse ? static_cast<std::uint32_t>(near.group) : kNone;
-            const bool telling = !coarse && (!r.unsure || r.told);
-            told += telling ? 1 : 0;
-            good += telling && close ? 1 : 0;
+    double placeOnLines(const Ring& lines) {
+        const OnRing onRing(lines);
+        if (!seemsOn(onRing)) return 0.0;
+        Share share;
+        line_.clear();
+        for (const Seen& s : seen_) {
+            line_.push_back(onRing.place(s.plane, s.planeError));
+            share.add(line_.back());
         }
-        return told * 2 < returns_.size() ? 0.0 : static_cast<double>(good) / static_cast<double>(told);
+        return share.of(seen_.size(), lines.centres.size());
     }
-    /// In a list that runs along its lines, a point near the axis between two points of one line is on that line.
-    void takeLinesOfNeighbours() {
-        std::vector<std::size_t> sure;
-        for (std::size_t n = 0; n < returns_.size(); ++n) {
-            if (!returns_[n].unsure && !returns_[n].off) sure.push_back(n);
-        }
-        std::size_t sameLine = 0;
-        for (std::size_t s = 1; s < sure.size(); ++s) sameLine += returns_[sure[s]].line == returns_[sure[s - 1]].line ? 1 : 0;
-        listedByLines_ = sameLine * 2 >= sure.size();
-        if (!listedByLines_) return;
-        for (std::size_t s = 1; s < sure.size(); ++s) {
-            if (returns_[sure[s]].line != returns_[sure[s - 1]].line) continue;
-            for (std::size_t n = sure[s - 1] + 1; n < sure[s]; ++n) {
-                if (!returns_[n].unsure) continue;
-                returns_[n].line = returns_[sure[s]].line;
-                returns_[n].told = true;
-            }
-        }
+    /// A first look at some of the returns: most rings are none.
+    [[nodiscard]] bool seemsOn(const OnRing& onRing) const {
+        constexpr std::size_t kSome = 20'000;
+        Share share;
+        const std::size_t stride = seen_.size() / kSome + 1;
+        for (std::size_t n = 0; n < seen_.size(); n += stride) share.add(onRing.place(seen_[n].plane, seen_[n].planeError));
+        return static_cast<double>(share.on) >= 0.9 * static_cast<double>(share.telling);
     }
-    /// A point on the axis belongs to the line of its neighbours in the list, if the list is ordered.
-    void settleUnsure(const Ring& lines, const Ring& beams) {
-        const bool ascending = beamsAscend();
-        std::vector<std::size_t> nextTold(returns_.size() + 1, returns_.size());
-        for (std::size_t n = returns_.size(); n-- > 0;) nextTold[n] = returns_[n].unsure && !returns_[n].told ? nextTold[n + 1] : n;
-        for (std::size_t n = 0; n < returns_.size(); ++n) {
-            Return& r = returns_[n];
-            if (!r.unsure || r.told || r.beam == kNone) continue;
-            const auto fits = [&](std::size_t other, bool otherIsLater) {
-                if (other >= returns_.size() || returns_[other].line == kNone || returns_[other].beam == kNone) return false;
-                return otherIsLater == ascending ? r.beam < returns_[other].beam : r.beam > returns_[other].beam;
-            };
-            const std::size_t before = n == 0 ? returns_.size() : n - 1; // already settled
-            const bool left = listedByLines_ && fits(before, false);
-            const bool right = listedByLines_ && fits(nextTold[n], true);
-            r.line = kNone;
-            if (left && right && returns_[before].line != returns_[nextTold[n]].line) continue;
-            if (!left && !right) continue;
-            r.line = returns_[left ? before : nextTold[n]].line;
-            const double plane = lines.centres[r.line]; // now the side of the axis is known
-            const AxisPoint& p = points_[r.point];
-            r.beam = static_cast<std::uint32_t>(beams.nearest(std::atan2(p.radiusIn(std::cos(plane), std::sin(plane)), p.u)).group);
+    /// Tilts of the returns whose side of the axis is known: those on a line, and those so far from the first and the last one that all
+    /// lines they may belong to give them the same side. On the axis there is but one side.
+    std::vector<Angle> tiltsOn(const Ring& lines) {
+        signedTilt_.assign(seen_.size(), 0.0);
+        sideKnown_.assign(seen_.size(), false);
+        std::vector<Angle> tilts;
+        tilts.reserve(seen_.size());
+        for (std::size_t n = 0; n < seen_.size(); ++n) {
+            const Seen& s = seen_[n];
+            const double centre = lines.centres[line_[n].group];
+            const bool positive = period_ > 1.5 * kPi || std::cos(s.plane - centre) >= 0;
+            signedTilt_[n] = positive ? s.tilt : -s.tilt;
+            const double towardsFirst = centre - lines.centres.front() + 0.5 * line_[n].step;
+            const double towardsLast = lines.centres.back() - centre + 0.5 * line_[n].step;
+            const bool onLine = s.planeError <= 0.25 * line_[n].step;
+            const bool inside = s.planeError <= kSideSure && std::min(towardsFirst, towardsLast) > s.planeError;
+            const bool onAxis = s.planeError >= kPi && std::min(s.tilt, kPi - s.tilt) <= 2 * s.tiltError;
+            sideKnown_[n] = onLine || inside || onAxis || period_ > 1.5 * kPi;
+            if (sideKnown_[n] && !line_[n].off) tilts.push_back({signedTilt_[n], s.tiltError});
         }
+        return tilts;
     }
-    [[nodiscard]] bool beamsAscend() const {
-        std::ptrdiff_t votes = 0;
-        for (std::size_t n = 1; n < returns_.size(); ++n) {
-            const Return& a = returns_[n - 1];
-            const Return& b = returns_[n];
-            if (a.unsure || b.unsure || a.line != b.line || a.beam == kNone || b.beam == kNone) continue;
-            votes += b.beam > a.beam ? 1 : -1;
-        }
-        return votes >= 0;
+    /// The same point at the other end of the lines, seen from the other side of its plane.
+    static void turnOver(OnCell& cell, const OnRing::Place& beam, std::size_t lines) {
+        cell.turnsOver = !beam.off;
+        cell.turnedBeam = beam.at;
+        cell.turnedLine = cell.line + (cell.line * 2 < static_cast<double>(lines) ? 1 : -1) * static_cast<double>(lines);
     }
     std::optional<Fit> filled(const Ring& lines, const Ring& beams) {
         const double cells = static_cast<double>(lines.centres.size()) * static_cast<double>(beams.centres.size());
-        if (static_cast<double>(returns_.size()) < kLeastFilled * cells) return std::nullopt;
+        if (static_cast<double>(seen_.size()) < kLeastFilled * cells) return std::nullopt;
         Fit fit;
         fit.plane = lines.centres;
         fit.tilt = beams.centres;
         fit.pointOf = Grid<std::uint32_t>(static_cast<int>(lines.centres.size()), static_cast<int>(beams.centres.size()), kNone);
-        for (const Return& r : returns_) {
-            if (r.off || r.line == kNone || r.beam == kNone) {
+        const OnRing onBeams(beams);
+        std::vector<OnCell> returns;
+        returns.reserve(seen_.size());
+        for (std::size_t n = 0; n < seen_.size(); ++n) {
+            const Seen& s = seen_[n];
+            const OnRing::Place beam = onBeams.place(signedTilt_[n], s.tiltError);
+            if (line_[n].off || beam.off) {
                 ++fit.unplaced;
                 continue;
             }
-            std::uint32_t& cell = fit.pointOf.at(static_cast<int>(r.line), static_cast<int>(r.beam));
-            if (cell != kNone) {
-                const AxisPoint& other = points_[cell];
-                const AxisPoint& p = points_[r.point];
-                ++(p.u == other.u && p.v == other.v && p.w == other.w ? fit.copied : fit.doubled);
-            }
-            if (cell == kNone || points_[r.point].range() < points_[cell].range()) cell = r.point;
+            const double lineError = s.planeError >= kPi ? std::numeric_limits<double>::infinity() : s.planeError / line_[n].step;
+            returns.push_back({s.point, points_[s.point].range(), line_[n].at, beam.at, lineError, s.tiltError / beam.step});
+            if (period_ < 1.5 * kPi && lineError > 1)
+                turnOver(returns.back(), onBeams.place(-signedTilt_[n], s.tiltError), lines.centres.size());
         }
-        if (fit.doubled * 20 > returns_.size()) return std::nullopt; // cells that are too large hold several different points
+        const Placed placed = placeOnCells(returns, points_, fit.pointOf);
+        fit.unplaced += placed.unplaced;
+        fit.doubled = placed.doubled;
+        fit.copied = placed.copied;
+        if (static_cast<double>(fit.doubled + fit.unplaced) > kMostDoubled * static_cast<double>(seen_.size()))
+            return std::nullopt; // cells that are too large hold several different points
         return fit;
     }
 
     std::span<const AxisPoint> points_;
+    const std::vector<Seen>& seen_;
     double period_;
-    std::vector<Return> returns_;
-    bool listedByLines_ = false;
+    std::vector<OnRing::Place> line_;
+    std::vector<double> signedTilt_;
+    std::vector<bool> sideKnown_;
 };
 
 double fillOf(const Fit& fit) {
@@ -248,15 +218,19 @@ double fillOf(const Fit& fit) {
 
 } // namespace
 
-std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision& precision, NoFit& seen) {
-    GroupFitter wholePlanes(points, precision, kPi);
-    GroupFitter halfPlanes(points, precision, 2 * kPi);
-    auto whole = wholePlanes.fit(seen);
-    auto half = halfPlanes.fit(seen);
+std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision& precision, NoFit& best) {
+    const std::vector<Seen> seen = returnsOf(points, precision);
+    if (seen.size() < 12) return std::nullopt;
+    GroupFitter wholePlanes(points, seen, kPi);
+    GroupFitter halfPlanes(points, seen, 2 * kPi);
+    auto whole = wholePlanes.fit(best);
+    // A fan on both sides of the axis and a turn of 360 degrees can be the same points. The fuller grid wins; when both are
+    // full, the one that the order of the list follows; a shuffled list is taken as a fan, which is our scanner.
+    const bool inOrder = whole && wholePlanes.lineChanges() * 2 < wholePlanes.returns();
+    if (whole && !inOrder && fillOf(*whole) > 1 / 1.3) return whole;
+    auto half = halfPlanes.fit(best);
     if (!whole) return half;
     if (half) {
-        // A fan on both sides of the axis and a turn of 360 degrees can be the same points. The fuller grid wins; when both are
-        // full, the one that the order of the list follows; a shuffled list is taken as a fan, which is our scanner.
         const double ratio = fillOf(*half) / fillOf(*whole);
         const bool ordered = halfPlanes.lineChanges() * 2 < halfPlanes.returns();
         const bool halfInOrder = ordered && wholePlanes.lineChanges() * 4 > halfPlanes.lineChanges() * 3;

@@ -175,7 +175,8 @@ Grid<std::uint32_t> inOrder(const std::vector<std::size_t>& lines, std::size_t b
 }
 
 /// The list read as lines of `beams` points. A few lines first: nearly every wrong length fails there.
-std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& precision, std::size_t beams, double eps) {
+/// `known`: the file says how long a line is; else the points must be precise enough to tell.
+std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& precision, std::size_t beams, double eps, bool known) {
     const std::size_t lines = points.size() / beams;
     LineFitter fitter(points, beams, eps);
     const auto attempt = [&](const std::vector<std::size_t>& chosen) -> std::optional<Fit> {
@@ -183,7 +184,7 @@ std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& 
         if (!fit) return std::nullopt;
         fit->pointOf = inOrder(chosen, beams);
         const OnGrid judged = judge(*fit, points, precision);
-        if (judged.share < kShareOnGrid || !judged.telling) return std::nullopt;
+        if (judged.share < kShareOnGrid || !(judged.telling || known)) return std::nullopt;
         fit->residual = judged.residual;
         fit->complete = true;
         return fit;
@@ -225,7 +226,7 @@ std::optional<Fit> fitTransposed(std::span<const AxisPoint> points, const Precis
         if (judge(*fit, sample, precision).share < 0.9) return std::nullopt;
     }
     const auto turned = linesOutOfBeams(points, lines, 0, lines);
-    auto fit = fitLines(turned, precision, beams, eps);
+    auto fit = fitLines(turned, precision, beams, eps, false);
     if (!fit) return std::nullopt;
     for (std::size_t i = 0; i < lines; ++i) {
         for (std::size_t j = 0; j < beams; ++j) fit->pointOf[i * beams + j] = static_cast<std::uint32_t>(j * lines + i);
@@ -260,7 +261,7 @@ std::optional<Fit> fitFileOrder(std::span<const AxisPoint> points, const Precisi
     for (const std::size_t length : rowLengths(points.size(), rowLength)) {
         const auto flat = [&](std::size_t from, std::size_t to) { return sums.flatness(from, to); };
         if (mostRunsAreBelow(points.size(), length, kRoughlyPlane, flat)) {
-            if (auto fit = fitLines(points, precision, length, eps)) return fit;
+            if (auto fit = fitLines(points, precision, length, eps, rowLength > 0)) return fit;
         }
         const auto cone = [&](std::size_t from, std::size_t to) { return sums.coneness(from, to); };
         if (length < points.size() / 2 && mostRunsAreBelow(points.size(), length, kRoughlyPlane, cone)) {

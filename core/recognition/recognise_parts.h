@@ -18,6 +18,9 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr std::uint32_t kNone = RecognisedGrid::kNoPoint;
 inline constexpr double kShareOnGrid = 0.99; // of the points, for a grid to be believed
 
+inline constexpr double kLeastFilled = 0.05; // of the cells; below, any cloud would fit
+inline constexpr double kMostDoubled = 0.05; // of the points, in cells with another one; above, the cells are too large
+
 /// A point with u along the rotation axis; (u, v, w) is right-handed. A scan line is the half planes at angle `plane` and
 /// plane + 180 degrees about u; within it `tilt` is the signed angle from u. Missing points are all zero.
 struct AxisPoint {
@@ -53,6 +56,9 @@ struct NoFit {
 /// The list is the grid, cell after cell, line by line or beam by beam; points without a return are in it.
 /// `rowLength` 0 = every divisor of the number of points is tried.
 std::optional<Fit> fitFileOrder(std::span<const AxisPoint> points, const Precision& precision, std::size_t rowLength);
+
+/// Points in the order of the scan, line after line, some left out: a line begins where the mirror starts over.
+std::optional<Fit> fitRuns(std::span<const AxisPoint> points, const Precision& precision, NoFit& seen);
 
 /// Points in any order, some left out: lines and beams are groups of angles with voids between them.
 std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision& precision, NoFit& seen);

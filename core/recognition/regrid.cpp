@@ -24,6 +24,7 @@ constexpr double kNarrowestDeg = 2.0; // all points in less than that: the senso
 constexpr double kLeastClosed = 0.55; // as many neighbours are filled where points are strewn at random, one to every second cell
 constexpr double kLeastFill = 0.01;
 constexpr double kMostCells = 3e8;
+constexpr std::uint64_t kBytesPerCell = 48; // until the cells are a scan: their points alone take 24
 constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
 
 std::string number(double value) { return significantText(value, 3); }
@@ -132,6 +133,7 @@ Result<Lattice> latticeOver(const Window& window, double across, double down) {
                          number(lines * beams / 1e6) + " million cells",
                      "", "give a larger --grid-step"};
     }
+    if (auto enough = checkMemory(static_cast<std::uint64_t>(lines * beams) * kBytesPerCell, ""); !enough) return enough.error();
     lattice.lines = static_cast<int>(lines);
     lattice.beams = static_cast<int>(beams);
     return lattice;

@@ -153,7 +153,9 @@ InverseRange inverseRange(const Scan& scan) {
 
 AngularSteps angularSteps(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    return polar != nullptr ? polarSteps(*polar) : cameraSteps(scan);
+    if (polar != nullptr) return polarSteps(*polar);
+    const auto& angles = std::get<PointGeometry>(scan.geometry).angles;
+    return angles ? polarSteps(*angles) : cameraSteps(scan);
 }
 
 RangeNoise rangeNoise(const InverseRange& inverse) {

@@ -11,6 +11,8 @@ namespace edgescan {
 
 inline cv::Mat asMat(Grid<std::uint8_t>& grid) { return {grid.lines, grid.beams, CV_8U, grid.cells.data()}; }
 
+inline cv::Mat asMat(Grid<float>& grid) { return {grid.lines, grid.beams, CV_32F, grid.cells.data()}; }
+
 inline cv::Mat asMat(Grid<std::int16_t>& grid) { return {grid.lines, grid.beams, CV_16S, grid.cells.data()}; }
 
 /// OpenCV has no matrix of constants: the caller must not write through it.

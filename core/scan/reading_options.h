@@ -1,6 +1,7 @@
 // What the user says on opening a file. One table feeds command line, records and "Copy as command".
 #pragma once
 
+#include "core/base/physical_limits.h"
 #include "core/base/result.h"
 #include "core/scan/scan.h"
 
@@ -53,11 +54,12 @@ struct ReadingOption {
     std::vector<std::string> words;                   ///< the only values of a Word
     std::string (*get)(const ReadingOptions&);        ///< as typed ("1,2,3" for three numbers, "on" for a switch); empty: not said
     void (*set)(ReadingOptions&, const std::string&); ///< of a text that checked() accepts
+    const PhysicalLimit* limit = nullptr;             ///< of its numbers; null: it takes none
 };
 
 [[nodiscard]] std::span<const ReadingOption> readingOptionTable();
 
-/// A typed value, with an option that it suits. Error: not so many finite numbers, none of the words.
+/// A typed value, with an option that it suits. Error: not so many numbers within the limit, none of the words.
 Result<Done> checked(const ReadingOption& option, const std::string& text);
 
 /// "--axis spin --line-start -30": the flags that give these options; empty when nothing was said. Paths are quoted for a POSIX shell.

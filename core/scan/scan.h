@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -52,6 +53,8 @@ struct PolarGeometry {
 struct PointGeometry {
     Grid<Eigen::Vector3d> pointsM;                     ///< lines x beams
     Eigen::Vector3d sensorM = Eigen::Vector3d::Zero(); ///< position of the sensor in the frame of pointsM
+    /// Where the rays lie on beams and lines all the same, about an axis of any direction: the angles between them.
+    std::optional<PolarGeometry> angles = {};
 };
 
 /// A point of a cloud that was put onto a grid, behind the nearer one that its cell shows.
@@ -83,6 +86,8 @@ struct Scan {
     std::vector<std::uint32_t> noReturnCodes{0};    ///< raw counts that mean "no return"
     std::vector<std::uint32_t> statusCodes;         ///< raw counts that are device status codes
     std::vector<std::string> warnings;              ///< sentences about what was assumed, repaired or lost on reading
+    std::size_t pointsRead = 0;                     ///< returns of the list of points that was put onto this grid; 0: the file holds a grid
+    std::size_t pointsLeftOut = 0;                  ///< of these, how many stand in no cell of their own; `attached` holds some of them
     std::string note;                               ///< free text that the file carried
     std::shared_ptr<const Placement> placement;     ///< where it stands in the mine; null = scanner frame only
     std::shared_ptr<const Acquisition> acquisition; ///< who measured it and when; null = the file does not say

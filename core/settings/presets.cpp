@@ -1,14 +1,15 @@
 // Named settings.
 #include "core/settings/presets.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/whole_file.h"
 #include "core/settings/parameters.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace edgescan {
@@ -51,6 +52,14 @@ std::span<const Preset> builtInPresets() {
     return presets;
 }
 
+std::vector<std::string> changedFromDefault(const Settings& settings) {
+    std::vector<std::string> keys;
+    for (const Parameter& p : parameters()) {
+        if (p.usedBy(settings) && formatValue(p, p.get(settings)) != formatValue(p, p.get(Settings{}))) keys.emplace_back(p.key);
+    }
+    return keys;
+}
+
 Result<Preset> findPreset(const std::string& nameOrPath) {
     std::string names;
     for (const Preset& preset : builtInPresets()) {
@@ -62,23 +71,23 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (!std::filesystem::is_regular_file(path, ignored)) {
         return Error{"there is no such preset and no such file", nameOrPath, "use " + names + "or the path of a preset file"};
     }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return Error{"the preset file cannot be read", nameOrPath, "check its permissions"};
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object() || json.value("format", nlohmann::json()) != kFormat || !json.contains("settings")) {
+    const auto bytes = readWholeFile(path, kSettingsJson.bytes);
+    if (!bytes) return bytes.error();
+    const auto json = parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, nameOrPath, kSettingsJson);
+    if (!json) return json.error();
+    if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat || !json->contains("settings")) {
         return Error{std::string("this is not a preset of the format ") + kFormat, nameOrPath, "save one from the viewer"};
     }
-    Result<Settings> settings = settingsFromJson(json["settings"], cannySettings(), nameOrPath);
+    Result<Settings> settings = settingsFromJson((*json)["settings"], cannySettings(), nameOrPath);
     if (!settings) return settings.error();
     if (const auto checked = checkSettings(*settings); !checked) return checked.error();
-    const nlohmann::json name = json.value("name", nlohmann::json());
+    const nlohmann::json name = json->value("name", nlohmann::json());
     return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};
 }
 
 std::string presetText(const Preset& preset) {
     const nlohmann::json json{{"format", kFormat}, {"name", preset.name}, {"settings", settingsToJson(preset.settings)}};
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 } // namespace edgescan

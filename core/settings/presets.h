@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace edgescan {
 
@@ -21,6 +22,16 @@ struct Preset {
 
 /// "default" first, then "log", "thesis" and "window" (docs/method.md, "Gray levels and presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
+
+/// Which default settings these are; the number rises when a default changes. docs/operator.md, "S19".
+struct DefaultSet {
+    const char* name;
+    int version;
+};
+inline constexpr DefaultSet kDefaultSet{"default", 1};
+
+/// Keys of the parameters that differ from the default settings and that the method of `settings` reads, in the table's order.
+[[nodiscard]] std::vector<std::string> changedFromDefault(const Settings& settings);
 
 /// A built-in preset's name, or the path of a preset file. Error: neither, or the file is not a preset.
 [[nodiscard]] Result<Preset> findPreset(const std::string& nameOrPath);

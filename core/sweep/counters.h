@@ -13,8 +13,24 @@ namespace edgescan {
 enum class LineStep : std::uint8_t {
     First,     ///< nothing came before
     Next,      ///< follows the line before it, after `lost` lost ones
-    Duplicate, ///< was there already: drop it
+    Duplicate, ///< by counters and clock it was there already, `behind` lines ago; whether it really was, what it measured tells
     Restart,   ///< the scanner's counters began anew (power, another device); what is missing in between cannot be counted
+};
+
+/// What the device clock did since the line before.
+enum class ClockStep : std::uint8_t {
+    Ran,
+    Paused, ///< ran on for more than a second longer than the counters account for
+    Stood,
+    Jumped, ///< went back, or far ahead of the host's clock, while the counters ran on
+};
+
+/// What the counters did beside counting.
+enum class CounterStep : std::uint8_t {
+    Ran,
+    Jumped, ///< one of them ran further than a clock allows
+    Reset,  ///< one of them went back
+    Stood,  ///< neither moved
 };
 
 /// A line's place in the scanner's history.
@@ -27,7 +43,11 @@ struct LineStamp {
     std::int64_t lost = 0;          ///< lines missing before this one: the greater of the next two
     std::int64_t lostTelegrams = 0; ///< by the telegram counter
     std::int64_t lostScans = 0;     ///< by the scan counter, after the output interval is taken out
-    int epoch = 0;                  ///< grows by one with every Restart
+    std::int64_t claimed = 0;       ///< lines that a counter named and no clock allows; not in `lost`
+    std::int64_t behind = 0;        ///< of a Duplicate: lines before the newest
+    ClockStep clock = ClockStep::Ran;
+    CounterStep counters = CounterStep::Ran;
+    int epoch = 0; ///< grows by one with every Restart
 
     bool operator==(const LineStamp&) const = default;
 };
@@ -43,6 +63,14 @@ public:
     /// to be bridged. A Duplicate is stamped as the line it repeats and changes nothing.
     LineStamp stamp(const ScanTelegram& telegram, std::int64_t hostNs);
 
+    /// The same for a line that stamp() took for a Duplicate and that is another line under an old number: a Restart.
+    LineStamp restart(const ScanTelegram& telegram, std::int64_t hostNs);
+    /// The same for a line that measured something else than the newest under the newest one's stamp: it follows, and nothing counts.
+    LineStamp next(const ScanTelegram& telegram, std::int64_t hostNs);
+
+    /// Some counter or clock of this scanner has moved.
+    [[nodiscard]] bool moves() const { return moves_; }
+
     /// The connection was made anew: counters that are set back now are a Restart, never a late duplicate.
     void reconnected() { reconnected_ = true; }
 
@@ -55,18 +83,26 @@ private:
     };
     struct Advance {
         std::int64_t us = 0, hostUs = 0, telegrams = 0, scans = 0;
-        double scansByClock = 0.0;
+        double scansByClock = 0.0; ///< by the device clock, or by the host's where that one is not to be believed
+        double scansByHost = 0.0;
+        double periodUs = 0.0;
+        bool clockJumped = false;
     };
 
     [[nodiscard]] std::int64_t steps() const { return interval_ > 0 ? interval_ : 1; }
     [[nodiscard]] Advance advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const;
-    [[nodiscard]] LineStep judge(const Advance& advance) const;
+    void count(Advance& advance, const ScanTelegram& telegram) const;
+    [[nodiscard]] bool possible(const Advance& advance, std::int64_t scans) const;
+    [[nodiscard]] LineStep judge(Advance& advance, const ScanTelegram& telegram) const;
+    [[nodiscard]] bool wasThere(const Advance& advance) const;
+    void follow(LineStamp& stamp, const Advance& advance) const;
     void learnInterval(const Advance& advance);
     LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp);
 
     std::int64_t interval_; ///< scans per telegram, 0 while unknown
     bool learning_;
     bool reconnected_ = false;
+    bool moves_ = false;
     std::optional<Last> last_;
 };
 

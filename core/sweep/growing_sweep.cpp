@@ -34,14 +34,18 @@ SweepLine sweepLine(const ScanTelegram& telegram, Echo echo) {
     SweepLine line;
     line.device = deviceFlags(telegram);
     line.serialNumber = telegram.serialNumber;
-    const double frequency = scanFrequencyHz(telegram);
-    line.facts.secondsPerTurn = frequency > 0 ? 1.0 / frequency : 0.04;
+    line.facts.secondsPerTurn = linePeriodS(telegram);
     const ScanChannel* channel = findChannel(telegram, "DIST1");
     for (const ScanChannel& other : telegram.channels16) {
         if (channel == nullptr && isRange(other)) channel = &other;
     }
     if (channel == nullptr) return line;
     line.beams = beamGrid(*channel);
+    line.echoes = channel->content;
+    for (const ScanChannel& other : telegram.channels16) {
+        if (&other == channel || !isRange(other)) continue;
+        line.echoes += beamGrid(other) == line.beams ? ' ' + other.content : " (" + other.content + ')';
+    }
     line.ranges = rangesMm(*channel);
     line.unitMm = channel->scale > 0.0F ? static_cast<double>(channel->scale) : 1.0;
     if (echo == Echo::Last) takeLastEcho(line, telegram.channels16, *channel);
@@ -77,12 +81,37 @@ GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost,
     }
     if (!part) return Place::Misfit;
     const std::int64_t slot = slotOf(*part, lost);
-    const int allowed = std::min(settings.mostLines, kMostCells / std::max(beams_.beams, 1));
-    const int most = settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
-    if (slot - origin_ >= static_cast<std::int64_t>(most) * beams_.parts) return Place::Full;
+    if (slot - origin_ >= static_cast<std::int64_t>(mostRows(settings)) * beams_.parts) return Place::Full;
     if (early) early_.push_back({line, slot});
     write(line, slot, *part);
     return Place::Taken;
+}
+
+int GrowingSweep::mostRows(const SweepSettings& settings) const {
+    const int allowed = std::min(settings.mostLines, kMostCells / std::max(beams_.beams, 1));
+    return settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
+}
+
+GrowingSweep::Repeat GrowingSweep::repeat(const SweepLine& line, std::int64_t behind) {
+    const std::int64_t slot = lastSlot_ - behind;
+    if (lastSlot_ < 0 || behind < 0 || slot < origin_ || rowOf(slot) >= grid_.rows()) return Repeat::Outside;
+    const auto part = beams_.partOf(line.beams);
+    if (!part || (slot - origin_) % beams_.parts != turns_[static_cast<std::size_t>(*part)]) return Repeat::Other;
+    const int row = rowOf(slot);
+    if (grid_.holds(row, *part, beams_.parts, line.ranges.state.size()))
+        return grid_.same(row, *part, beams_.parts, line.ranges.rangeMm, line.ranges.state) ? Repeat::Same : Repeat::Other;
+    if (!early_.empty() && early_.size() < kEarlyLines) {
+        const auto after = std::find_if(early_.begin(), early_.end(), [&](const Early& other) { return other.slot > slot; });
+        early_.insert(after, {line, slot});
+    }
+    write(line, slot, *part);
+    return Repeat::Filled;
+}
+
+std::int64_t GrowingSweep::placed() const {
+    std::int64_t sum = 0;
+    for (const int missing : missing_) sum += beams_.parts - missing;
+    return sum;
 }
 
 bool GrowingSweep::layOut(std::span<const BeamGrid> grids) {
@@ -116,6 +145,7 @@ void GrowingSweep::rebuild() {
     facts_.clear();
     missing_.clear();
     wholeRows_ = 0;
+    leftOut_ = 0;
     firstFlagged_ = -1;
     for (const Early& early : early_) write(early.line, early.slot, beams_.partOf(early.line.beams).value_or(0));
 }
@@ -123,8 +153,11 @@ void GrowingSweep::rebuild() {
 void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
     lastSlot_ = std::max(lastSlot_, slot);
     const int row = rowOf(slot);
-    if (row < 0) return;
-    grow(row + 1);
+    if (row >= 0) grow(row + 1);
+    if (row < 0 || grid_.holds(row, part, beams_.parts, line.ranges.state.size())) {
+        ++leftOut_;
+        return;
+    }
     grid_.write(row, part, beams_.parts, line.ranges.rangeMm, line.ranges.state);
     --missing_[static_cast<std::size_t>(row)];
     LineFacts& facts = facts_[static_cast<std::size_t>(row)];
@@ -148,6 +181,13 @@ void GrowingSweep::grow(int rows) {
 void GrowingSweep::loseRest(int rows) {
     grow(rows);
     finish();
+}
+
+void GrowingSweep::loseNext(std::int64_t telegrams, const SweepSettings& settings) {
+    if (telegrams <= 0 || lastSlot_ < 0) return;
+    const std::int64_t last = origin_ + static_cast<std::int64_t>(mostRows(settings)) * beams_.parts - 1;
+    lastSlot_ = std::max(lastSlot_, std::min(last, lastSlot_ + telegrams));
+    loseRest(rowOf(lastSlot_) + 1);
 }
 
 void GrowingSweep::noteStatus(const SweepLine& line, int row) {

@@ -6,6 +6,7 @@
 #include "core/sweep/sweep_grid.h"
 
 #include <deque>
+#include <string>
 
 namespace edgescan {
 
@@ -17,6 +18,7 @@ struct SweepLine {
     LineFacts facts;
     DeviceFlags device;
     std::uint32_t serialNumber = 0;
+    std::string echoes; ///< range channels in the telegram: "DIST1 DIST2", "DIST1 (DIST2)" where the second has unlike beams
 };
 
 /// The line in a telegram: ranges of the echo wanted, beams, device status. The facts hold nothing but the mirror's period.
@@ -33,6 +35,15 @@ public:
     /// `lost`: telegrams lost since the last one.
     Place push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings);
 
+    enum class Repeat : std::uint8_t {
+        Filled,  ///< it was missing and is in its place now
+        Same,    ///< it is there
+        Other,   ///< something else is there
+        Outside, ///< the sweep has no such place
+    };
+    /// A line whose counters say that it came `behind` telegrams before the newest one.
+    Repeat repeat(const SweepLine& line, std::int64_t behind);
+
     /// Rows that nothing can be added to any more.
     [[nodiscard]] int wholeRows() const { return wholeRows_; }
     /// No more lines will come: the last row is as whole as it gets.
@@ -40,6 +51,8 @@ public:
 
     /// The rows up to `rows` that did not come are lost.
     void loseRest(int rows);
+    /// So many telegrams behind the last one are lost.
+    void loseNext(std::int64_t telegrams, const SweepSettings& settings);
 
     /// First row after the motor turned back, when it did.
     [[nodiscard]] std::optional<int> reversal(const SweepSettings& settings);
@@ -55,6 +68,13 @@ public:
     [[nodiscard]] std::span<const LineFacts> facts() const { return facts_; }
     /// Telegrams missing per row.
     [[nodiscard]] const std::vector<int>& missing() const { return missing_; }
+    /// Something of the row is missing: a telegram, or beams that its telegram did not have.
+    [[nodiscard]] bool lacks(int row) const { return missing_[static_cast<std::size_t>(row)] != 0 || grid_.lostIn(row) > 0; }
+    /// Telegrams that are in a row; and that belong into none, because they came before the first whole one.
+    [[nodiscard]] std::int64_t placed() const;
+    [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
+    /// Of the newest telegram; -1 before the first.
+    [[nodiscard]] int newestRow() const { return lastSlot_ < 0 ? -1 : rowOf(lastSlot_); }
     [[nodiscard]] double unitMm() const { return unitMm_; }
     [[nodiscard]] const std::vector<std::uint32_t>& statusCodes() const { return statusCodes_; }
     [[nodiscard]] const DeviceFlags& deviceEver() const { return deviceEver_; }
@@ -68,6 +88,7 @@ private:
         SweepLine line;
         std::int64_t slot = 0;
     };
+    [[nodiscard]] int mostRows(const SweepSettings& settings) const;
     bool layOut(std::span<const BeamGrid> grids);
     void rebuild();
     void grow(int rows);
@@ -87,6 +108,7 @@ private:
     std::vector<LineFacts> facts_;
     std::vector<int> missing_;
     int wholeRows_ = 0;
+    std::int64_t leftOut_ = 0;
     double unitMm_ = 1.0;
     std::vector<std::uint32_t> statusCodes_;
     DeviceFlags deviceEver_;

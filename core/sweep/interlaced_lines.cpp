@@ -23,15 +23,15 @@ int partAt(double offset, int parts) {
 
 std::optional<int> InterlacedBeams::partOf(const BeamGrid& grid) const {
     if (std::abs(grid.stepDeg - stepDeg) > kSameDeg) return std::nullopt;
-    if (parts == 1) return std::abs(grid.startDeg - startDeg) <= kSameDeg && grid.beams <= beams ? std::optional(0) : std::nullopt;
-    const int part = partAt((grid.startDeg - startDeg) / stepDeg, parts);
+    const bool same = std::abs(grid.startDeg - startDeg) <= kSameDeg;
+    const int part = same ? 0 : stepDeg > 0 ? partAt((grid.startDeg - startDeg) / stepDeg, parts) : -1;
     return part >= 0 && grid.beams <= beamsOf(part) ? std::optional(part) : std::nullopt;
 }
 
 std::vector<double> InterlacedBeams::beamDeg() const {
     std::vector<double> degrees;
     degrees.reserve(static_cast<std::size_t>(beams));
-    // As beamAnglesDeg() for part 0, and snapped again for the starts of the others.
+    // As in the telegram for part 0, and snapped again for the starts of the others.
     for (int j = 0; j < beams; ++j) {
         const int part = j % parts;
         const double start = part == 0 ? startDeg : snappedDeg(startDeg + stepDeg * part / parts);

@@ -3,6 +3,7 @@
 
 #include "core/sweep/counters.h"
 #include "core/sweep/growing_sweep.h"
+#include "core/sweep/irregularities.h"
 #include "core/sweep/stepper_track.h"
 
 #include <array>
@@ -20,18 +21,23 @@ struct SweepProgress {
     int received = 0;                             ///< rows of which nothing is missing
     int expected = 0;                             ///< rows of the whole sweep; 0: not known
     std::vector<int> lost;                        ///< rows of which something is missing, ascending
+    std::vector<int> narrow;                      ///< those of them whose telegrams came, with fewer beams than the sweep has
     std::int64_t duplicates = 0;                  ///< telegrams that came twice, since the start
     std::int64_t misfits = 0;                     ///< telegrams with other beams or none, since the start
     int restarts = 0;                             ///< of the scanner, since the start
+    Irregularities irregular;                     ///< of this sweep
+    Irregularities irregularEver;                 ///< since the start
+    TelegramAccount account;                      ///< since the start
     std::array<std::size_t, kCellStates> cells{}; ///< by CellState; they add up to lines x beams
     AngleSource angleSource = AngleSource::Steps;
+    std::string assumed; ///< of the mounting, as a sentence: "How a motor turned ... ASSUMED: the axis (spin) ..."; empty: all was said
     std::int64_t newestNs = 0; ///< host time of the newest line, by the clock of push()
     DeviceFlags device;        ///< at the newest line
     DeviceFlags deviceEver;    ///< at any line of the sweep
 
     /// Nothing is missing and as many rows are there as were expected.
     [[nodiscard]] bool complete() const { return received == lines && (expected == 0 || lines >= expected); }
-    /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines".
+    /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines", "24/24 lines, COUNTERS IN DOUBT".
     [[nodiscard]] std::string text() const;
 };
 
@@ -71,13 +77,18 @@ public:
     [[nodiscard]] const SweepSettings& settings() const { return settings_; }
 
 private:
+    bool isNew(const ScanTelegram& telegram, SweepLine& line, std::int64_t hostNs, LineStamp& stamp);
+    void note(const SweepLine& line, const LineStamp& stamp);
+    void note(Irregularity kind, std::int64_t times = 1, std::int64_t ahead = 0);
     void take(SweepLine line, std::int64_t lost);
+    void takeMisfit(const SweepLine& line, std::int64_t between);
     void start(const SweepLine& line);
     void finishSweep();
     void splitAtReversal();
     void followEncoder(const ScanTelegram& telegram, LineFacts& facts, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
+    [[nodiscard]] TelegramAccount account() const;
 
     SweepSettings settings_;
     LineCounter counter_;
@@ -87,6 +98,7 @@ private:
     std::optional<SweepLine> misfit_; // the last line, when its beams did not fit
     std::int64_t lostSince_ = 0;      // telegrams that are in no row, since the last one that is
 
+    std::string echoes_;            // of the sweep's first telegram
     std::optional<LineFacts> last_; // of the newest line
     double restartSeconds_ = 0.0;   // added to the device clock since its last restart
     std::optional<std::uint32_t> encoderAt_;
@@ -95,7 +107,10 @@ private:
     DeviceFlags device_;
 
     int number_ = 0;
-    std::int64_t duplicates_ = 0, misfits_ = 0;
+    Irregularities irregular_, irregularEver_;
+    TelegramAccount ended_;    // of the sweeps that have ended; telegrams: all
+    std::uint32_t serial_ = 0; // of the newest telegram that named one
+    int repeats_ = 0;          // telegrams in a row that were there already, by counters and clock
     int restarts_ = 0;
 
     std::deque<FinishedSweep> finished_;

@@ -64,6 +64,22 @@ void SweepGrid::write(int row, int first, int stride, const std::vector<float>& 
     changed_[static_cast<std::size_t>(row)] = ++change_;
 }
 
+bool SweepGrid::holds(int row, int first, int stride, std::size_t count) const {
+    std::size_t k = index(row) + static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < count && k < index(row + 1); ++i, k += static_cast<std::size_t>(stride)) {
+        if (state_[k] != CellState::Lost) return true;
+    }
+    return false;
+}
+
+bool SweepGrid::same(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state) const {
+    std::size_t k = index(row) + static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < rangeMm.size() && k < index(row + 1); ++i, k += static_cast<std::size_t>(stride)) {
+        if (state_[k] != state[i] || rangeMm_[k] != rangeMm[i]) return false;
+    }
+    return true;
+}
+
 SweepGrid SweepGrid::cutFrom(int row) {
     SweepGrid rest(beams_);
     const auto first = static_cast<std::ptrdiff_t>(index(row));

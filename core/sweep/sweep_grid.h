@@ -22,6 +22,13 @@ public:
     void grow(int count);
     /// Writes beam first + stride * i of the row for each i.
     void write(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state);
+    /// Those beams of the row hold something: not all of them are Lost.
+    [[nodiscard]] bool holds(int row, int first, int stride, std::size_t count) const;
+    /// They hold just this.
+    [[nodiscard]] bool same(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state) const;
+    [[nodiscard]] std::uint32_t lostIn(int row) const {
+        return rowCounts_[static_cast<std::size_t>(row)][static_cast<std::size_t>(CellState::Lost)];
+    }
     /// The rows from `row` on leave this grid and make the one that is returned.
     SweepGrid cutFrom(int row);
 

@@ -1,7 +1,9 @@
 // Settings of a sweep as text and back.
 #include "core/sweep/sweep_settings.h"
 
+#include "core/base/bounded_json.h"
 #include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,20 +48,35 @@ private:
     std::vector<std::string>& warnings_;
 };
 
+constexpr const char* kAxisKey = "stepper.axis";
+constexpr const char* kStepKey = "stepper.deg_per_step";
+constexpr const char* kAssumedKey = "assumed";
+
+/// What a recording says itself, and does not call assumed.
+void takeAssumed(Keys& keys, SweepSettings& settings) {
+    const std::string* list = keys.text(kAssumedKey);
+    const auto isAssumed = [&](const char* key) { return list != nullptr && list->find(key) != std::string::npos; };
+    const bool rate = keys.text("stepper.deg_per_s") != nullptr;
+    const bool axisSaid = keys.text(kAxisKey) != nullptr;
+    const bool stepSaid = keys.text(kStepKey) != nullptr || rate;
+    settings.axisAssumed = axisSaid ? isAssumed(kAxisKey) : true;
+    settings.stepAssumed = stepSaid ? isAssumed(kStepKey) : true;
+}
+
 /// [0,0,1] spin, [1,0,0] sweep; the other way round the line angles turn against the axis.
 void takeAxis(Keys& keys, SweepSettings& settings) {
-    const std::string* text = keys.text("stepper.axis");
+    const std::string* text = keys.text(kAxisKey);
     if (text == nullptr) return;
-    const auto list = nlohmann::json::parse(*text, nullptr, false);
+    const auto list = parseJson(*text, "", kReadingJson);
     std::array<double, 3> axis{};
-    bool sound = list.is_array() && list.size() == axis.size();
+    bool sound = list && list->is_array() && list->size() == axis.size();
     for (std::size_t i = 0; sound && i < axis.size(); ++i) {
-        sound = list[i].is_number();
-        if (sound) axis[i] = list[i].get<double>();
+        sound = (*list)[i].is_number();
+        if (sound) axis[i] = (*list)[i].get<double>();
     }
     constexpr double kAligned = 0.999;
     const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    if (!sound || !(length > 0) || std::max(std::abs(axis[0]), std::abs(axis[2])) < kAligned * length) return keys.refuse("stepper.axis");
+    if (!sound || !(length > 0) || std::max(std::abs(axis[0]), std::abs(axis[2])) < kAligned * length) return keys.refuse(kAxisKey);
     settings.axis = std::abs(axis[2]) > std::abs(axis[0]) ? Axis::Spin : Axis::Sweep;
     settings.lineDirection = axis[settings.axis == Axis::Spin ? 2 : 0] < 0 ? -1.0 : 1.0;
 }
@@ -69,11 +86,11 @@ void takeAxis(Keys& keys, SweepSettings& settings) {
 SweepMetadata metadataOf(const SweepSettings& settings) {
     SweepMetadata keys{{"format", "sweep/1"}, {"units", "mm raw, deg, m, s"}};
     const std::string one = settings.lineDirection < 0 ? "-1" : "1";
-    keys["stepper.axis"] = settings.axis == Axis::Spin ? "[0,0," + one + "]" : "[" + one + ",0,0]";
+    keys[kAxisKey] = settings.axis == Axis::Spin ? "[0,0," + one + "]" : "[" + one + ",0,0]";
     keys["stepper.phi0_deg"] = numberText(settings.firstLineDeg);
     keys["stepper.mode"] = settings.continuous ? "continuous" : "step";
     if (settings.degPerLine) {
-        keys["stepper.deg_per_step"] = numberText(std::abs(*settings.degPerLine));
+        keys[kStepKey] = numberText(std::abs(*settings.degPerLine));
         keys["stepper.dir"] = *settings.degPerLine < 0 ? "-1" : "1";
     } else {
         keys["stepper.deg_per_s"] = numberText(settings.degPerSecond);
@@ -85,6 +102,9 @@ SweepMetadata metadataOf(const SweepSettings& settings) {
     keys["lidar.echo"] = settings.echo == Echo::First ? "first" : "last";
     keys["sweep.reversal_deg"] = numberText(settings.reversalDeg);
     if (settings.expectedLines > 0) keys["sweep.lines"] = std::to_string(settings.expectedLines);
+    std::string assumed = settings.axisAssumed ? kAxisKey : "";
+    if (settings.stepAssumed) assumed += (assumed.empty() ? "" : " ") + std::string(kStepKey);
+    if (!assumed.empty()) keys[kAssumedKey] = assumed;
     return keys;
 }
 
@@ -93,13 +113,15 @@ SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& oth
     SweepSettings& settings = found.settings;
     Keys keys(metadata, found.warnings);
     takeAxis(keys, settings);
-    settings.firstLineDeg = keys.number("stepper.phi0_deg", -1e6, 1e6).value_or(settings.firstLineDeg);
+    takeAssumed(keys, settings);
+    settings.firstLineDeg =
+        keys.number("stepper.phi0_deg", physical::kLineDeg.limits.least, physical::kLineDeg.limits.most).value_or(settings.firstLineDeg);
     if (const std::string* mode = keys.text("stepper.mode")) settings.continuous = *mode == "continuous";
     if (const auto rate = keys.number("stepper.deg_per_s", -1e4, 1e4)) {
         settings.degPerSecond = *rate;
         settings.degPerLine.reset();
     }
-    if (const auto step = keys.number("stepper.deg_per_step", 0.0, 360.0)) {
+    if (const auto step = keys.number(kStepKey, 0.0, 360.0)) {
         settings.degPerLine = *step * (keys.number("stepper.dir", -1.0, 1.0).value_or(1.0) < 0 ? -1.0 : 1.0);
     }
     if (const auto ticks = keys.number("stepper.ticks_per_deg", -1e9, 1e9)) {

@@ -34,15 +34,26 @@ struct SweepSettings {
     int outputInterval = 0;   ///< every how many scans a telegram is sent; 0: found out
     Echo echo = Echo::First;
 
+    /// Nobody said it, neither stream nor calibration nor flag: the value above is a guess, which whoever opens the sweep is told.
+    bool axisAssumed = false, stepAssumed = false;
+
     bool operator==(const SweepSettings&) const = default;
 };
+
+/// Settings of which nothing was said.
+[[nodiscard]] inline SweepSettings assumedSweep() {
+    SweepSettings settings;
+    settings.axisAssumed = settings.stepAssumed = true;
+    return settings;
+}
 
 using SweepMetadata = std::map<std::string, std::string>;
 
 /// The keys that the settings stand for, besides "format": "sweep/1".
 [[nodiscard]] SweepMetadata metadataOf(const SweepSettings& settings);
 
-/// Settings a metadata record stands for; what it does not say stays as in `otherwise`. `warnings` names values that cannot be used.
+/// Settings a metadata record stands for; what it does not say stays as in `otherwise`, and where that is the axis or the step, it is
+/// assumed. `warnings` names values that cannot be used.
 struct SettingsFound {
     SweepSettings settings;
     std::vector<std::string> warnings;

@@ -1,10 +1,12 @@
 // What a sweep looks like so far: as a scan and in words.
 #include "core/sweep/sweep.h"
 
+#include "core/base/number_text.h"
 #include "core/base/utc_time.h"
 #include "core/scan/acquisition.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace edgescan {
 namespace {
@@ -50,11 +52,28 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
     return acquisition;
 }
 
+/// A step that is counted is assumed too; an encoder or the stepper tells its angles itself.
+std::string assumedText(const SweepSettings& settings, AngleSource source) {
+    std::string what, flags;
+    const auto tell = [&](const std::string& words, const char* flag) {
+        what += (what.empty() ? "" : ", ") + words;
+        flags += (flags.empty() ? "" : ", ") + std::string(flag);
+    };
+    if (settings.axisAssumed) tell(std::string("the axis (") + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
+    if (settings.stepAssumed && source == AngleSource::Steps) {
+        tell("the step from line to line (" + shortestText(*settings.degPerLine) + " degrees" +
+                 (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
+             "--line-step");
+    }
+    if (what.empty()) return {};
+    return "How a motor turned the scanner was not said. ASSUMED: " + what + ". Give " + flags + " where that is wrong.";
+}
+
 } // namespace
 
 std::string SweepProgress::text() const {
     const std::string of = std::to_string(received) + "/" + std::to_string(expected > 0 ? expected : lines) + " lines";
-    return complete() ? of : "INCOMPLETE " + of;
+    return (complete() ? of : "INCOMPLETE " + of) + (irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "");
 }
 
 std::string rowsText(const std::vector<int>& rows, int groups) {
@@ -77,22 +96,28 @@ SweepProgress SweepAssembler::progress() const {
     if (sweep_) {
         progress.lines = sweep_->wholeRows();
         for (int row = 0; row < progress.lines; ++row) {
-            if (sweep_->missing()[static_cast<std::size_t>(row)] != 0) progress.lost.push_back(row);
+            if (!sweep_->lacks(row)) continue;
+            progress.lost.push_back(row);
+            if (sweep_->missing()[static_cast<std::size_t>(row)] == 0) progress.narrow.push_back(row);
         }
         progress.received = progress.lines - static_cast<int>(progress.lost.size());
         progress.cells = sweep_->grid().counts(progress.lines);
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
+        progress.assumed = assumedText(settings_, progress.angleSource);
         progress.deviceEver = sweep_->deviceEver();
         progress.number = number_;
+        progress.irregular = irregular_;
     } else {
         progress = finishedProgress_;
     }
+    progress.irregularEver = irregularEver_;
+    progress.account = account();
     progress.expected = settings_.expectedLines;
     progress.growing = sweep_ && (progress.expected == 0 || progress.lines < progress.expected);
     if (last_) progress.newestNs = last_->hostNs;
     progress.device = device_;
-    progress.duplicates = duplicates_;
-    progress.misfits = misfits_;
+    progress.duplicates = irregularEver_.count(Irregularity::Duplicate);
+    progress.misfits = irregularEver_.count(Irregularity::Misfit) + irregularEver_.count(Irregularity::NoRanges);
     progress.restarts = restarts_;
     return progress;
 }
@@ -128,7 +153,15 @@ void SweepAssembler::describe(Scan& scan) {
     scan.warnings.clear();
     const auto warn = [&](std::string sentence) { scan.warnings.push_back(std::move(sentence)); };
     if (!now.complete()) warn(now.text() + ".");
-    if (!now.lost.empty()) warn("Telegrams were lost: " + rowsText(now.lost) + " (" + std::to_string(now.lost.size()) + " in all).");
+    const auto tellRows = [&](const char* what, const std::vector<int>& lines) {
+        if (!lines.empty()) warn(what + rowsText(lines) + " (" + std::to_string(lines.size()) + " in all).");
+    };
+    std::vector<int> gone;
+    std::set_difference(now.lost.begin(), now.lost.end(), now.narrow.begin(), now.narrow.end(), std::back_inserter(gone));
+    tellRows("Telegrams were lost: ", gone);
+    tellRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
+    for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
+    if (!now.assumed.empty()) warn(now.assumed);
     if (angles.source == AngleSource::Time) warn("The line angles are reckoned from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_) warn("The telegrams carry encoder counts, but nobody said how many make a degree: they are not used.");
     if (encoderWasReset_) warn("The scanner lost its encoder count when it started anew: line angles behind that are reckoned.");

@@ -1,0 +1,34 @@
+// What a column of points is by its name, in every format that names its columns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ };
+inline constexpr std::size_t kColumnRoles = 10;
+
+/// Which column has which role; empty where none has.
+struct NamedColumns {
+    std::optional<std::size_t> of[kColumnRoles];
+    std::optional<double> unitMm; ///< millimetres per number of x y z, where their names say so: "x_mm", "X [m]"
+
+    [[nodiscard]] std::optional<std::size_t> operator[](ColumnRole role) const { return of[static_cast<std::size_t>(role)]; }
+    [[nodiscard]] bool hasPoint() const { return of[0] && of[1] && of[2]; }
+    [[nodiscard]] bool hasCell() const { return (*this)[ColumnRole::Line] && (*this)[ColumnRole::Beam]; }
+    [[nodiscard]] bool hasScannerPoint() const {
+        return (*this)[ColumnRole::ScannerX] && (*this)[ColumnRole::ScannerY] && (*this)[ColumnRole::ScannerZ];
+    }
+};
+
+/// By the usual names, in any case: x y z, Easting Northing Elevation, E N Z, East North Height, RL ..., line or row or ring, beam or
+/// column or col. A column that is the first of its name counts; a role's usual name goes before its others.
+[[nodiscard]] NamedColumns columnsNamed(std::span<const std::string> names);
+
+} // namespace edgescan

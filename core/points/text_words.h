@@ -1,0 +1,40 @@
+// Lines of a text of numbers cut into words and cells. For the files of this folder that find out how a text is laid out.
+#pragma once
+
+#include "core/points/text_layout.h"
+
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// A number as from_chars reads it, with a sign and with what old Microsoft programs append.
+[[nodiscard]] bool isNumber(std::string_view word);
+
+/// Words between any of blank, comma, semicolon.
+[[nodiscard]] std::vector<std::string_view> wordsIn(std::string_view line);
+
+/// Numbers and marks of missing ones, at least one number among them.
+[[nodiscard]] bool isRowOfNumbers(std::string_view line);
+
+/// Nothing but separators, blanks and marks of missing numbers, and at least two cells.
+[[nodiscard]] bool isEmptyRow(std::string_view line);
+
+/// What stands between the separators of a layout, a label included; without the last separator where it begins no cell.
+[[nodiscard]] std::vector<std::string_view> cellsIn(std::string_view line, const TextLayout& layout);
+
+/// What stands before the first row of numbers.
+struct TextHead {
+    std::size_t firstByte = 0;
+    std::size_t firstLine = 0;
+    std::string_view header; ///< last line that is neither blank nor numbers, comment sign removed
+    std::optional<std::size_t> promisedRows;
+    std::string description;
+    bool found = false;
+};
+/// `labels`: a row may begin with a word, with a separator behind it.
+[[nodiscard]] TextHead readHead(std::string_view text, bool labels);
+
+} // namespace edgescan

@@ -1,0 +1,34 @@
+// What somebody who exports may ask of a format besides its frame: one row per choice, for flags, records and dialogs.
+#pragma once
+
+#include <array>
+
+namespace edgescan {
+
+struct WritingChoices {
+    bool comments = false;
+    bool doubles = false;
+    bool dxf2000 = false;
+    bool shortLines = false;
+
+    bool operator==(const WritingChoices&) const = default;
+};
+
+struct WritingChoice {
+    const char* key;  ///< of the flag and of the record's list "choices"
+    const char* help; ///< one sentence without its full stop
+    bool WritingChoices::*member;
+};
+
+inline constexpr std::array<WritingChoice, 4> kWritingChoices{{
+    {"comments",
+     "XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over",
+     &WritingChoices::comments},
+    {"doubles",
+     "PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT",
+     &WritingChoices::doubles},
+    {"dxf-2000", "DXF of release 2000 instead of release 12", &WritingChoices::dxf2000},
+    {"short-lines", "DXF: also the edge lines of two points only", &WritingChoices::shortLines},
+}};
+
+} // namespace edgescan
