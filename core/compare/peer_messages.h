@@ -145,6 +145,7 @@ inline std::string answerBytes(const Result<PeerEdges>& answer) {
         out.value(step.milliseconds);
     }
     out.value(answer->share);
+    out.grid(answer->segments);
     return out.bytes();
 }
 
@@ -168,6 +169,7 @@ inline std::optional<Result<PeerEdges>> readAnswer(std::string_view bytes) {
         edges.steps.push_back({std::move(stage), in.value<double>()});
     }
     edges.share = in.value<double>();
+    edges.segments = in.grid<std::uint32_t>();
     if (!in.isWhole()) return std::nullopt;
     return edges;
 }

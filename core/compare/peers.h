@@ -1,4 +1,4 @@
-// The Point Cloud Library's own edge detectors on a scan, for comparison (thesis, chapters 4 and 6.3).
+// The Point Cloud Library's own edge detectors and segmentations on a scan, for comparison (thesis, chapters 4 and 6.3).
 #pragma once
 
 #include "core/base/result.h"
@@ -16,12 +16,15 @@ enum class Peer : std::uint8_t {
     RangeImageBorder,      ///< RangeImageBorderExtractor on the scan's own grid
     OrganizedEdge,         ///< OrganizedEdgeFromNormals on the points as they are
     OrganizedEdgeUnrolled, ///< OrganizedEdgeFromNormals on x = beam, y = line angle times range, z = range: depth is range again
+    RegionGrowing,         ///< segments: RegionGrowing over normals and curvature
+    ConvexPatches,         ///< segments: LCCPSegmentation of supervoxels
 };
-inline constexpr int kPeers = 5;
+inline constexpr int kPeers = 5; ///< those that find edges come first
 
 [[nodiscard]] constexpr const char* peerName(Peer peer) {
-    constexpr const char* kNames[]{"PCL BoundaryEstimation k=30", "PCL BoundaryEstimation radius", "PCL RangeImageBorderExtractor",
-                                   "PCL OrganizedEdgeFromNormals", "PCL OrganizedEdge, un-rolled"};
+    constexpr const char* kNames[]{"PCL BoundaryEstimation k=30",  "PCL BoundaryEstimation radius", "PCL RangeImageBorderExtractor",
+                                   "PCL OrganizedEdgeFromNormals", "PCL OrganizedEdge, un-rolled",  "PCL RegionGrowing",
+                                   "PCL LCCP on supervoxels"};
     return kNames[static_cast<std::size_t>(peer)];
 }
 
@@ -44,6 +47,7 @@ struct PeerEdges {
     std::vector<PeerClass> classes;
     std::vector<StageTime> steps; ///< milliseconds of thread CPU time
     double share = 1.0;           ///< of the points that were done before the time was up; the mask then covers only these
+    Grid<std::uint32_t> segments; ///< lines x beams, 0 = none; empty for what finds edges, and `mask` for what finds segments
 };
 
 /// A scan as the peers see it: all lines x beams, metres, the sensor at 0; NaN where there is no range.

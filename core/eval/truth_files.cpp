@@ -1,6 +1,7 @@
 // Ground truth as files.
 #include "core/eval/truth_files.h"
 
+#include "core/base/json_text.h"
 #include "core/base/whole_file.h"
 #include "core/io/open_scan.h"
 #include "core/pictures/png.h"
@@ -72,8 +73,15 @@ Json rocksJson(const Simulation& simulation) {
     return rocks;
 }
 
-// Numbers of a 16-bit picture; empty when there is no such file.
-Result<Grid<std::uint16_t>> readNumbers(const fs::path& path) {
+} // namespace
+
+Grid<std::uint16_t> wholeTears(const Grid<sim::Seam>& seams) {
+    Grid<std::uint16_t> mm(seams.lines, seams.beams);
+    for (std::size_t k = 0; k < mm.size(); ++k) mm[k] = static_cast<std::uint16_t>(std::clamp(std::round(seams[k].tearMm), 0.0F, 65535.0F));
+    return mm;
+}
+
+Result<Grid<std::uint16_t>> readTruthNumbers(const fs::path& path) {
     std::error_code failed;
     if (!fs::exists(path, failed)) return Grid<std::uint16_t>();
     ReadingOptions options; // angles that nobody uses: a picture has none
@@ -92,8 +100,6 @@ Result<Grid<std::uint16_t>> readNumbers(const fs::path& path) {
     return numbers;
 }
 
-} // namespace
-
 TruthSet truthSetOf(const Simulation& simulation) {
     return {edgeTruth(*simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
 }
@@ -103,8 +109,8 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
     const TruthSet truth = truthSetOf(simulation);
-    const auto texts = {std::pair{"rocks.json", rocksJson(simulation).dump(2) + "\n"},
-                        std::pair{"scene.json", settingsJson(settings).dump(2) + "\n"}};
+    const auto texts = {std::pair{"rocks.json", jsonText(rocksJson(simulation), 2) + "\n"},
+                        std::pair{"scene.json", jsonText(settingsJson(settings), 2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
     }
@@ -113,6 +119,8 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     }
     if (auto written = savePng16(truth.object, folder / "object.png"); !written) return written;
     if (auto written = savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
+    if (auto written = savePng16(wholeTears(simulation.truth->toNextBeam), folder / "tear_beam.png"); !written) return written;
+    if (auto written = savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png"); !written) return written;
     return savePng16(truth.cleanMm, folder / "range_clean.png");
 }
 
@@ -121,9 +129,9 @@ Result<TruthSet> readTruth(const fs::path& folder) {
     if (!edgeClass) return edgeClass.error();
     auto ignore = readPng8(folder / "gt_ignore.png");
     if (!ignore) return ignore.error();
-    auto object = readNumbers(folder / "object.png");
+    auto object = readTruthNumbers(folder / "object.png");
     if (!object) return object.error();
-    auto clean = readNumbers(folder / "range_clean.png");
+    auto clean = readTruthNumbers(folder / "range_clean.png");
     if (!clean) return clean.error();
     const auto differs = [&](int lines, int beams) { return lines != edgeClass->lines || beams != edgeClass->beams; };
     const auto optionalDiffers = [&](const Grid<std::uint16_t>& grid) { return grid.size() > 0 && differs(grid.lines, grid.beams); };

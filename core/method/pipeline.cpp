@@ -37,7 +37,7 @@ double threadCpuMilliseconds() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-Pipeline::Pipeline() { cv::setNumThreads(0); }
+Pipeline::Pipeline(KeepFor keep) : keep_(keep) { cv::setNumThreads(0); }
 
 // Made again only where a setting was turned that the stage, or one before it, takes notice of.
 template <class T, class Make>
@@ -62,8 +62,14 @@ void Pipeline::runStages(Detection& d) {
     }
     if (!reads(settings.method, kReadsSurface)) return;
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    const auto surface = upToDate(surface_, Stage::Surface, "surface", d, [&] { return depthSurface(*d.scan, depth.straighten); });
-    d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] { return depthResponses(*surface, depth); });
+    d.surface = upToDate(surface_, Stage::Surface, "surface", d, [&] { return depthSurface(*d.scan, depth.straighten); });
+    d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
+        const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
+        DepthResponses responses = depthResponses(*d.surface, depth, cracks.get());
+        cracks_ = cracks;
+        return responses;
+    });
+    d.cracks = cracks_;
 }
 
 // A hand on the threshold's slider: one map, and then a compare per cell. Classes need the decision itself.
@@ -88,7 +94,7 @@ void Pipeline::decide(Detection& d) {
 
 std::shared_ptr<const Detection> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const auto start = Clock::now();
-    if (last_ && last_->scan != scan) *this = Pipeline();
+    if (last_ && last_->scan != scan) *this = Pipeline(keep_);
     if (last_ && last_->settings == settings) return last_;
     Detection detection;
     detection.scan = scan;
@@ -122,8 +128,8 @@ std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
     return counts;
 }
 
-std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
-    return Pipeline().run(scan, settings);
+std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings, KeepFor keep) {
+    return Pipeline(keep).run(scan, settings);
 }
 
 } // namespace edgescan

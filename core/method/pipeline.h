@@ -6,11 +6,17 @@
 
 namespace edgescan {
 
+/// What a pipeline keeps for others beside the edges.
+enum class KeepFor : std::uint8_t {
+    Edges, ///< nothing
+    Rocks, ///< Detection::cracks, 20 bytes per cell
+};
+
 /// Not for several threads at once; the detections it returns are.
 class Pipeline {
 public:
     /// Switches OpenCV's thread pool off for the process: one worker thread is enough, and a pool makes its times jumpy.
-    Pipeline();
+    explicit Pipeline(KeepFor keep = KeepFor::Edges);
 
     /// The same scan pointer and settings give the last detection again. `scan` must not be null.
     std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
@@ -27,15 +33,18 @@ private:
     void runStages(Detection& detection);
     void decide(Detection& detection);
 
+    KeepFor keep_;
     std::shared_ptr<const Detection> last_;
     Kept<GrayImage> gray_;
     Kept<Grid<std::uint8_t>> masked_, smoothed_;
     Kept<DepthSurface> surface_;
     Kept<DepthResponses> responses_;
-    Kept<ThresholdMap> thresholds_; // while nothing but the threshold is turned
+    std::shared_ptr<const DepthCracks> cracks_; // of responses_
+    Kept<ThresholdMap> thresholds_;             // while nothing but the threshold is turned
 };
 
 /// One run from nothing.
-[[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+[[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings,
+                                                           KeepFor keep = KeepFor::Edges);
 
 } // namespace edgescan

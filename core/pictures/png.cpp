@@ -1,6 +1,7 @@
 // PNG through libpng. Its errors leave by longjmp: the functions that set it hold nothing that needs a destructor.
 #include "core/pictures/png.h"
 
+#include "core/base/inputs.h"
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
 
@@ -129,11 +130,15 @@ Result<Done> savePng16(const Grid<std::uint16_t>& values, const std::filesystem:
     return writeWholeFile(path, *bytes);
 }
 
-Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& path) {
+Result<std::string> pngRgbBytes(const Grid<Rgb>& picture, const std::string& where) {
     std::vector<png_byte> samples;
     samples.reserve(picture.size() * 3);
     for (const Rgb& pixel : picture.cells) samples.insert(samples.end(), {pixel.red, pixel.green, pixel.blue});
-    const auto bytes = samplesBytes(samples, shapeOf(picture, 8, PNG_COLOR_TYPE_RGB), path.string(), {});
+    return samplesBytes(samples, shapeOf(picture, 8, PNG_COLOR_TYPE_RGB), where, {});
+}
+
+Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& path) {
+    const auto bytes = pngRgbBytes(picture, path.string());
     if (!bytes) return bytes.error();
     return writeWholeFile(path, *bytes);
 }
@@ -155,6 +160,7 @@ std::string pngRecord(std::string_view bytes) {
 }
 
 Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
+    claimInput(path);
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     png_image image{};

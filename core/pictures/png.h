@@ -3,6 +3,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
+#include "core/base/rgb.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,17 +12,14 @@
 
 namespace edgescan {
 
-struct Rgb {
-    std::uint8_t red = 0, green = 0, blue = 0;
-    bool operator==(const Rgb&) const = default;
-};
-
 /// Keyword of the text chunk that carries provenance.
 inline constexpr const char* kPngRecordKeyword = "edgescan-record";
 
 /// The bytes of the pictures below. `record`: provenance as ASCII for a text chunk; empty = none. `where` goes into errors.
 Result<std::string> png8Bytes(const Grid<std::uint8_t>& gray, const std::string& where, const std::string& record = {});
 Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::string& where, const std::string& record = {});
+
+Result<std::string> pngRgbBytes(const Grid<Rgb>& picture, const std::string& where);
 
 /// The gray values of an 8 or 16 bit picture that this program wrote, as they are. Error: another kind of picture, damaged.
 Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string& where);

@@ -8,21 +8,22 @@ constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
 
-/// The tree follows the centre of the beam, so boxes grow by the radius that the beam has at their far end.
-Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& box, const Footprint& footprint) {
+/// The tree follows the centre of a beam that leaves the origin, so boxes grow by the radius that the beam has at their far end, and by how
+/// far from the origin it starts.
+Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& box, const Footprint& footprint, double leverM) {
     const double reach = static_cast<double>(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
-    const auto margin = static_cast<float>(1.05 * footprint.radiusM(reach) + 1e-4);
+    const auto margin = static_cast<float>(leverM + 1.05 * footprint.radiusM(reach) + 1e-4);
     return {box.min() - Eigen::Vector3f::Constant(margin), box.max() + Eigen::Vector3f::Constant(margin)};
 }
 
-BoxTree treeOver(const Mesh& mesh, const Footprint& footprint) {
+BoxTree treeOver(const Mesh& mesh, const Footprint& footprint, double leverM) {
     std::vector<Eigen::AlignedBox3f> boxes;
     boxes.reserve(mesh.size());
     for (const Triangle& t : mesh) {
         Eigen::AlignedBox3f box(t.corner);
         box.extend(t.corner + t.edge1);
         box.extend(t.corner + t.edge2);
-        boxes.push_back(widened(box, footprint));
+        boxes.push_back(widened(box, footprint, leverM));
     }
     return BoxTree(boxes);
 }
@@ -81,12 +82,12 @@ void meetRidges(const ConvexBody& body, const RayBundle& bundle, std::size_t lan
 
 } // namespace
 
-Caster::Caster(const Scene& scene, const Footprint& footprint) : scene_(&scene) {
-    for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, footprint));
-    solidTree_ = treeOver(scene.solids, footprint);
+Caster::Caster(const Scene& scene, const Footprint& footprint, double leverM) : scene_(&scene) {
+    for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, footprint, leverM));
+    solidTree_ = treeOver(scene.solids, footprint, leverM);
     std::vector<Eigen::AlignedBox3f> boxes;
     boxes.reserve(scene.bodies.size());
-    for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, footprint));
+    for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, footprint, leverM));
     bodyTree_ = BoxTree(boxes);
 }
 

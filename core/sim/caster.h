@@ -11,7 +11,8 @@ namespace edgescan::sim {
 class Caster {
 public:
     /// @param footprint the widest beam that will be cast
-    Caster(const Scene& scene, const Footprint& footprint);
+    /// @param leverM how far from the origin a beam may start
+    Caster(const Scene& scene, const Footprint& footprint, double leverM = 0);
 
     [[nodiscard]] BundleHits cast(const RayBundle& bundle) const;
 

@@ -44,9 +44,10 @@ void settle(Ball& ball, const Vault& vault, double hang) {
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-void addArch(Scene& scene, const Vault& vault, int rocks, double rounding, std::uint64_t seed) {
+void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t seed) {
     Dice places(seed, Purpose::Places);
-    const std::vector<double> sizes = rockSizes(rocks, seed);
+    std::vector<double> sizes = rockSizes(rocks.count, seed);
+    for (double& size : sizes) size *= rocks.size;
     std::vector<double> hang;
     for (const double size : sizes) hang.push_back(size > 1.2 ? places.uniform(-0.45, 0.35) : places.uniform(0.0, 0.7));
     const auto place = [&](Dice& dice) {
@@ -60,30 +61,31 @@ void addArch(Scene& scene, const Vault& vault, int rocks, double rounding, std::
     const std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
-        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rounding);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rocks.rounding);
     }
 }
 
 /// Stones that came down before it hung up.
-void addRubble(Scene& scene, const Bell& bell, int rocks, double rounding, std::uint64_t seed) {
+void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t seed) {
     Dice dice(seed, Purpose::Rubble);
-    for (int i = 0; i < rocks;) {
+    for (int i = 0; i < rocks.count / 5;) {
         const double x = dice.uniform(-4.5, 4.5);
         const double y = dice.uniform(-4.5, 2.0);
-        const double size = dice.uniform(0.16, 0.4) + 0.8 * dice.uniform() * dice.uniform() * dice.uniform();
+        const double usual = dice.uniform(0.16, 0.4) + 0.8 * dice.uniform() * dice.uniform() * dice.uniform();
+        const double size = rocks.size * usual;
         const double height = muckHeight(bell, x, y, seed);
         const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
         const bool onPole = y * y + height * height < 0.2 * x * x; // near the axis of a sweep it would show in every line
         if (!onSlope || onPole) continue;
         Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
-        addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rounding);
+        addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rocks.rounding);
         ++i;
     }
 }
 
 } // namespace
 
-Scene hangupScene(std::uint64_t seed, int rocks, double rounding) {
+Scene hangupScene(std::uint64_t seed, const Rocks& rocks) {
     Dice dice(seed, Purpose::Bell);
     const Bell bell(mixed(seed));
     const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
@@ -96,8 +98,8 @@ Scene hangupScene(std::uint64_t seed, int rocks, double rounding) {
     Scene scene;
     addBell(scene, bell, {true, vault.chimneyM * 2.3, 1.3});
     addMuck(scene, bell, mixed(seed));
-    addArch(scene, vault, rocks, rounding, seed);
-    addRubble(scene, bell, rocks / 5, rounding, mixed(seed));
+    addArch(scene, vault, rocks, seed);
+    addRubble(scene, bell, rocks, mixed(seed));
     return scene;
 }
 

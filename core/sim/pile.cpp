@@ -31,10 +31,10 @@ void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-void addPile(Scene& scene, const Bell& bell, int rocks, double rounding, std::uint64_t seed) {
+void addPile(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t seed) {
     Dice places(seed, Purpose::Places);
-    std::vector<double> sizes = rockSizes(rocks, seed);
-    for (double& size : sizes) size /= kLarger;
+    std::vector<double> sizes = rockSizes(rocks.count, seed);
+    for (double& size : sizes) size = rocks.size * size / kLarger;
     const auto place = [&](Dice& dice) {
         Eigen::Vector3d p;
         do p = Eigen::Vector3d{dice.uniform(-5.5, 5.5), dice.uniform(-5.5, -0.8), 1.0};
@@ -46,18 +46,18 @@ void addPile(Scene& scene, const Bell& bell, int rocks, double rounding, std::ui
         scattered(ballRadii(sizes), place, places), [&](std::size_t, Ball& ball) { settle(ball, bell, seed); }, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
-        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rounding);
+        addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rocks.rounding);
     }
 }
 
 } // namespace
 
-Scene pileScene(std::uint64_t seed, int rocks, double rounding) {
+Scene pileScene(std::uint64_t seed, const Rocks& rocks) {
     const Bell bell(mixed(seed));
     Scene scene;
     addBell(scene, bell, {.present = false});
     addGround(scene, [&](double x, double y) { return slopeHeight(x, y, seed); });
-    addPile(scene, bell, rocks, rounding, seed);
+    addPile(scene, bell, rocks, seed);
     // The boom leans towards the slope: the middle beam looks along -y, 16 degrees up.
     Eigen::Matrix3f lean;
     lean << 1.0F, 0.0F, 0.0F, 0.0F, 0.28F, 0.96F, 0.0F, -0.96F, 0.28F;

@@ -34,7 +34,7 @@ Lanes<float> normalisedPower() {
 
 } // namespace
 
-RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint) {
+RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint, const Eigen::Vector3d& fromM) {
     const Eigen::Vector3d aside = std::abs(direction.x()) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d u = direction.cross(aside).normalized();
     const Eigen::Vector3d v = direction.cross(u);
@@ -42,7 +42,7 @@ RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footpri
     for (std::size_t i = 0; i < kLanes; ++i) {
         const SubRay& ray = kPattern[i < kSubRays ? i : 0];
         const Eigen::Vector3d offset = ray.u * u + ray.v * v;
-        const Eigen::Vector3f origin = (0.5 * footprint.apertureM * offset).cast<float>();
+        const Eigen::Vector3f origin = (fromM + 0.5 * footprint.apertureM * offset).cast<float>();
         const Eigen::Vector3f along = (direction + 0.5 * footprint.divergenceRad * offset).cast<float>();
         bundle.ox[i] = origin.x();
         bundle.oy[i] = origin.y();

@@ -45,8 +45,9 @@ struct Footprint {
     [[nodiscard]] double radiusM(double rangeM) const { return 0.5 * (apertureM + divergenceRad * rangeM); }
 };
 
-/// The sub-rays of the beam that leaves the origin along a unit direction.
-[[nodiscard]] RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint);
+/// The sub-rays of the beam that leaves the origin, or another place, along a unit direction.
+[[nodiscard]] RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint,
+                                    const Eigen::Vector3d& fromM = Eigen::Vector3d::Zero());
 
 /// Share of the beam's power that each sub-ray carries; sums to 1.
 [[nodiscard]] const Lanes<float>& subRayPower();

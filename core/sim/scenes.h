@@ -6,13 +6,18 @@
 
 namespace edgescan::sim {
 
+struct Rocks {
+    int count = 420;
+    double size = 1.0;     ///< times the usual sizes
+    double rounding = 0.0; ///< as in addRock
+};
+
 /// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (docs/method.md, "Simulator").
-/// @param rocks in the arch; a fifth more lie on the muck
-/// @param rounding of the rocks, as in addRock
-[[nodiscard]] Scene hangupScene(std::uint64_t seed, int rocks, double rounding);
+/// A fifth more rocks than in the arch lie on the muck.
+[[nodiscard]] Scene hangupScene(std::uint64_t seed, const Rocks& rocks);
 
 /// A muck slope of rocks against one wall, the scanner leaned towards it, the bell open above.
-[[nodiscard]] Scene pileScene(std::uint64_t seed, int rocks, double rounding);
+[[nodiscard]] Scene pileScene(std::uint64_t seed, const Rocks& rocks);
 
 /// The bell after the blast: walls, drift, muck, a raise at the top.
 [[nodiscard]] Scene emptyScene(std::uint64_t seed);

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/scan/cartesian.h"
+#include "core/sim/aim.h"
 #include "core/sim/beam.h"
 #include "core/sim/caster.h"
 #include "core/sim/cell_seams.h"
@@ -10,11 +11,13 @@
 #include "core/sim/random.h"
 #include "core/sim/scenes.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <new>
 #include <numbers>
 #include <thread>
+#include <type_traits>
 
 namespace edgescan {
 namespace {
@@ -23,7 +26,6 @@ using namespace sim;
 
 constexpr double kFirstBeamDeg = -5.0;
 constexpr double kFanDeg = 190.0;
-constexpr double kSweepDeg = 180.0;
 constexpr std::uint32_t kStatusCode = 65533; // no LMS511 reports a range as far as this
 
 struct Patch {
@@ -40,38 +42,64 @@ struct Sweep {
     std::array<Scan, 2> aim; ///< true angles of even and odd beams
 };
 
+template <class Member>
+void assign(Member& member, double value) {
+    if constexpr (std::is_same_v<Member, int>)
+        member = static_cast<int>(value);
+    else
+        member = value;
+}
+
+// Reads and writes one setting.
+#define EDGESCAN_SETTING(get, member)                                                                                                      \
+    [](const SimulationSettings& s) { return 1.0 * (get); }, [](SimulationSettings& s, double value) { assign(s.member, value); }
+#define EDGESCAN_NUMBER(member) EDGESCAN_SETTING(s.member, member)
+
+constexpr std::array<SimulationNumber, 32> kNumbers{{{"lines", {2, 100000}, EDGESCAN_NUMBER(lines)},
+                                                     {"beams", {2, 100000}, EDGESCAN_NUMBER(beams)},
+                                                     {"rocks", {0, 3000}, EDGESCAN_NUMBER(rocks)},
+                                                     {"rock-roughness", {0, 200}, EDGESCAN_NUMBER(rockRoughnessMm)},
+                                                     {"rock-rounding", {0, 0.9}, EDGESCAN_NUMBER(rockRounding)},
+                                                     {"rock-size", {0.1, 3}, EDGESCAN_NUMBER(rockSize)},
+                                                     {"rock-lumps", {0, 100}, EDGESCAN_NUMBER(rockLumpsMm)},
+                                                     {"rock-lump-size", {0.02, 10}, EDGESCAN_NUMBER(rockLumpM)},
+                                                     {"wall-roughness", {0, 200}, EDGESCAN_SETTING(wallRoughnessMmOf(s), wallRoughnessMm)},
+                                                     {"absorbing-patches", {0, 1000}, EDGESCAN_NUMBER(absorbingPatches)},
+                                                     {"distance", {0.1, 100}, EDGESCAN_NUMBER(distanceM)},
+                                                     {"hole-size", {0, 100}, EDGESCAN_NUMBER(holeM)},
+                                                     {"holes", {0, 400}, EDGESCAN_NUMBER(holes)},
+                                                     {"surface-scale", {0.001, 1000}, EDGESCAN_NUMBER(surfaceScale)},
+                                                     {"noise", {0, 100}, EDGESCAN_NUMBER(noise)},
+                                                     {"dropouts", {0, 1}, EDGESCAN_NUMBER(dropouts)},
+                                                     {"dust", {0, 1}, EDGESCAN_NUMBER(dust)},
+                                                     {"range-step", {0.01, 1000}, EDGESCAN_NUMBER(rangeStepMm)},
+                                                     {"max-range", {1, 1000}, EDGESCAN_NUMBER(maxRangeM)},
+                                                     {"line-jitter", {0, 1}, EDGESCAN_NUMBER(lineJitterDeg)},
+                                                     {"interlace", {-5, 5}, EDGESCAN_NUMBER(interlaceDeg)},
+                                                     {"motor-skew", {-5, 5}, EDGESCAN_NUMBER(motorSkewDeg)},
+                                                     {"slips", {0, 1}, EDGESCAN_NUMBER(slips)},
+                                                     {"turn", {1, 720}, EDGESCAN_NUMBER(turnDeg)},
+                                                     {"mount-t1", {-500, 500}, EDGESCAN_NUMBER(assembly.t1Mm())},
+                                                     {"mount-t2", {-500, 500}, EDGESCAN_NUMBER(assembly.t2Mm())},
+                                                     {"mount-tilt", {-20, 20}, EDGESCAN_NUMBER(assembly.tiltDeg())},
+                                                     {"mount-index", {-20, 20}, EDGESCAN_NUMBER(assembly.indexDeg())},
+                                                     {"turn-error", {-20, 20}, EDGESCAN_NUMBER(assembly.turnDeg())},
+                                                     {"zero-jump", {-20, 20}, EDGESCAN_NUMBER(zeroJumpDeg)},
+                                                     {"status-codes", {0, 1}, EDGESCAN_NUMBER(statusCodes)},
+                                                     {"threads", {0, 1024}, EDGESCAN_NUMBER(threads)}}};
+
 std::optional<Error> refusal(const SimulationSettings& s) {
-    struct Limit {
-        const char* key;
-        double value, low, high;
-    };
-    const Limit limits[] = {{"lines", 1.0 * s.lines, 2, 100000},
-                            {"beams", 1.0 * s.beams, 2, 100000},
-                            {"rocks", 1.0 * s.rocks, 0, 3000},
-                            {"rock roughness", s.rockRoughnessMm, 0, 200},
-                            {"rock rounding", s.rockRounding, 0, 0.9},
-                            {"wall roughness", wallRoughnessMmOf(s), 0, 200},
-                            {"absorbing patches", 1.0 * s.absorbingPatches, 0, 1000},
-                            {"distance", s.distanceM, 0.1, 100},
-                            {"hole size", s.holeM, 0, 100},
-                            {"holes", 1.0 * s.holes, 0, 400},
-                            {"surface scale", s.surfaceScale, 0.001, 1000},
-                            {"noise", s.noise, 0, 100},
-                            {"dropouts", s.dropouts, 0, 1},
-                            {"dust", s.dust, 0, 1},
-                            {"range step", s.rangeStepMm, 0.01, 1000},
-                            {"maximum range", s.maxRangeM, 1, 1000},
-                            {"line jitter", s.lineJitterDeg, 0, 1},
-                            {"interlace", s.interlaceDeg, -5, 5},
-                            {"motor skew", s.motorSkewDeg, -5, 5},
-                            {"slips", s.slips, 0, 1},
-                            {"status codes", s.statusCodes, 0, 1},
-                            {"threads", 1.0 * s.threads, 0, 1024}};
-    for (const Limit& limit : limits) {
-        if (limit.value >= limit.low && limit.value <= limit.high) continue;
-        return Error{std::string(limit.key) + " is " + shortestText(limit.value), "simulate",
-                     "use " + shortestText(limit.low) + " to " + shortestText(limit.high)};
+    for (const SimulationNumber& number : simulationNumbers()) {
+        const double value = number.get(s);
+        if (number.limits.hold(value)) continue;
+        std::string name = number.key;
+        std::ranges::replace(name, '-', ' ');
+        return Error{name + " is " + shortestText(value), "simulate",
+                     "use " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)};
     }
+    if (s.truth && (s.assembly != AssemblyErrors{} || s.zeroJumpDeg != 0))
+        return Error{"the truth is that of rays from one point, which an assembly with errors has not", "simulate",
+                     "leave the truth or the errors of the assembly out"};
     constexpr double kMostCells = 1e8;
     if (1.0 * s.lines * s.beams > kMostCells)
         return Error{"lines x beams is more than 100 million cells", "simulate", "use fewer lines or beams"};
@@ -79,8 +107,9 @@ std::optional<Error> refusal(const SimulationSettings& s) {
 }
 
 Result<Scene> sceneOf(const SimulationSettings& settings) {
-    if (settings.scene == "hangup") return hangupScene(settings.seed, settings.rocks, settings.rockRounding);
-    if (settings.scene == "pile") return pileScene(settings.seed, settings.rocks, settings.rockRounding);
+    const Rocks rocks{settings.rocks, settings.rockSize, settings.rockRounding};
+    if (settings.scene == "hangup") return hangupScene(settings.seed, rocks);
+    if (settings.scene == "pile") return pileScene(settings.seed, rocks);
     if (settings.scene == "empty") return emptyScene(settings.seed);
     if (settings.scene == "wall") return wallScene({settings.distanceM, settings.hole, settings.holes, settings.holeM}, settings.seed);
     if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
@@ -103,8 +132,8 @@ PolarGeometry nominalGeometry(const SimulationSettings& s) {
     polar.axis = s.axis;
     for (int j = 0; j < s.beams; ++j) polar.beamDeg.push_back(kFirstBeamDeg + kFanDeg * j / (s.beams - 1));
     // The sweep is centred on straight up; a spin may start anywhere, and starts at 0.
-    const double first = s.axis == Axis::Sweep ? -kSweepDeg / 2.0 : 0.0;
-    for (int i = 0; i < s.lines; ++i) polar.lineDeg.push_back(first + kSweepDeg * i / s.lines);
+    const double first = s.axis == Axis::Sweep ? -s.turnDeg / 2.0 : 0.0;
+    for (int i = 0; i < s.lines; ++i) polar.lineDeg.push_back(first + s.turnDeg * i / s.lines);
     return polar;
 }
 
@@ -112,9 +141,11 @@ PolarGeometry nominalGeometry(const SimulationSettings& s) {
 PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nominal, bool odd) {
     PolarGeometry polar = nominal;
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) {
+        if (s.assembly.turnDeg() != 0) polar.lineDeg[i] *= s.assembly.turnFactor();
+        if (2 * i >= polar.lineDeg.size()) polar.lineDeg[i] += s.zeroJumpDeg;
         polar.lineDeg[i] += s.lineJitterDeg * normalOf(hashOf(s.seed, Purpose::LineJitter, i));
         if (odd) polar.lineDeg[i] += s.interlaceDeg;
-        if (uniformOf(hashOf(s.seed, Purpose::Slips, i)) < s.slips) polar.lineDeg[i] -= kSweepDeg / s.lines;
+        if (uniformOf(hashOf(s.seed, Purpose::Slips, i)) < s.slips) polar.lineDeg[i] -= s.turnDeg / s.lines;
     }
     if (s.motorSkewDeg != 0.0) {
         for (int j = 0; j < s.beams; ++j) polar.lineSkewDeg.push_back(s.motorSkewDeg * j / (s.beams - 1));
@@ -140,28 +171,31 @@ bool inPatch(const std::vector<Patch>& patches, const Eigen::Vector3d& direction
     return false;
 }
 
-/// Relief along the ray where a sub-ray ends, metres. Its size is bounded, so it moves no outline.
+/// Relief along the ray where a sub-ray ends, metres. It moves the range and never the outline: which object a ray sees stays that of the
+/// smooth body.
 double reliefM(const Sweep& sweep, const Surface& surface, double cosine, const Eigen::Vector3d& place) {
     if (surface.texture == Texture::Smooth) return 0.0;
     const bool wall = surface.texture == Texture::Wall;
     const double height = 0.001 * (wall ? wallRoughnessMmOf(sweep.settings) : sweep.settings.rockRoughnessMm);
-    if (height <= 0.0) return 0.0;
+    const double lumps = wall ? 0.0 : 0.001 * sweep.settings.rockLumpsMm;
     const double along = std::max(cosine, 0.35);
-    const std::uint64_t seed = hashOf(sweep.settings.seed, Purpose::Shapes, (1ULL << 40U) + surface.object);
-    return height / along * fractalNoise(place, wall ? 1.4 : 0.5, 4, seed);
+    const auto seed = [&](unsigned kind) { return hashOf(sweep.settings.seed, Purpose::Shapes, (1ULL << kind) + surface.object); };
+    double relief = height <= 0.0 ? 0.0 : height / along * fractalNoise(place, wall ? 1.4 : 0.5, 4, seed(40));
+    if (lumps > 0.0) relief += lumps / along * valueNoise(place / sweep.settings.rockLumpM, seed(41)) / kValueNoiseSpread;
+    return relief;
 }
 
-void castLine(const Sweep& sweep, const Caster& caster, const std::array<CartesianTables, 2>& aim, int line, Simulation& out) {
+void castLine(const Sweep& sweep, const Caster& caster, const std::array<Aim, 2>& aim, int line, Simulation& out) {
     const SimulationSettings& settings = sweep.settings;
     for (int beam = 0; beam < settings.beams; ++beam) {
         const std::size_t k = out.scan.rangeMm.index(line, beam);
-        const Eigen::Vector3d direction = aim[static_cast<std::size_t>(beam % 2)].direction(line, beam);
-        const RayBundle bundle = bundleAlong(direction, sweep.footprint);
+        const Ray ray = aim[static_cast<std::size_t>(beam % 2)].ray(line, beam);
+        const RayBundle bundle = bundleAlong(ray.direction, sweep.footprint, ray.fromM);
         const BundleHits hits = caster.cast(bundle);
-        const bool absorbed = inPatch(sweep.patches, direction);
+        const bool absorbed = inPatch(sweep.patches, ray.direction);
         const auto reliefAt = [&](std::size_t lane, double rangeM) {
             const Surface& surface = sweep.scene.surfaces[static_cast<std::size_t>(hits.surface[lane])];
-            return reliefM(sweep, surface, cosineOf(sweep.scene, bundle, hits, lane), direction * rangeM);
+            return reliefM(sweep, surface, cosineOf(sweep.scene, bundle, hits, lane), ray.fromM + ray.direction * rangeM);
         };
         Echo echo = echoOf(bundle, hits, sweep.scene, settings);
         if (absorbed) echo = {};
@@ -209,11 +243,12 @@ bool forAllLines(const SimulationSettings& settings, const SimulationProgress& p
 
 /// False when cancelled. A cell depends on nothing but its own index.
 bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
-    const Caster caster(sweep.scene, sweep.footprint);
-    const std::array<CartesianTables, 2> aim{CartesianTables(sweep.aim[0]), CartesianTables(sweep.aim[1])};
+    const AssemblyErrors& assembly = sweep.settings.assembly;
+    const std::array<Aim, 2> aim{Aim(sweep.aim[0], assembly), Aim(sweep.aim[1], assembly)};
+    const Caster caster(sweep.scene, sweep.footprint, aim[0].leverM());
     if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
     if (out.truth) {
-        const SeamSources sources{sweep.scene, caster, {&aim[0], &aim[1]}, !sweep.settings.surface.empty()};
+        const SeamSources sources{sweep.scene, caster, {&aim[0].tables(), &aim[1].tables()}, !sweep.settings.surface.empty()};
         forAllLines(sweep.settings, {}, [&](int line) { findSeams(sources, line, *out.truth); });
     }
     return !progress || progress(1.0);
@@ -255,6 +290,8 @@ Result<Simulation> sweepOf(const SimulationSettings& settings, Scene scene, cons
 }
 
 } // namespace
+
+std::span<const SimulationNumber> simulationNumbers() { return kNumbers; }
 
 const std::vector<SimulationScene>& simulationScenes() {
     static const std::vector<SimulationScene> scenes{

@@ -1,7 +1,9 @@
 // The synthetic draw-bell: a scene of convex rocks, swept by an LMS511 with its beam, noise and failings (docs/method.md, "Simulator").
 #pragma once
 
+#include "core/base/physical_limits.h"
 #include "core/base/result.h"
+#include "core/georef/assembly.h"
 #include "core/scan/scan.h"
 #include "core/sim/seam.h"
 
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,15 +32,19 @@ inline constexpr std::array<double, 8> kStaircaseMm{20.0, 30.0, 50.0, 80.0, 120.
 struct SimulationSettings {
     std::string scene = "hangup"; ///< one of simulationScenes()
     std::uint64_t seed = 1;       ///< same seed, same bytes, whatever the number of threads
-    int lines = 1000;             ///< over 180 degrees: steps of 180 / lines
+    int lines = 1000;             ///< over the turn: steps of turnDeg / lines
     int beams = 1141;             ///< over -5..185 degrees, both ends included
     Axis axis = Axis::Sweep;
+    double turnDeg = 180.0; ///< of the stepper; beyond 180 a spin sees surfaces twice
     DeviceProfile profile = DeviceProfile::HighResolution;
 
     // The scene.
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
     double rockRounding = 0.0;    ///< radius of corners and ridges, as a share of the largest ball round a rock's middle that fits in it
+    double rockSize = 1.0;        ///< times the size of every rock; their number stays
+    double rockLumpsMm = 0.0;     ///< standard deviation of smooth lumps of the rocks, beside their roughness
+    double rockLumpM = 0.35;      ///< lattice of the lumps; from one to the next it is two to three times as far
     std::optional<double> wallRoughnessMm; ///< likewise of the walls; unless given, 30 for those of the bell and 0 for the scene "wall"
     int absorbingPatches = 6;              ///< round spots that send nothing back
     double distanceM = 6.0;                ///< of the wall or of the staircase's middle tread
@@ -61,6 +68,8 @@ struct SimulationSettings {
     double interlaceDeg = 0.0;  ///< true line angle of odd beams minus that of even beams
     double motorSkewDeg = 0.0;  ///< how far the stepper moves on while the mirror sweeps the fan
     double slips = 0.0;         ///< probability that the stepper lags one step behind on a line
+    AssemblyErrors assembly;    ///< each ray starts and points as they say, the recorded angles stay nominal; not with truth
+    double zeroJumpDeg = 0.0;   ///< how far the stepper's zero moves at half of the turn
     double statusCodes = 0.0;   ///< probability that the device reports a status code instead of a range
 
     bool truth = false; ///< also fill Simulation::truth
@@ -104,6 +113,15 @@ struct SimulationScene {
     const char* help;
 };
 [[nodiscard]] const std::vector<SimulationScene>& simulationScenes();
+
+/// A setting that is a number, with its flag and limits.
+struct SimulationNumber {
+    const char* key; ///< flag without "--"
+    NumberLimits limits;
+    double (*get)(const SimulationSettings&);
+    void (*set)(SimulationSettings&, double); ///< of a value within the limits; what counts things loses its fraction
+};
+[[nodiscard]] std::span<const SimulationNumber> simulationNumbers();
 
 /// Casts every beam. Error: a scene that does not exist, a setting outside its limits, not enough memory, or "cancelled".
 [[nodiscard]] Result<Simulation> simulate(const SimulationSettings& settings, const SimulationProgress& progress = {});

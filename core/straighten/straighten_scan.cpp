@@ -3,7 +3,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/scan/placement.h"
 #include "core/straighten/interlace.h"
+#include "core/straighten/line_phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,16 +113,37 @@ std::string displacementText(const Displacement& found) {
     return text;
 }
 
+/// Phases of the lines in turn; none where a place per line or points behind others would not come along.
+std::vector<double> phasesIn(const Scan& scan) {
+    if ((scan.placement && scan.placement->poses.size() > 1) || !scan.attached.empty()) return {};
+    return linePhases(inverseRange(scan));
+}
+
+// "the beams of 4 lines in turn lie 0, 0.25, 0.5 and 0.75 degrees ahead of them"
+std::string phasesText(const std::vector<double>& phases, const PolarGeometry& polar) {
+    const double stepDeg = std::abs(polar.beamDeg.back() - polar.beamDeg.front()) / static_cast<double>(polar.beamDeg.size() - 1);
+    std::string degrees;
+    for (std::size_t k = 0; k < phases.size(); ++k)
+        degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);
+    return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be";
+}
+
 constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
 
 } // namespace
 
 Scan straightened(Scan scan) {
-    auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (anglesOf(scan) == nullptr) {
         scan.warnings.emplace_back("Not straightened: the scan has no lines with angles.");
         return scan;
     }
+    if (const auto phases = phasesIn(scan); !phases.empty()) {
+        Scan folded = withPhasesFolded(scan, phases);
+        folded.warnings.push_back("Straightened: " + phasesText(phases, std::get<PolarGeometry>(scan.geometry)) +
+                                  ", and were put side by side: " + std::to_string(phases.size()) + " lines make one.");
+        return folded;
+    }
+    auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     const Displacement found = displacementOf(scan, *polar);
     if (found.oddAheadDeg != 0) moveBeams(*polar, found.oddAheadDeg);
     moveLines(*polar, found.slipSteps, found.stepDeg);
@@ -139,6 +162,10 @@ Scan straightened(Scan scan) {
 std::optional<std::string> displacementWarning(const Scan& scan) {
     const PolarGeometry* polar = anglesOf(scan);
     if (polar == nullptr) return std::nullopt;
+    if (const auto phases = phasesIn(scan); !phases.empty()) {
+        return kDisplaced + phasesText(phases, *polar) +
+               "; edges across the lines are combed: --straighten (Scan > Straighten Beams) puts these lines side by side as one.";
+    }
     const std::string text = displacementText(displacementOf(scan, *polar));
     if (text.empty()) return std::nullopt;
     return kDisplaced + text +

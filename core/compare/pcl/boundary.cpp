@@ -13,28 +13,11 @@ namespace {
 
 constexpr std::size_t kChunk = 2000; // points between two looks at the clock
 
-// Valid points in a row, and which cell each came from.
-struct Gathered {
-    PclCloud::Ptr cloud = std::make_shared<PclCloud>();
-    std::vector<std::size_t> cells;
-};
-
-Gathered gathered(const PeerScan& scan) {
-    const PclCloud::Ptr grid = organisedCloud(scan.pointsM);
-    Gathered all;
-    for (std::size_t k = 0; k < grid->size(); ++k) {
-        if (!pcl::isFinite((*grid)[k])) continue;
-        all.cloud->push_back((*grid)[k]);
-        all.cells.push_back(k);
-    }
-    return all;
-}
-
 } // namespace
 
 PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius) {
     StepClock clock;
-    const Gathered points = gathered(scan);
+    const MeasuredPoints points = measuredPoints(scan);
     const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
     tree->setInputCloud(points.cloud);
     clock.ended("conversion");

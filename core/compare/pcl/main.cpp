@@ -62,6 +62,10 @@ Result<PeerEdges> answer(const PeerRequest& request) {
             return organizedEdges(scan, false);
         case Peer::OrganizedEdgeUnrolled:
             return organizedEdges(scan, true);
+        case Peer::RegionGrowing:
+            return grownRegions(scan);
+        case Peer::ConvexPatches:
+            return convexPatches(scan);
         }
     } catch (const std::bad_alloc&) {
         outOfMemory();

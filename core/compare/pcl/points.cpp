@@ -22,6 +22,18 @@ PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM) {
     return cloud;
 }
 
+MeasuredPoints measuredPoints(const PeerScan& scan) {
+    MeasuredPoints all{{}, std::make_shared<PclCloud>()};
+    for (std::size_t k = 0; k < scan.pointsM.size(); ++k) {
+        if (!scan.pointsM[k].allFinite()) continue;
+        pcl::PointXYZ point;
+        point.getVector3fMap() = scan.pointsM[k];
+        all.cloud->push_back(point);
+        all.cells.push_back(k);
+    }
+    return all;
+}
+
 StepClock::StepClock() : start_(threadSeconds()), last_(start_) {}
 
 void StepClock::ended(const char* step) {

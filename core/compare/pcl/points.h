@@ -17,6 +17,13 @@ using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 /// An organised cloud, beams wide and lines high; NaN where there is no range.
 [[nodiscard]] PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM);
 
+/// The cells with a range, and their points in the same order.
+struct MeasuredPoints {
+    std::vector<std::size_t> cells;
+    PclCloud::Ptr cloud;
+};
+[[nodiscard]] MeasuredPoints measuredPoints(const PeerScan& scan);
+
 /// Thread CPU time between two readings, by name.
 class StepClock {
 public:
@@ -35,5 +42,7 @@ private:
 [[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
 [[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
 [[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);
+[[nodiscard]] PeerEdges grownRegions(const PeerScan& scan);
+[[nodiscard]] PeerEdges convexPatches(const PeerScan& scan);
 
 } // namespace edgescan

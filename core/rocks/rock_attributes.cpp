@@ -1,0 +1,257 @@
+// Rows of rocks.
+#include "core/rocks/rock_attributes.h"
+
+#include "core/base/order_statistic.h"
+#include "core/georef/placed_points.h"
+#include "core/rocks/free_below.h"
+#include "core/rocks/visible_spans.h"
+#include "core/scan/cartesian.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace edgescan {
+namespace {
+
+constexpr double kBeamM = 0.013;    // width of the beam (LMS511) ...
+constexpr double kBeamRad = 0.0046; // ... and its growth
+constexpr double kTolerance = 2.0;  // times the resolution: it covers 85 % of a and 94 % of b
+constexpr std::uint32_t kFewestJumps = 3;
+constexpr double kOneWay = 0.8;
+constexpr std::uint32_t kFewestValleys = 5;
+constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
+
+// Measured cells of each rock, one rock after the other.
+struct CellsOfRocks {
+    std::vector<std::uint32_t> cells;
+    std::vector<std::size_t> first; // by label; one more at the end
+
+    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t label) const {
+        return std::span(cells).subspan(first[label], first[label + 1] - first[label]);
+    }
+};
+
+/// `known`: by label, rocks whose cells nobody will ask for.
+CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const std::vector<const Rock*>& known) {
+    CellsOfRocks sorted;
+    sorted.first.assign(static_cast<std::size_t>(map.rocks) + 2, 0);
+    for (std::uint32_t label = 1; label <= map.rocks; ++label)
+        sorted.first[label + 1] = sorted.first[label] + (known[label] != nullptr ? 0 : map.regions[label].sums.cells);
+    if (sorted.first.back() == 0) return sorted;
+    sorted.cells.resize(sorted.first.back());
+    std::vector<std::size_t> at = sorted.first;
+    const Grid<Support>& support = leaves.inputs.surface->inverse.support;
+    for (std::size_t k = 0; k < leaves.leaf.size(); ++k) {
+        const std::uint32_t region = map.regionOfLeaf[leaves.leaf[k]];
+        if (region == 0 || region > map.rocks || known[region] != nullptr || support[k] != Support::Measured) continue;
+        sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
+    }
+    return sorted;
+}
+
+/// By label: the row of the rock that had the same leaves before; null where there was none.
+std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* before) {
+    std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
+    if (before == nullptr || before->map.regionOfLeaf.size() != map.regionOfLeaf.size()) return same;
+    std::vector<std::uint32_t> leavesNow(map.regions.size(), 0), leavesThen(before->map.regions.size(), 0);
+    std::vector<std::uint8_t> shared(map.regions.size(), 1); // all its leaves were in one region
+    const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfLeaf[map.regions[region].group]; };
+    for (std::size_t leaf = 1; leaf < map.regionOfLeaf.size(); ++leaf) {
+        const std::uint32_t now = map.regionOfLeaf[leaf];
+        const std::uint32_t then = before->map.regionOfLeaf[leaf];
+        ++leavesNow[now];
+        ++leavesThen[then];
+        if (now != 0 && then != thenOf(now)) shared[now] = 0;
+    }
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) {
+        const std::uint32_t then = thenOf(label);
+        if (shared[label] == 0 || then == 0 || then > before->map.rocks || leavesNow[label] != leavesThen[then]) continue;
+        same[label] = &before->rocks[then - 1];
+    }
+    return same;
+}
+
+class RowMaker {
+public:
+    RowMaker(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before)
+        : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)), cells_(cellsOfRocks(leaves, map, known_)),
+          tables_(*leaves.inputs.scan), up_(upOf(*leaves.inputs.scan).up) {}
+
+    [[nodiscard]] Rock row(std::uint32_t label) const {
+        const RockRegion& region = map_.regions[label];
+        Rock rock;
+        rock.label = label;
+        rock.cells = region.sums.cells;
+        rock.areaM2 = region.sums.areaM2;
+        rock.unoccluded = region.near;
+        rock.confidence = region.confidence;
+        rock.score = region.score;
+        rock.byHand = region.byHand;
+        if (rock.cells == 0) return rock;
+        rock.centreM = tables_.sensor() + region.sums.sumM / static_cast<double>(rock.cells);
+        if (const Rock* known = known_[label])
+            take(*known, rock);
+        else
+            measure(rock);
+        return rock;
+    }
+
+private:
+    static void take(const Rock& known, Rock& rock) {
+        rock.cell = known.cell;
+        rock.longM = known.longM;
+        rock.wideM = known.wideM;
+        rock.distanceM = known.distanceM;
+        rock.toleranceM = known.toleranceM;
+        rock.freeBelowM = known.freeBelowM;
+    }
+
+    // What needs every point.
+    void measure(Rock& rock) const {
+        const Eigen::Vector3d sensor = tables_.sensor();
+        const Eigen::Vector3d sight = (rock.centreM - sensor).normalized();
+        const Eigen::Vector3d right = sight.unitOrthogonal();
+        const Eigen::Vector3d below = sight.cross(right);
+        std::vector<Eigen::Vector2d> projected;
+        std::vector<float> ranges;
+        double nearest = HUGE_VAL;
+        double lowest = HUGE_VAL;
+        Eigen::Vector3d lowestPoint = rock.centreM;
+        std::size_t lowestCell = 0;
+        for (const std::uint32_t k : cells_.of(rock.label)) {
+            const Eigen::Vector3d point = tables_.point(k);
+            projected.emplace_back(right.dot(point - rock.centreM), below.dot(point - rock.centreM));
+            ranges.push_back(leaves_.inputs.scan->rangeMm[k]);
+            const double off = (point - rock.centreM).squaredNorm();
+            if (off < nearest) {
+                nearest = off;
+                rock.cell = k;
+            }
+            const double height = up_.dot(point);
+            if (height < lowest) {
+                lowest = height;
+                lowestPoint = point;
+                lowestCell = k;
+            }
+        }
+        const Calipers calipers = calipersOf(projected);
+        rock.longM = calipers.longest;
+        rock.wideM = calipers.shortest;
+        rock.distanceM = 0.001 * static_cast<double>(median(std::move(ranges)));
+        const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
+        rock.toleranceM = kTolerance * (spacingM + kBeamM + kBeamRad * rock.distanceM);
+        rock.freeBelowM = freeBelowM(leaves_.inputs, lowestPoint, lowestCell, up_);
+    }
+
+    const RockLeaves& leaves_;
+    const RockMap& map_;
+    std::vector<const Rock*> known_;
+    CellsOfRocks cells_;
+    CartesianTables tables_;
+    Eigen::Vector3d up_;
+};
+
+void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
+    for (const RegionBorder& border : map.borders) {
+        const bool touch = border.valleys >= kFewestValleys;
+        if (border.b > map.rocks) { // ascending: b is the larger
+            if (touch && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
+            continue;
+        }
+        Rock& a = rocks[border.a - 1];
+        Rock& b = rocks[border.b - 1];
+        if (touch) {
+            a.contacts.push_back(b.label);
+            b.contacts.push_back(a.label);
+        }
+        const std::uint32_t jumps = border.jumpsA + border.jumpsB;
+        if (jumps < kFewestJumps || std::max(border.jumpsA, border.jumpsB) < kOneWay * jumps) continue;
+        const bool isABefore = border.jumpsA > border.jumpsB;
+        (isABefore ? a : b).before.push_back((isABefore ? b : a).label);
+        (isABefore ? b : a).behind.push_back((isABefore ? a : b).label);
+    }
+    for (Rock& rock : rocks) {
+        for (auto* list : {&rock.before, &rock.behind, &rock.contacts}) std::sort(list->begin(), list->end());
+    }
+}
+
+// Where the middle of the rock may be: behind that of its visible points.
+Eigen::Vector3d middleOf(const Rock& rock, const Eigen::Vector3d& sensor) {
+    return rock.centreM + kPushedBack * rock.wideM * (rock.centreM - sensor).normalized();
+}
+
+void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Eigen::Vector3d& up) {
+    for (Rock& rock : rocks) {
+        const Eigen::Vector3d here = middleOf(rock, sensor);
+        for (std::size_t m = 0; m < rock.contacts.size(); ++m) {
+            for (std::size_t n = m + 1; n < rock.contacts.size(); ++n) {
+                const Eigen::Vector3d one = middleOf(rocks[rock.contacts[m] - 1], sensor);
+                const Eigen::Vector3d other = middleOf(rocks[rock.contacts[n] - 1], sensor);
+                const Eigen::Vector3d p = one - here;
+                const Eigen::Vector3d q = other - here;
+                const double angle = std::atan2(p.cross(q).norm(), p.dot(q)) * 180.0 / std::numbers::pi;
+                if (rock.archDeg && angle <= *rock.archDeg) continue;
+                rock.archDeg = angle;
+                // The place of the line between them that is over or under the rock.
+                const Eigen::Vector3d line = other - one;
+                const Eigen::Vector3d level = line - up * up.dot(line);
+                const double along = std::clamp(level.dot(here - one) / std::max(level.squaredNorm(), 1e-12), 0.0, 1.0);
+                rock.hangsBelow = up.dot(here - (one + along * line)) < 0;
+            }
+        }
+    }
+}
+
+} // namespace
+
+UpDirection upOf(const Scan& scan) {
+    if (!scan.placement || scan.cells() == 0) return {};
+    const PlacedPoints placed(scan);
+    const int line = scan.lines() / 2;
+    const int beam = scan.beams() / 2;
+    const Eigen::Vector3d up = placed.scanner(line, beam, Eigen::Vector3d::UnitZ()) - placed.scanner(line, beam, Eigen::Vector3d::Zero());
+    return {up.normalized(), false};
+}
+
+std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before) {
+    const RowMaker maker(leaves, map, before);
+    std::vector<Rock> rocks;
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
+    addNeighbours(map, rocks);
+    addArches(rocks, CartesianTables(*leaves.inputs.scan).sensor(), upOf(*leaves.inputs.scan).up);
+    return rocks;
+}
+
+SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
+    SizeCurve curve;
+    curve.rocks = static_cast<std::uint32_t>(rocks.size());
+    if (rocks.empty()) return curve;
+    std::vector<double> sizes;
+    for (const Rock& rock : rocks) sizes.push_back(rock.wideM);
+    curve.p20M = quantile(sizes, 0.2);
+    curve.p50M = quantile(sizes, 0.5);
+    curve.p80M = quantile(sizes, 0.8);
+    curve.topM = *std::max_element(sizes.begin(), sizes.end());
+    if (oversizeM > 0) {
+        const auto over = std::count_if(sizes.begin(), sizes.end(), [&](double size) { return size > oversizeM; });
+        curve.oversizeShare = static_cast<double>(over) / static_cast<double>(sizes.size());
+    }
+    return curve;
+}
+
+Fines finesOf(const RockMap& map) {
+    Fines fines;
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        if (map.regions[n].kind != RegionKind::Fines || map.regions[n].sums.cells == 0) continue;
+        ++fines.regions;
+        fines.cells += map.regions[n].sums.cells;
+        fines.areaM2 += map.regions[n].sums.areaM2;
+    }
+    return fines;
+}
+
+} // namespace edgescan

@@ -1,0 +1,63 @@
+// What a person changed by hand: constraints by cell and kind, applied anew whatever is turned (docs/rocks-method.md, "Edits").
+#pragma once
+
+#include "core/base/result.h"
+#include "core/rocks/leaf_cuts.h"
+#include "core/rocks/rock_map.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+enum class RockEditKind : std::uint8_t {
+    Join,    ///< the pieces at these cells are one rock
+    Part,    ///< the pieces at these two cells are never one rock
+    Cut,     ///< a stroke through these cells: pieces are cut along it, and its two sides are never one rock
+    Rock,    ///< what lies at this cell is a rock
+    NotRock, ///< it is none
+};
+
+/// By cell index k = line * beams + beam, never by the number of a region.
+struct RockEdit {
+    RockEditKind kind = RockEditKind::Join;
+    std::vector<std::uint32_t> cells = {}; ///< Join: 2 and more; Part: 2; Cut: 2 and more; Rock, NotRock: 1
+
+    bool operator==(const RockEdit&) const = default;
+};
+
+/// "join", "part", "cut", "rock", "not_rock".
+[[nodiscard]] const char* rockEditName(RockEditKind kind);
+
+/// The strokes among the edits.
+[[nodiscard]] std::vector<CutLine> cutsOf(std::span<const RockEdit> edits);
+/// What the edits say of leaves; a cell without a leaf says nothing. `leaves` must have been made with the same strokes.
+[[nodiscard]] std::vector<LeafPair> pairsOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
+[[nodiscard]] std::vector<CalledLeaf> calledOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
+
+/// A piece that was there before something else was merged with it.
+struct RockAncestor {
+    std::vector<std::uint32_t> leaves; ///< ascending
+    std::uint32_t cells = 0;           ///< measured
+    double life = 0.0;                 ///< levels between its making and its merging
+    RockEdit part;                     ///< keeps it apart from what it was merged with
+};
+
+/// The pieces round cell `k` within its region at that level, the smallest first; empty where the region is one leaf.
+[[nodiscard]] std::vector<RockAncestor> ancestorsAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
+
+/// The one that a click splits off: of 50 cells and more the one with the longest life. Empty where there is none.
+[[nodiscard]] std::optional<RockEdit> splitAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
+
+/// {"format": "edgescan-rock-edits/1", "lines": N, "beams": N, "edits": [{"kind": "join", "cells": [[line, beam], ...]}, ...]}
+[[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int lines, int beams);
+/// Error: damaged, of another format, for another grid than lines x beams, unknown kinds, cells that do not exist.
+Result<std::vector<RockEdit>> rockEditsFromJson(const nlohmann::json& object, int lines, int beams, const std::string& where);
+Result<std::vector<RockEdit>> rockEditsFromText(std::string_view text, int lines, int beams, const std::string& where);
+
+} // namespace edgescan

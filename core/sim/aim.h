@@ -1,0 +1,43 @@
+// Where the rays of a sweep start and point.
+#pragma once
+
+#include "core/georef/assembly.h"
+#include "core/georef/rotations.h"
+#include "core/scan/cartesian.h"
+
+#include <cmath>
+
+namespace edgescan::sim {
+
+struct Ray {
+    Eigen::Vector3d fromM = Eigen::Vector3d::Zero();
+    Eigen::Vector3d direction;
+};
+
+/// True angles and the mounting. `angles` must outlive it.
+class Aim {
+public:
+    Aim(const Scan& angles, const AssemblyErrors& assembly)
+        : polar_(std::get<PolarGeometry>(angles.geometry)), tables_(angles), mount_(sensorInMover(polar_.axis, assembly)),
+          ideal_(assembly == AssemblyErrors{}) {}
+
+    [[nodiscard]] Ray ray(int line, int beam) const {
+        if (ideal_) return {Eigen::Vector3d::Zero(), tables_.direction(line, beam)};
+        const auto j = static_cast<std::size_t>(beam);
+        const double angle =
+            radians(polar_.lineDeg[static_cast<std::size_t>(line)] + (polar_.lineSkewDeg.empty() ? 0 : polar_.lineSkewDeg[j]));
+        const Eigen::Matrix3d turn = polar_.axis == Axis::Spin ? rotationZ(angle) : rotationX(angle);
+        const double a = radians(polar_.beamDeg[j]);
+        return {turn * mount_.translationM, turn * (mount_.rotation * Eigen::Vector3d(std::cos(a), 0, std::sin(a)))};
+    }
+    [[nodiscard]] const CartesianTables& tables() const { return tables_; }
+    [[nodiscard]] double leverM() const { return mount_.translationM.norm(); }
+
+private:
+    const PolarGeometry& polar_;
+    CartesianTables tables_;
+    RigidTransform mount_;
+    bool ideal_;
+};
+
+} // namespace edgescan::sim
