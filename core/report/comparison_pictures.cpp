@@ -1,6 +1,7 @@
 // A comparison as pictures.
 #include "core/report/comparison_pictures.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/gray/gray.h"
 #include "core/settings/method_traits.h"
@@ -35,8 +36,10 @@ std::vector<SheetMark> truthLegend() {
             {"false: an edge that is none", kVermilion, MarkShape::Cross}};
 }
 
+constexpr std::size_t kMostOfAName = 60; // what a sheet has room for
+
 std::string shapeOf(const Scan& scan) {
-    return scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
+    return printable(scan.name, kMostOfAName) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
 }
 
 int columnsOf(std::size_t tiles) { return static_cast<int>(tiles == kColumns ? kColumns / 2 : std::min(kColumns, tiles)); }

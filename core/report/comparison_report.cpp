@@ -1,6 +1,7 @@
 // A comparison as tables and as JSON.
 #include "core/report/comparison_report.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/settings/parameters.h"
@@ -96,8 +97,8 @@ Json printedReport(const std::vector<ComparedMethod>& methods) {
 std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& methods) {
     const bool scored = std::ranges::any_of(methods, [](const ComparedMethod& m) { return m.score.has_value(); });
     const bool best = std::ranges::any_of(methods, [](const ComparedMethod& m) { return m.best.has_value(); });
-    std::string text = scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams, " +
-                       std::to_string(validCells(scan)) + " points; milliseconds of thread CPU time\n\n";
+    std::string text = printable(scan.name) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
+                       " beams, " + std::to_string(validCells(scan)) + " points; milliseconds of thread CPU time\n\n";
     text += leftAligned("", kNameWidth) + "  convert   denoise      edges    merge      total     cells";
     if (scored) text += "  occl.  outl.  crease all  ";
     if (best) text += "  all, best threshold";

@@ -16,6 +16,8 @@ constexpr int kTextHeight = 22;
 constexpr double kTextSize = 0.5;
 constexpr int kSampleCell = 12; // pixels of a cell in the legend
 constexpr int kShapePixels = 3;
+constexpr int kTallest = 4;    // times the width of a tile: a sweep of one beam would make a sheet of a kilometre
+constexpr int kNarrowest = 20; // pixels of a picture that is kept to that height
 const cv::Scalar kPaper(40, 40, 40);
 const cv::Scalar kInk(235, 235, 235);
 const cv::Scalar kFaintInk(190, 190, 190);
@@ -39,10 +41,14 @@ void write(cv::Mat& sheet, std::string text, cv::Point at, int width, const cv::
 void drawMark(cv::Mat& sheet, const cv::Rect& cell, const SheetMark& mark) {
     const cv::Scalar colour = scalarOf(mark.colour);
     const MarkShape shape = std::min(cell.width, cell.height) < kShapePixels ? MarkShape::Square : mark.shape;
-    if (shape == MarkShape::Cross) {
-        const cv::Point last(cell.x + cell.width - 1, cell.y + cell.height - 1);
-        cv::line(sheet, cell.tl(), last, colour);
+    const cv::Point last(cell.x + cell.width - 1, cell.y + cell.height - 1);
+    const cv::Point middle(cell.x + cell.width / 2, cell.y + cell.height / 2);
+    if (shape == MarkShape::Cross || shape == MarkShape::Slash) {
         cv::line(sheet, {last.x, cell.y}, {cell.x, last.y}, colour);
+        if (shape == MarkShape::Cross) cv::line(sheet, cell.tl(), last, colour);
+    } else if (shape == MarkShape::Plus) {
+        cv::line(sheet, {middle.x, cell.y}, {middle.x, last.y}, colour);
+        cv::line(sheet, {cell.x, middle.y}, {last.x, middle.y}, colour);
     } else {
         cv::rectangle(sheet, cell, colour, shape == MarkShape::Square ? cv::FILLED : 1);
     }
@@ -84,13 +90,21 @@ void drawMarks(cv::Mat& sheet, const Grid<std::uint8_t>& marks, const cv::Rect& 
 }
 
 void drawTile(cv::Mat& sheet, const SheetTile& tile, const cv::Rect& place, const std::vector<SheetMark>& legend) {
-    const bool smaller = place.width < tile.picture.beams;
+    const bool smaller = place.width < tile.picture.beams || place.height < tile.picture.lines;
     cv::Mat gray;
     cv::resize(asMat(tile.picture), gray, place.size(), 0, 0, smaller ? cv::INTER_AREA : cv::INTER_NEAREST);
     if (tile.marks.size() > 0) gray.convertTo(gray, CV_8U, kPaleSpan, kPaleFrom);
     cv::Mat onSheet = sheet(place);
     cv::cvtColor(gray, onSheet, cv::COLOR_GRAY2RGB);
     if (tile.marks.lines == tile.picture.lines && tile.marks.beams == tile.picture.beams) drawMarks(sheet, tile.marks, place, legend);
+}
+
+// As wide as a tile, unless that makes it too tall.
+cv::Size sizeOf(const Grid<std::uint8_t>& picture, int tilePixels) {
+    const double ratio = static_cast<double>(picture.lines) / picture.beams;
+    if (ratio <= kTallest) return {tilePixels, std::max(1, static_cast<int>(std::lround(tilePixels * ratio)))};
+    const int height = kTallest * tilePixels;
+    return {std::clamp(static_cast<int>(std::lround(height / ratio)), std::min(kNarrowest, tilePixels), tilePixels), height};
 }
 
 } // namespace
@@ -100,8 +114,8 @@ Grid<Rgb> contactSheet(const std::vector<SheetTile>& tiles, const SheetLook& loo
     const Grid<std::uint8_t>& first = tiles.front().picture;
     const int count = static_cast<int>(tiles.size());
     const int across = std::clamp(look.columns, 1, count);
-    const int tileHeight = std::max(1, static_cast<int>(std::lround(static_cast<double>(look.tilePixels) * first.lines / first.beams)));
-    const int pitch = tileHeight + 2 * kTextHeight + kGap;
+    const cv::Size size = sizeOf(first, look.tilePixels);
+    const int pitch = size.height + 2 * kTextHeight + kGap;
     const int width = kGap + across * (look.tilePixels + kGap);
     const int top = 2 * kGap + kTextHeight + drawLegend(nullptr, look.legend, {kGap, 0}, width - 2 * kGap);
     cv::Mat sheet(top + (count + across - 1) / across * pitch, width, CV_8UC3, kPaper);
@@ -112,7 +126,7 @@ Grid<Rgb> contactSheet(const std::vector<SheetTile>& tiles, const SheetLook& loo
         const cv::Point at(kGap + (n % across) * (look.tilePixels + kGap), top + (n / across) * pitch);
         write(sheet, tile.title, at, look.tilePixels, kInk);
         write(sheet, tile.line, {at.x, at.y + kTextHeight}, look.tilePixels, kFaintInk);
-        if (tile.picture.size() > 0) drawTile(sheet, tile, {at.x, at.y + 2 * kTextHeight, look.tilePixels, tileHeight}, look.legend);
+        if (tile.picture.size() > 0) drawTile(sheet, tile, {cv::Point(at.x, at.y + 2 * kTextHeight), size}, look.legend);
     }
     Grid<Rgb> pixels(sheet.rows, sheet.cols);
     for (int i = 0; i < sheet.rows; ++i) {

@@ -11,7 +11,7 @@
 namespace edgescan {
 
 /// The shape of a marked cell, so that colour is not its only sign; told apart from 3 pixels per cell on, below that all are squares.
-enum class MarkShape : std::uint8_t { Square, Ring, Cross };
+enum class MarkShape : std::uint8_t { Square, Ring, Cross, Plus, Slash };
 
 /// One kind of marked cell.
 struct SheetMark {
@@ -29,7 +29,7 @@ struct SheetTile {
 
 struct SheetLook {
     int columns = 1;
-    int tilePixels = 460; ///< width of every tile; their height follows from the shape of the first
+    int tilePixels = 460; ///< width of every tile; their height follows from the shape of the first, up to four times as much
     std::string title;    ///< ASCII
     std::vector<SheetMark> legend;
 };

@@ -1,14 +1,19 @@
 // The record of an export: everything docs/operator.md, "S7" lists, or null and the reason.
 #include "core/report/provenance.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
+#include "core/georef/placed_points.h"
 #include "core/georef/placement_json.h"
 #include "core/points/description.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
+#include "core/report/rock_files.h"
 #include "core/scan/acquisition.h"
 #include "core/settings/parameters.h"
+#include "core/settings/presets.h"
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
@@ -44,12 +49,12 @@ Json scannerJson(const Acquisition& a) {
 }
 
 Json scanJson(const Scan& scan) {
-    const Json opened = Json::parse(scan.openedWith, nullptr, false);
+    const auto opened = parseOrderedJson(scan.openedWith, "");
     Json object{{"input", std::filesystem::path(scan.path).filename().string()},
                 {"format", scan.format},
                 {"sha256", textOrNull(scan.sha256)},
                 {"grid_sha256", gridSha256(scan)},
-                {"opened_with", opened.is_object() ? opened : Json::object()},
+                {"opened_with", opened && opened->is_object() ? *opened : Json::object()},
                 {"lines", scan.lines()},
                 {"beams", scan.beams()},
                 {"unit_mm", scan.unitMm}};
@@ -60,22 +65,26 @@ Json scanJson(const Scan& scan) {
     return object;
 }
 
-/// Lines of which nothing arrived, as runs: [first, count].
+/// One line more in a list of runs [first, count].
+void addToRuns(Json& runs, int line) {
+    if (!runs.empty() && runs.back()[0].get<int>() + runs.back()[1].get<int>() == line)
+        runs.back()[1] = runs.back()[1].get<int>() + 1;
+    else
+        runs.push_back({line, 1});
+}
+
+/// Lines of which nothing arrived, and those of which some beams did not.
 Json acquisitionJson(const Scan& scan, const Acquisition& a) {
-    Json gaps = Json::array();
+    Json gaps = Json::array(), inPart = Json::array();
     int received = 0;
     for (int i = 0; i < scan.lines(); ++i) {
         const CellState* states = scan.state.line(i);
-        const bool lost = std::all_of(states, states + scan.beams(), [](CellState s) { return s == CellState::Lost; });
-        received += lost ? 0 : 1;
-        if (!lost) continue;
-        if (!gaps.empty() && gaps.back()[0].get<int>() + gaps.back()[1].get<int>() == i)
-            gaps.back()[1] = gaps.back()[1].get<int>() + 1;
-        else
-            gaps.push_back({i, 1});
+        const auto lost = std::count(states, states + scan.beams(), CellState::Lost);
+        received += lost < scan.beams() ? 1 : 0;
+        if (lost > 0) addToRuns(lost < scan.beams() ? inPart : gaps, i);
     }
     const int expected = std::max(a.linesExpected, scan.lines());
-    Json object{{"lines_expected", expected}, {"lines_received", received}, {"gaps", gaps}};
+    Json object{{"lines_expected", expected}, {"lines_received", received}, {"gaps", gaps}, {"gaps_in_part", inPart}};
     object.update(known({{"start_utc", a.startUtc},
                          {"end_utc", a.endUtc},
                          {"clock_source", a.clockSource},
@@ -85,7 +94,9 @@ Json acquisitionJson(const Scan& scan, const Acquisition& a) {
 }
 
 Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame frame) {
-    if (!isCloud(content) && content != ExportContent::WholeScan)
+    const bool isPicture = content == ExportContent::EdgeImage || content == ExportContent::GrayImage ||
+                           content == ExportContent::RangeImage || content == ExportContent::RockLabels;
+    if (isPicture)
         return {{"frame", "image"},
                 {"axis_order", {"line (row)", "beam (column)"}},
                 {"unit", content == ExportContent::RangeImage ? Json("mm") : Json()}};
@@ -101,33 +112,34 @@ Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame fr
     return object;
 }
 
-std::string ascii(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
+Json choicesJson(const WritingChoices& choices) {
+    Json keys = Json::array();
+    for (const WritingChoice& choice : kWritingChoices) {
+        if (choices.*choice.member) keys.push_back(choice.key);
+    }
+    return keys;
+}
+
+std::string ascii(const Json& object) { return asciiJsonText(object); }
 
 } // namespace
 
 const char* exportContentName(ExportContent content) {
-    static constexpr const char* kNames[]{"edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan"};
+    static constexpr const char* kNames[]{"edge cloud",  "full cloud", "edge image",  "gray image", "range image",   "whole scan",
+                                          "rock labels", "rock table", "rock report", "rock cloud", "rock outlines", "rock hulls"};
+    static_assert(std::size(kNames) == kExportContents);
     return kNames[static_cast<std::size_t>(content)];
 }
 
-bool isCloud(ExportContent content) { return content == ExportContent::EdgeCloud || content == ExportContent::FullCloud; }
+bool isCloud(ExportContent content) {
+    return content == ExportContent::EdgeCloud || content == ExportContent::FullCloud || content == ExportContent::RockCloud;
+}
+
+bool isOfRocks(ExportContent content) { return content >= ExportContent::RockLabels; }
 
 std::optional<ExportContent> exportContentNamed(std::string_view name) {
-    for (int i = 0; i <= static_cast<int>(ExportContent::WholeScan); ++i) {
+    for (int i = 0; i < kExportContents; ++i) {
         if (name == exportContentName(static_cast<ExportContent>(i))) return static_cast<ExportContent>(i);
-    }
-    return std::nullopt;
-}
-
-const char* frameName(CoordinateFrame frame) {
-    return frame == CoordinateFrame::Scanner ? "scanner"
-           : frame == CoordinateFrame::Mine  ? "mine grid"
-                                             : "local metres from the mine grid origin";
-}
-
-std::optional<CoordinateFrame> frameNamed(std::string_view name) {
-    for (const CoordinateFrame frame : {CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}) {
-        if (name == frameName(frame)) return frame;
     }
     return std::nullopt;
 }
@@ -166,6 +178,15 @@ std::string sealed(Json record) {
     return ascii(record);
 }
 
+Json sealedSidecar(Json sidecar) {
+    sidecar.erase("sidecar_sha256");
+    const std::string rest = ascii(sidecar);
+    sidecar["sidecar_sha256"] = sha256Hex(std::as_bytes(std::span(rest)));
+    return sidecar;
+}
+
+bool sidecarIsWhole(const Json& sidecar) { return sidecar.is_object() && sealedSidecar(sidecar) == sidecar; }
+
 bool recordIsWhole(const Json& record) { return record.is_object() && record.contains("record_sha256") && sealed(record) == ascii(record); }
 
 std::string exportRecord(ExportContent content, const Detection& detection, const ExportOptions& options) {
@@ -178,6 +199,7 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
     Json record{{"format", kRecordFormat},
                 {"content", exportContentName(content)},
                 {"text", options.ascii},
+                {"choices", choicesJson(options.choices)},
                 {"scan", scanJson(scan)},
                 {"cells", cellsReport(scan)},
                 {"scanner", scannerJson(acquisition)},
@@ -188,9 +210,12 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (content != ExportContent::WholeScan) {
         record["settings"] = settingsToJson(detection.settings);
+        record["default_settings"] = {
+            {"name", kDefaultSet.name}, {"version", kDefaultSet.version}, {"changed", changedFromDefault(detection.settings)}};
         record["edges"] = detection.edges->size();
         record["classes"] = classesReport(detection);
         record["edge_mask_sha256"] = maskSha256(*detection.mask);
+        if (isOfRocks(content)) record["rocks"] = rocksRecord(*options.rocks);
     }
     record["program"] = programOfRecords();
     record["warnings"] = warnings;

@@ -1,13 +1,18 @@
 // Writing exports with their records.
 #include "core/report/provenance.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/formats/formats.h"
 #include "core/io/save_scan.h"
 #include "core/pictures/png.h"
+#include "core/points/description.h"
 #include "core/report/record_parts.h"
+#include "core/report/rock_files.h"
 #include "core/scan/range_picture.h"
 
 #include <nlohmann/json.hpp>
@@ -27,6 +32,7 @@ constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a wh
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 bool isDevice(const fs::path& path) {
+    if (isStandardOutput(path)) return true;
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
@@ -38,9 +44,12 @@ Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
+    const char* of = "cells"; ///< where there are no points
 };
 
 Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+    if (isOfRocks(content) && !isCloud(content) && content != ExportContent::RockLabels)
+        return Expected{options.rocks->rocks.size(), std::nullopt, "rocks"};
     const bool points = isCloud(content) || (content == ExportContent::WholeScan && writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt};
     const PointBounds bounds = pointsToWrite(content, detection, options);
@@ -53,42 +62,61 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
     return named == files.end() ? files.front() : *named;
 }
 
-std::string sidecarText(const FileBytes& file, const std::string& record, const Expected& expected, const std::vector<FileBytes>& files) {
+/// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
+std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
+    const Format* format = writtenFormat(path);
+    const bool inside = content == ExportContent::WholeScan && format != nullptr &&
+                        (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
+    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : descriptionText(scan, "", -1);
+}
+
+std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
+                        const std::vector<FileBytes>& files) {
     Json about{{"file", file.path.filename().string()},
                {"sha256", sha256Hex(bytesOf(file.bytes))},
                {"bytes", file.bytes.size()},
                {"written_utc", utcText(utcNow())},
-               {expected.bounds ? "points" : "cells", expected.count}};
+               {expected.bounds ? "points" : expected.of, expected.count}};
     if (expected.bounds && expected.count > 0)
         about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
     for (const FileBytes& other : files) {
         if (&other != &file)
             about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
     }
-    const Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", Json::parse(record)}};
-    return sidecar.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
+    const auto parsed = parseOrderedJson(record, "");
+    Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
+    if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
+    return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
-Error differs(const fs::path& path, const std::string& what) {
-    return {"what was read back is not what was written: " + what, path.string(), "check the disk and export again"};
-}
-
-Result<Done> readBack(const FileBytes& file, const Expected& expected) {
-    const fs::path& path = file.path;
-    const std::string& bytes = file.bytes;
-    const auto found = readWholeFile(path);
-    if (!found) return found.error();
-    if (!std::ranges::equal(*found, bytesOf(bytes))) return differs(path, "the bytes differ");
+/// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
+Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
-    const auto written = pointsWritten(bytes, path);
-    if (!written) return differs(path, written.error().what);
+    const auto refused = [&](const std::string& what) {
+        return Error{"this format cannot tell the scan, nothing was written: " + what, file.path.string(), "choose another format"};
+    };
+    const auto written = pointsWritten(file.bytes, file.path);
+    if (!written) return refused(written.error().what);
     if (!*written) return Done{};
     const PointBounds& points = **written;
     if (points.count != expected.count)
-        return differs(path, "it holds " + std::to_string(points.count) + " points instead of " + std::to_string(expected.count));
+        return refused("it would hold " + std::to_string(points.count) + " points instead of " + std::to_string(expected.count));
     const double off = std::max((points.leastM - expected.bounds->leastM).cwiseAbs().maxCoeff(),
                                 (points.mostM - expected.bounds->mostM).cwiseAbs().maxCoeff());
-    if (!(off < kToleranceM)) return differs(path, "its bounds are off by " + std::to_string(off) + " m");
+    if (!(off < kToleranceM)) return refused("its bounds would be off by " + significantText(off, 6) + " m");
+    return Done{};
+}
+
+/// What did not arrive as it was written is taken away again.
+Result<Done> readBack(const std::vector<FileContent>& contents) {
+    for (const FileContent& content : contents) {
+        const auto found = readWholeFile(content.path);
+        if (found && std::ranges::equal(*found, content.bytes)) continue;
+        std::error_code ignored;
+        for (const FileContent& other : contents) fs::remove(other.path, ignored);
+        return Error{"what was read back is not what was written, so it was removed", content.path.string(),
+                     "check the disk and export again"};
+    }
     return Done{};
 }
 
@@ -97,7 +125,7 @@ Result<Done> readBack(const FileBytes& file, const Expected& expected) {
 Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
                                            const std::string& record, const ExportOptions& options) {
     const Scan& scan = *detection.scan;
-    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get()};
+    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
         return std::vector<FileBytes>{{path, std::move(*bytes)}};
@@ -113,6 +141,25 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
         return one(png8Bytes(detection.gray->levels, path.string(), record));
     case ExportContent::WholeScan:
         return scanFiles(scan, path, save);
+    case ExportContent::RockLabels: {
+        const auto picture = labelPicture(*options.rocks, path.string());
+        if (!picture) return picture.error();
+        return one(png16Bytes(*picture, path.string(), record));
+    }
+    case ExportContent::RockTable:
+        return one(tableBytes(*options.rocks, options.frame, path));
+    case ExportContent::RockReport:
+        return one(reportBytes(*options.rocks, options.frame, path, record));
+    case ExportContent::RockCloud: {
+        const Grid<std::uint32_t> labels = rockLabels(*options.rocks->leaves, options.rocks->map);
+        SaveOptions withRocks = save;
+        withRocks.rocks = &labels;
+        return one(cloudBytes(scan, path, detection.mask.get(), withRocks));
+    }
+    case ExportContent::RockOutlines:
+        return one(outlineBytes(*options.rocks, options.frame, path, record));
+    case ExportContent::RockHulls:
+        return one(hullBytes(*options.rocks, options.frame, path, record));
     case ExportContent::RangeImage:
         break;
     }
@@ -125,28 +172,27 @@ std::string embeddedRecord(std::string_view bytes) {
     return formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
 }
 
-fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }
-
 Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const fs::path& path,
                                          const ExportOptions& options) {
     const std::string record = exportRecord(content, detection, options);
     const auto files = exportFiles(content, detection, path, record, options);
     if (!files) return files.error();
     const Expected expected = expectedOf(content, detection, path, options);
+    for (const FileBytes& file : *files) {
+        if (auto told = checkTold(file, expected); !told) return told.error();
+    }
     if (isDevice(path)) {
         if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
         if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();
         return expected.count;
     }
     const FileBytes& named = fileOf(*files, path);
-    const std::string sidecar = sidecarText(named, record, expected, *files);
+    const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
     std::vector<FileContent> contents;
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
-    contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
+    if (options.sidecar) contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
     if (auto written = writeWholeFiles(contents); !written) return written.error();
-    for (const FileBytes& file : *files) {
-        if (auto same = readBack(file, expected); !same) return same.error();
-    }
+    if (auto same = readBack(contents); !same) return same.error();
     return expected.count;
 }
 

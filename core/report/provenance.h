@@ -5,12 +5,14 @@
 #include "core/base/file_bytes.h"
 #include "core/base/result.h"
 #include "core/method/detection.h"
+#include "core/points/writing_choices.h"
 #include "core/scan/placement.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,18 +20,29 @@
 
 namespace edgescan {
 
+struct RockStudy; // core/rocks/rock_study.h
+
 enum class ExportContent : std::uint8_t {
     EdgeCloud,
-    FullCloud,  ///< all valid points, with a field for edges
-    EdgeImage,  ///< 8-bit PNG, 255 = edge
-    GrayImage,  ///< 8-bit PNG
-    RangeImage, ///< 16-bit PNG, millimetres
-    WholeScan,  ///< every cell with its state, as saveScan writes it; of the detection only the scan counts
+    FullCloud,    ///< all valid points, with a field for edges
+    EdgeImage,    ///< 8-bit PNG, 255 = edge
+    GrayImage,    ///< 8-bit PNG
+    RangeImage,   ///< 16-bit PNG, millimetres
+    WholeScan,    ///< every cell with its state, as saveScan writes it; of the detection only the scan counts
+    RockLabels,   ///< 16-bit PNG: 0 none, then the rocks, largest first
+    RockTable,    ///< a row per rock, commas between
+    RockReport,   ///< the same and more as JSON
+    RockCloud,    ///< all valid points, with a field for rocks
+    RockOutlines, ///< DXF in space, or GeoJSON in the picture
+    RockHulls,    ///< PLY or OBJ
 };
+inline constexpr int kExportContents = 12;
 
-/// "edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan".
+/// "edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan", "rock labels",
+/// "rock table", "rock report", "rock cloud", "rock outlines", "rock hulls".
 [[nodiscard]] const char* exportContentName(ExportContent content);
 [[nodiscard]] bool isCloud(ExportContent content);
+[[nodiscard]] bool isOfRocks(ExportContent content);
 
 struct ExportOptions {
     CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
@@ -37,6 +50,9 @@ struct ExportOptions {
     std::string operatorName{};                       ///< who exports; empty = not said
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
+    WritingChoices choices{};
+    std::shared_ptr<const RockStudy> rocks{}; ///< of the detection's scan, for exports of rocks
+    bool sidecar = true;                      ///< the record also beside the export
 };
 
 /// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and
@@ -54,12 +70,9 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
 /// The record inside an export's bytes; empty when there is none.
 [[nodiscard]] std::string embeddedRecord(std::string_view bytes);
 
-/// NAME.EXT.provenance.json beside the export.
-[[nodiscard]] std::filesystem::path sidecarPath(const std::filesystem::path& exported);
-
-/// Writes the export and its sidecar, both whole or neither, reads the export back and compares bytes, count and bounds. Gives the
-/// number of points or cells written. A device or pipe gets the export only. Error: no pose for the frame asked for, cannot be
-/// written, or what was read back is not what was written.
+/// Writes the export and, unless told otherwise, its sidecar, both whole or neither, reads the export back and compares bytes, count and
+/// bounds. Gives the number of points or cells written. A device or pipe gets the export only. Error: no pose for the frame asked for,
+/// cannot be written, or what was read back is not what was written.
 Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const std::filesystem::path& path,
                                          const ExportOptions& options = {});
 

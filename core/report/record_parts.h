@@ -1,9 +1,11 @@
 // What writing and verifying of exports share.
 #pragma once
 
+#include "core/io/grid_beside.h"
 #include "core/report/provenance.h"
 
 #include <Eigen/Core>
+#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>
@@ -12,11 +14,8 @@
 namespace edgescan {
 
 inline constexpr const char* kRecordFormat = "edgescan-record/1";
-inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 
 [[nodiscard]] std::optional<ExportContent> exportContentNamed(std::string_view name);
-[[nodiscard]] const char* frameName(CoordinateFrame frame);
-[[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
 
 /// SHA-256 of what a scan is to the method: shape, angles, ranges, states, points. The same file opened otherwise gives another.
 [[nodiscard]] std::string gridSha256(const Scan& scan);
@@ -26,6 +25,10 @@ inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 
 /// The record as text, with the SHA-256 of the rest of it at its end.
 [[nodiscard]] std::string sealed(nlohmann::ordered_json record);
+
+/// The sidecar with the SHA-256 of the rest of it at its end, and whether it still has the right one.
+[[nodiscard]] nlohmann::ordered_json sealedSidecar(nlohmann::ordered_json sidecar);
+[[nodiscard]] bool sidecarIsWhole(const nlohmann::ordered_json& sidecar);
 
 /// How many points, and between which corners.
 struct PointBounds {

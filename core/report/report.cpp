@@ -1,6 +1,7 @@
 // Scans and results as JSON.
 #include "core/report/report.h"
 
+#include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/georef/placement_json.h"
@@ -57,6 +58,9 @@ json poseReport(const Scan& scan) {
     return report;
 }
 
+/// What became of the points of a file that held a list of them.
+json pointsReport(const Scan& scan) { return {{"in_file", scan.pointsRead}, {"without_cell", scan.pointsLeftOut}}; }
+
 } // namespace
 
 nlohmann::ordered_json cellsReport(const Scan& scan) {
@@ -85,6 +89,7 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
         report["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
     if (!scan.attached.empty()) report["attached_points"] = scan.attached.size();
+    if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
     if (scan.acquisition) report["acquisition"] = acquisitionToJson(*scan.acquisition);
     if (!scan.note.empty()) report["note"] = scan.note;
     return report;
@@ -123,6 +128,7 @@ nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
                 {"timings_ms", timings},
                 {"warnings", warnings},
                 {"version", version()}};
+    if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
     return report;
 }
 
@@ -132,9 +138,7 @@ nlohmann::ordered_json classesReport(const Detection& detection) {
     return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}, {"border", counts[4]}};
 }
 
-std::string reportText(const nlohmann::ordered_json& report, bool indented) {
-    return report.dump(indented ? 2 : -1, ' ', false, json::error_handler_t::replace);
-}
+std::string reportText(const nlohmann::ordered_json& report, bool indented) { return shortJsonText(report, indented ? 2 : -1); }
 
 std::string maskSha256(const Grid<std::uint8_t>& mask) { return sha256Hex(std::as_bytes(std::span(mask.cells))); }
 

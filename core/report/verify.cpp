@@ -1,9 +1,13 @@
 // Verifying: record, scan, method, bytes.
 #include "core/report/verify.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
+#include "core/georef/placed_points.h"
 #include "core/georef/placement_json.h"
 #include "core/io/open_as_asked.h"
 #include "core/method/pipeline.h"
@@ -11,6 +15,7 @@
 #include "core/report/find_scan.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
+#include "core/rocks/rock_study.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
@@ -29,7 +34,11 @@ std::string textOf(const std::vector<std::byte>& bytes) { return {reinterpret_ca
 
 std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
-Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
+/// Null where it is damaged: what was altered is told all the same.
+Json parsed(const std::string& text) {
+    auto json = parseOrderedJson(text, "");
+    return json ? std::move(*json) : Json();
+}
 
 /// A value of the record by its way, or null.
 Json at(const Json& record, const std::string& pointer) {
@@ -41,20 +50,44 @@ std::string wordAt(const Json& record, const std::string& pointer) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
+/// Error when the format of something is one that a later version may know: "edgescan-record/7".
+Result<Done> knownFormat(const Json& object, const char* known, const Verification& v) {
+    const std::string format = wordAt(object, "/format");
+    const std::string name(known, std::string_view(known).find('/') + 1);
+    if (format == known || !format.starts_with(name)) return Done{};
+    return Error{"the record is of the format " + format.substr(0, 60) + ", and this program knows " + known, v.exported.string(),
+                 "verify with the version that made the export"};
+}
+
+/// What the record beside the export says of the file itself.
+void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
+    if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
+        v.findings.emplace_back("The file beside the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+    if (wordAt(sidecar, "/export/sha256") != v.foundSha256)
+        v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+    if (at(sidecar, "/export/bytes") != Json(bytes.size()))
+        v.findings.emplace_back("The record beside the export says another number of bytes.");
+    const std::string name = wordAt(sidecar, "/export/file");
+    if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
+}
+
 /// The record and where it was found; what is wrong with either place goes into the findings.
 Result<Json> recordOf(const std::string& bytes, Verification& v) {
     Json fromSidecar;
     if (const auto sidecar = readWholeFile(sidecarPath(v.exported))) {
         const Json whole = parsed(textOf(*sidecar));
-        const std::string hash = wordAt(whole, "/export/sha256");
+        if (const auto known = knownFormat(whole, kSidecarFormat, v); !known) return known.error();
         if (wordAt(whole, "/format") == kSidecarFormat) fromSidecar = at(whole, "/record");
+        if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
         if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
-        if (hash != v.foundSha256)
-            v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+        compareSidecar(whole, bytes, v);
     }
     const std::string embedded = embeddedRecord(bytes);
     const Json inside = parsed(embedded);
+    if (const auto known = knownFormat(inside, kRecordFormat, v); !known) return known.error();
     if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
+    if (recordIsWhole(inside) && recordIsWhole(fromSidecar) && inside != fromSidecar)
+        v.findings.emplace_back("The record inside the export and the one beside it are not the same.");
     if (recordIsWhole(fromSidecar)) return fromSidecar;
     if (recordIsWhole(inside)) return inside;
     const bool none = embedded.empty() && v.findings.empty();
@@ -76,7 +109,7 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     if (!path) return path.error();
     v.scan = *path;
     const Json openedWith = at(record, "/scan/opened_with");
-    const auto options = parseReadingOptions(openedWith.empty() ? std::string() : openedWith.dump(), v.exported.string());
+    const auto options = parseReadingOptions(openedWith.empty() ? std::string() : jsonText(openedWith), v.exported.string());
     if (!options) return options.error();
     auto opened = openAsAsked(*path, *options);
     if (!opened) return opened.error();
@@ -113,9 +146,30 @@ Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, ExportC
         bare->scan = *scan;
         return std::shared_ptr<const Detection>(bare);
     }
-    auto detection = detectEdges(*scan, *settings);
+    auto detection = detectEdges(*scan, *settings, isOfRocks(content) ? KeepFor::Rocks : KeepFor::Edges);
     compareResults(record, *detection, v);
     return detection;
+}
+
+/// The rocks with the settings and edits of the record.
+Result<std::shared_ptr<const RockStudy>> rocksOf(const Json& record, const Detection& detection, const Verification& v) {
+    const std::string where = v.exported.string();
+    const auto settings = rockSettingsFromJson(nlohmann::json(at(record, "/rocks/settings")), where);
+    if (!settings) return settings.error();
+    const Scan& scan = *detection.scan;
+    const auto edits = rockEditsFromJson(nlohmann::json(at(record, "/rocks/edits")), scan.lines(), scan.beams(), where);
+    if (!edits) return edits.error();
+    return std::make_shared<const RockStudy>(studyRocks(rockInputs(detection), *settings, *edits));
+}
+
+/// Everything that the record says is worked out again, but who exported and with which program.
+void compareRecord(const Json& record, const Json& again, Verification& v) {
+    for (const auto& [key, value] : again.items()) {
+        if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
+        Json then = record[key], now = value;
+        if (key == "scan") then.erase("input"), now.erase("input"); // it may have been renamed
+        if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
+    }
 }
 
 /// What may explain a difference.
@@ -163,12 +217,11 @@ bool samePixels(const std::string& found, const std::string& expected, const Jso
 }
 
 /// The files that the scan gives now, against those on the disk.
-void compareFiles(const std::string& found, const std::vector<FileBytes>& again, ExportContent content, const Json& record,
-                  Verification& v) {
+void compareFiles(const std::string& found, const std::vector<FileBytes>& again, const Json& record, Verification& v) {
     for (const FileBytes& file : again) {
         if (file.path.extension() == v.exported.extension() || again.size() == 1) {
             v.expectedSha256 = sha256Of(file.bytes);
-            const bool image = !isCloud(content) && content != ExportContent::WholeScan;
+            const bool image = at(record, "/coordinates/frame") == "image";
             if (image && found != file.bytes && samePixels(found, file.bytes, record, v)) continue;
             compareBytes(found, file.bytes, v);
             continue;
@@ -193,32 +246,43 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     const auto content = exportContentNamed(wordAt(*record, "/content"));
     if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
     ExportOptions options;
+    for (const Json& key : at(*record, "/choices")) {
+        const auto choice = std::ranges::find_if(kWritingChoices, [&](const WritingChoice& known) { return key == Json(known.key); });
+        if (choice == kWritingChoices.end()) return notUnderstood(v, "choice");
+        options.choices.*choice->member = true;
+    }
     options.ascii = at(*record, "/text") == true;
     options.includeAttached = at(*record, "/attached_points/included") == true;
-    if (isCloud(*content) || *content == ExportContent::WholeScan) {
+    if (at(*record, "/coordinates/frame") != "image") {
         const auto frame = frameNamed(wordAt(*record, "/coordinates/frame"));
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
     const auto detection = detectionOf(*record, *content, scansFolder, v);
     if (!detection) return detection.error();
+    if (isOfRocks(*content)) {
+        const auto rocks = rocksOf(*record, **detection, v);
+        if (!rocks) return rocks.error();
+        options.rocks = *rocks;
+    }
     const auto again = exportFiles(*content, **detection, exported, sealed(*record), options);
     if (!again) return again.error();
-    compareFiles(found, *again, *content, *record, v);
+    compareRecord(*record, parsed(exportRecord(*content, **detection, options)), v);
+    compareFiles(found, *again, *record, v);
     v.identical = v.findings.empty();
     if (!v.identical) compareProgram(*record, v);
     return v;
 }
 
 std::string verificationText(const Verification& v) {
-    std::string text = v.exported.string() + ": ";
+    std::string text = printable(v.exported.string()) + ": ";
     if (v.identical) {
-        text += "identical to what " + v.scan.string() + " gives.";
-        for (const std::string& remark : v.remarks) text += " " + remark;
+        text += "identical to what " + printable(v.scan.string()) + " gives.";
+        for (const std::string& remark : v.remarks) text += " " + printable(remark);
         return text;
     }
-    text += "NOT identical to what " + v.scan.string() + " gives.";
-    for (const std::string& finding : v.findings) text += " " + finding;
+    text += "NOT identical to what " + printable(v.scan.string()) + " gives.";
+    for (const std::string& finding : v.findings) text += " " + printable(finding);
     return text;
 }
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace edgescan {
 namespace {
@@ -76,8 +75,11 @@ json depthReport(const DepthProbe& depth) {
 // The text for a person, one sentence or two per line.
 json linesOf(const std::string& text) {
     json lines = json::array();
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
     return lines;
 }
 

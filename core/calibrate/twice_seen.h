@@ -1,0 +1,44 @@
+// Which cells a spinning fan sees twice, and where the other view of them lies (docs/calibration.md, "Seen twice").
+#pragma once
+
+#include "core/georef/assembly.h"
+#include "core/scan/inverse_range.h"
+
+#include <optional>
+#include <vector>
+
+namespace edgescan {
+
+/// A cell of one view of a surface, as measured.
+struct SeenCell {
+    int line = 0, beam = 0;
+    double lineDeg = 0;                                  ///< nominal
+    Eigen::Vector3d inSensorM = Eigen::Vector3d::Zero(); ///< S of docs/coordinates.md, by the nominal beam angle
+};
+
+/// The same place as the other view would have measured it.
+struct OtherView {
+    double lineDeg = 0, beamDeg = 0; ///< nominal
+    double rangeM = 0;
+};
+
+/// How far the stepper turned from the first line to the last, degrees.
+[[nodiscard]] double turnOf(const PolarGeometry& polar);
+
+enum class View : std::uint8_t { Early, Late };
+
+/// Up to `most` cells of one view whose surroundings are smooth, evenly drawn from all whose other view lies within the turn. A scan draws
+/// the same cells each time.
+[[nodiscard]] std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRange& inverse, View view, std::size_t most);
+
+/// Errors of a spinning assembly made ready for many cells.
+struct SpinMounting {
+    RigidTransform sensorInMover;
+    double turnedDeg = 1; ///< by the stepper, right-handed, for one nominal degree
+};
+[[nodiscard]] SpinMounting spinMounting(const AssemblyErrors& errors, double lineDirection);
+
+/// Where the other view, half a turn earlier (for View::Late) or later, sees the point of a cell. Nothing: it never does.
+[[nodiscard]] std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const SpinMounting& mounting);
+
+} // namespace edgescan
