@@ -2,10 +2,12 @@
 #include "core/emulator/emulated_scanner.h"
 
 #include "core/cola/cola_link.h"
+#include "core/emulator/emulated_device.h"
 #include "core/emulator/emulated_sweep.h"
 
 #include <boost/asio.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <deque>
@@ -22,9 +24,11 @@ using boost::system::error_code;
 using tcp = asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostWaiting = 4U << 20U; ///< bytes for a client that does not read; beyond, telegrams are lost
-constexpr std::size_t kEager = 64U << 10U;      ///< as fast as possible: the next line is made when less than this waits
+constexpr std::size_t kMostWaiting = 4U << 20U;   ///< bytes for a client that does not read; beyond, telegrams are lost
+constexpr std::size_t kEager = 64U << 10U;        ///< as fast as possible: the next line is made when less than this waits
+constexpr std::size_t kMostAnswers = 256U << 10U; ///< bytes of answers for a client that does not read; beyond, it is not listened to
 constexpr std::size_t kMostClients = 8;
+constexpr auto kAcceptAgain = std::chrono::milliseconds(200); ///< after the system had no descriptor to give
 
 } // namespace
 
@@ -37,8 +41,11 @@ struct EmulatedScanner::Server {
         Dialect dialect = Dialect::B;
         std::array<std::uint8_t, 4096> piece{};
         std::deque<Bytes> queue;
-        std::size_t waiting = 0; ///< bytes in queue
-        Bytes merged;            ///< telegrams that wait for company
+        std::size_t waiting = 0;     ///< bytes in queue
+        Bytes merged;                ///< telegrams that wait for company
+        std::deque<ColaFrame> asked; ///< not answered yet
+        bool reading = false;
+        Clock::time_point active = Clock::now(); ///< when it last sent or read something
         bool open = true;
     };
     using ClientPointer = std::shared_ptr<Client>;
@@ -48,7 +55,9 @@ struct EmulatedScanner::Server {
 
     Result<Done> listen();
     void accept();
+    void welcome(tcp::socket socket);
     void read(const ClientPointer& client);
+    void answerAll(const ClientPointer& client);
     void answer(const ClientPointer& client, const ColaFrame& frame);
     void write(const ClientPointer& client, Bytes bytes);
     void writeNext(const ClientPointer& client);
@@ -73,6 +82,7 @@ struct EmulatedScanner::Server {
     asio::io_context context{1};
     tcp::acceptor acceptor{context};
     asio::steady_timer timer{context};
+    asio::steady_timer acceptAgain{context};
     bool timing = false;
     Clock::time_point due;
     std::list<ClientPointer> clients;
@@ -103,25 +113,55 @@ Result<Done> EmulatedScanner::Server::listen() {
 
 void EmulatedScanner::Server::accept() {
     acceptor.async_accept([this](const error_code& problem, tcp::socket socket) {
-        if (problem) return;
-        if (clients.size() < kMostClients) {
-            error_code ignored;
-            socket.set_option(tcp::no_delay(true), ignored);
-            const auto client = std::make_shared<Client>(std::move(socket), settings.only);
-            clients.push_back(client);
-            count([](auto& s) { ++s.clients; });
-            read(client);
+        if (problem == asio::error::operation_aborted) return;
+        if (!problem) {
+            welcome(std::move(socket));
+            return accept();
         }
-        accept();
+        // No descriptor is free, or no memory: who knocks waits until one is.
+        acceptAgain.expires_after(kAcceptAgain);
+        acceptAgain.async_wait([this](const error_code& ended) {
+            if (!ended) accept();
+        });
     });
 }
 
+/// A full house makes room by closing the connection that was silent for longest.
+void EmulatedScanner::Server::welcome(tcp::socket socket) {
+    if (clients.size() >= kMostClients) {
+        const auto oldest =
+            std::min_element(clients.begin(), clients.end(), [](const auto& a, const auto& b) { return a->active < b->active; });
+        if (std::chrono::duration<double>(Clock::now() - (*oldest)->active).count() < settings.silentS) return;
+        close(ClientPointer(*oldest));
+    }
+    error_code ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
+    const auto client = std::make_shared<Client>(std::move(socket), settings.only);
+    clients.push_back(client);
+    count([](auto& s) { ++s.clients; });
+    read(client);
+}
+
 void EmulatedScanner::Server::read(const ClientPointer& client) {
+    if (client->reading) return;
+    client->reading = true;
     client->socket.async_read_some(asio::buffer(client->piece), [this, client](const error_code& problem, std::size_t length) {
+        client->reading = false;
         if (problem || !client->open) return close(client);
-        for (const ColaFrame& frame : client->stream.push(ByteView(client->piece).first(length))) answer(client, frame);
-        if (client->open) read(client);
+        client->active = Clock::now();
+        for (ColaFrame& frame : client->stream.push(ByteView(client->piece).first(length))) client->asked.push_back(std::move(frame));
+        answerAll(client);
     });
+}
+
+/// A client that asks and does not read is neither answered nor listened to until it has read.
+void EmulatedScanner::Server::answerAll(const ClientPointer& client) {
+    while (client->open && !client->asked.empty() && client->waiting < kMostAnswers) {
+        const ColaFrame frame = std::move(client->asked.front());
+        client->asked.pop_front();
+        answer(client, frame);
+    }
+    if (client->open && client->asked.empty()) read(client);
 }
 
 void EmulatedScanner::Server::answer(const ClientPointer& client, const ColaFrame& frame) {
@@ -151,9 +191,11 @@ void EmulatedScanner::Server::write(const ClientPointer& client, Bytes bytes) {
 void EmulatedScanner::Server::writeNext(const ClientPointer& client) {
     asio::async_write(client->socket, asio::buffer(client->queue.front()), [this, client](const error_code& problem, std::size_t) {
         if (problem || !client->open) return close(client);
+        client->active = Clock::now();
         client->waiting -= client->queue.front().size();
         client->queue.pop_front();
         if (!client->queue.empty()) writeNext(client);
+        answerAll(client);
         if (eager()) wake();
     });
 }

@@ -24,8 +24,11 @@ struct ScannerFaults {
     int corruptEvery = 0; ///< one bit of the telegram is wrong
     int stallEvery = 0;   ///< silence, connection kept
     double stallS = 0.0;
-    int dropEvery = 0; ///< all connections are closed
-    bool mute = false; ///< accepts connections, answers nothing
+    int dropEvery = 0;      ///< all connections are closed
+    int narrowEvery = 0;    ///< the telegram has half of its beams
+    int counterStep = 1;    ///< what both counters go on by from line to line
+    double clockRate = 1.0; ///< of the device clock: 0 it stands, -1 it runs backward
+    bool mute = false;      ///< accepts connections, answers nothing
     bool byChance = false;
     unsigned seed = 1;
 };
@@ -43,6 +46,7 @@ struct EmulatedScannerSettings {
     double linesPerSecond = 25.0; ///< 0: as fast as the client reads
     AtEnd atEnd = AtEnd::Again;
     bool keepTurning = false; ///< lines pass while nobody is subscribed
+    double silentS = 5.0;     ///< of eight clients the one that did nothing for so long gives way to a ninth
     bool contaminationWarning = false;
     bool contaminationError = false;
     std::map<std::string, int> refusals; ///< name -> code of sFA, whatever is asked

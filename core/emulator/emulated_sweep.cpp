@@ -31,9 +31,11 @@ ScanTelegram EmulatedSweep::stamped() const {
     const ScanTelegram& first = telegrams_->front();
     ScanTelegram telegram = (*telegrams_)[listIndex()];
     const std::uint32_t transmission = telegram.transmittedUs - telegram.sinceStartUs;
-    telegram.telegramCounter = static_cast<std::uint16_t>(first.telegramCounter + told_);
-    telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + told_);
-    telegram.sinceStartUs = static_cast<std::uint32_t>(first.sinceStartUs + static_cast<std::uint64_t>(std::llround(clockUs_)));
+    const std::uint64_t counted = told_ * static_cast<std::uint64_t>(faults_.counterStep);
+    telegram.telegramCounter = static_cast<std::uint16_t>(first.telegramCounter + counted);
+    telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + counted);
+    const std::int64_t passedUs = std::llround(clockUs_ * faults_.clockRate);
+    telegram.sinceStartUs = static_cast<std::uint32_t>(first.sinceStartUs + static_cast<std::uint64_t>(passedUs));
     telegram.transmittedUs = telegram.sinceStartUs + transmission;
     telegram.status[0] =
         static_cast<std::uint8_t>((telegram.status[0] & 1U) | (contaminationWarning ? 2U : 0U) | (contaminationError ? 4U : 0U));
@@ -56,6 +58,12 @@ std::optional<SweepStep> EmulatedSweep::next() {
     step.corrupt = happens(faults_.corruptEvery);
     step.stall = happens(faults_.stallEvery);
     step.drop = happens(faults_.dropEvery);
+    step.narrow = happens(faults_.narrowEvery);
+    for (auto* channels : {&step.telegram.channels16, &step.telegram.channels8}) {
+        for (ScanChannel& channel : *channels) {
+            if (step.narrow) channel.values.resize((channel.values.size() + 1) / 2);
+        }
+    }
     ++told_;
     ++inList_;
     clockUs_ += periodUs_;

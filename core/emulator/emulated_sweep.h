@@ -17,6 +17,7 @@ struct SweepStep {
     bool corrupt = false;   ///< one bit of it is wrong
     bool stall = false;     ///< silence follows
     bool drop = false;      ///< the connections are closed afterwards
+    bool narrow = false;    ///< half of the beams are left out, in the telegram below already
     ScanTelegram telegram;
 };
 

@@ -96,31 +96,63 @@ std::vector<FinishedSweep> LiveFeed::takeFinished() {
 }
 
 Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (recorder_ || starting_) return Error{"a recording is being written already", path.string(), "stop it first"};
+        starting_ = true;
+    }
+    auto writer = RecordingWriter::start(path, metadataOf(sweepSettings())); // waits for the disk: what arrives must not wait with it
     const std::lock_guard lock(mutex_);
-    if (recorder_) return Error{"a recording is being written already", path.string(), "stop it first"};
-    auto writer = RecordingWriter::start(path, metadataOf(sweepSettings_));
+    starting_ = false;
     if (!writer) return writer.error();
     recorder_ = std::move(*writer);
-    // By the message itself: telegrams that arrived together share their time.
-    std::vector<RecordingMessagePtr> messages = recent_.messages();
-    auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
-    if (first == messages.end()) first = messages.begin(); // the first sweep, or one that began before what is remembered
-    std::for_each(first, messages.end(), [this](RecordingMessagePtr& message) { recorder_->post(std::move(message)); });
+    for (RecordingMessagePtr& message : messagesOfSweep()) recorder_->post(std::move(message));
     return Done{};
 }
 
-Result<Done> LiveFeed::stopRecording() {
+std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {
+    // By the message itself: telegrams that arrived together share their time.
+    std::vector<RecordingMessagePtr> messages = recent_.messages();
+    const auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
+    // The first sweep, or one that began before what is remembered: all.
+    if (first != messages.end()) messages.erase(messages.begin(), first);
+    return messages;
+}
+
+SweepSettings LiveFeed::sweepSettings() const {
+    const std::lock_guard lock(mutex_);
+    return sweepSettings_;
+}
+
+std::optional<int> LiveFeed::useSweep(const SweepSettings& sweep) {
+    int gone = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        if (sweep == sweepSettings_) return std::nullopt;
+        sweepSettings_ = sweep;
+        gone = feed_.assembler().progress().received;
+        feed_ = SweepFeed(sweep);
+        for (const RecordingMessagePtr& message : messagesOfSweep())
+            static_cast<void>(feed_.message({message->topic, message->hostNs, message->hostNs, message->payload}));
+        gone = std::max(0, gone - feed_.assembler().progress().received);
+    }
+    changed_();
+    return gone;
+}
+
+Result<RecordingState> LiveFeed::stopRecording() {
     std::unique_ptr<RecordingWriter> recorder;
     {
         const std::lock_guard lock(mutex_);
         recorder = std::move(recorder_);
     }
-    if (!recorder) return Done{};
-    return recorder->close();
+    if (!recorder) return RecordingState{};
+    if (const Result<Done> closed = recorder->close(); !closed) return closed.error();
+    return recorder->state();
 }
 
 Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
-    return saveMessages(path, metadataOf(sweepSettings_), recent_.messages());
+    return saveMessages(path, metadataOf(sweepSettings()), recent_.messages());
 }
 
 void LiveFeed::stop() {

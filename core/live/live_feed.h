@@ -44,11 +44,16 @@ public:
     /// Sweeps finished since the last call.
     [[nodiscard]] std::vector<FinishedSweep> takeFinished();
 
+    /// Other mounting, steps or lines from now on; the lines of the sweep under way, as far as they are remembered, are put into their new
+    /// places. A recording that is being written keeps the settings it began with. Gives the number of lines that are no longer remembered;
+    /// nothing where the settings are those in use.
+    std::optional<int> useSweep(const SweepSettings& sweep);
+
     /// Begins with what is remembered of the sweep that is growing, so that pressing Record a moment late loses nothing.
     /// Error: a recording is being written already, or the file cannot be made.
     Result<Done> startRecording(const std::filesystem::path& path);
-    /// Closes the recording. Error: what could not be written since its start.
-    Result<Done> stopRecording();
+    /// Closes the recording, within seconds whatever the disk does; what was written. Error: what could not be since its start.
+    Result<RecordingState> stopRecording();
     /// Writes the last minute as a recording of its own.
     [[nodiscard]] Result<Done> keepRecent(const std::filesystem::path& path) const;
 
@@ -58,9 +63,11 @@ public:
 private:
     void received(const ColaFrame& frame);
     void record(RecordingMessagePtr message);
+    [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
+    [[nodiscard]] SweepSettings sweepSettings() const;
 
     const std::function<void()> changed_;
-    const SweepSettings sweepSettings_;
+    SweepSettings sweepSettings_; // with the lock below, after the constructor
     RecordingClock clock_;
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the session
@@ -68,6 +75,7 @@ private:
     SessionState state_;
     std::optional<ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
+    bool starting_ = false;          // somebody makes a recorder
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0;
     std::deque<std::int64_t> lineNs_;         // of the last lines, monotonic

@@ -55,12 +55,12 @@ std::string noReturnOf(const SweepProgress& sweep) {
     return "no return " + fixedText(100.0 * none / static_cast<double>(all), 1) + " %";
 }
 
-std::string endOf(const LiveStatus& status) {
+std::string endOf(const LiveStatus& status, Liveness liveness) {
     const SweepProgress& sweep = status.sweep;
     if (sweep.expected == 0) return {};
     const int left = sweep.expected - sweep.lines;
-    if (left <= 0) return sweep.complete() ? "sweep whole" : "sweep ended";
-    if (status.linesPerSecond <= 0.0) return {};
+    if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
+    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // when no line comes nobody knows when the last one will
     return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
 }
 
@@ -73,6 +73,24 @@ void tellWindow(LiveHealth& health, const SweepProgress& sweep) {
     if ((error || warning) && !now) health.contamination += " earlier in this sweep";
 }
 
+/// What is wrong with the telegrams themselves.
+void tellTelegrams(LiveHealth& health, const LiveStatus& status, const SweepProgress& sweep) {
+    health.remarks = sweep.irregular.sentences();
+    if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
+    const auto tell = [&](std::uint64_t count, const char* what) {
+        if (count > 0) health.remarks.push_back(std::to_string(count) + what);
+    };
+    tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
+    tell(status.statistics.stream.skipped, " bytes since the start were no telegram and were skipped.");
+    if (health.remarks.empty()) return;
+    health.telegrams = Condition::OutOfSpec;
+    const std::size_t count = health.remarks.size();
+    health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
+                    : !sweep.assumed.empty()          ? "MOUNTING ASSUMED"
+                    : count == 1                      ? "1 remark"
+                                                      : std::to_string(count) + " remarks";
+}
+
 void tellRecording(LiveHealth& health, const RecordingState& recording) {
     if (recording.problem) {
         health.recorded = Condition::Failure;
@@ -80,6 +98,10 @@ void tellRecording(LiveHealth& health, const RecordingState& recording) {
         return;
     }
     health.recording = "recording " + fixedText(static_cast<double>(recording.bytes) / 1e6, 1) + " MB";
+    const std::string lag = lagText(recording);
+    if (lag.empty()) return;
+    health.recorded = Condition::OutOfSpec;
+    health.recording += ", " + lag;
 }
 
 } // namespace
@@ -96,7 +118,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     if (status.lines > 0) {
         health.lines = lines.text();
         health.noReturn = noReturnOf(lines);
-        health.end = endOf(status);
+        health.end = endOf(status, health.liveness);
         tellWindow(health, sweep);
         health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
         health.deviceState = health.device == Condition::Good ? "device ok"
@@ -104,6 +126,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
                                                               : "DEVICE ERROR earlier in this sweep";
     }
     if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + rowsText(lines.lost, 4);
+    tellTelegrams(health, status, lines);
     if (placement == nullptr)
         health.pose = "no pose";
     else

@@ -5,6 +5,7 @@
 #include "core/live/live_feed.h"
 
 #include <string>
+#include <vector>
 
 namespace edgescan {
 
@@ -30,9 +31,12 @@ struct LiveHealth {
     std::string sentence; ///< of the session: what happened and what to do
     std::string scanner;  ///< what the device says it is; empty before it said so
 
-    std::string lines;    ///< "1000/1000 lines", "INCOMPLETE 312/1000 lines"
-    std::string lost;     ///< "3 lost: lines 5 and 9 to 10"; empty when none
-    std::string noReturn; ///< "no return 4.2 %"
+    std::string lines;                ///< "1000/1000 lines", "INCOMPLETE 312/1000 lines"
+    std::string lost;                 ///< "3 lost: lines 5 and 9 to 10"; empty when none
+    std::string noReturn;             ///< "no return 4.2 %"
+    std::string remark;               ///< "2 remarks", "COUNTERS IN DOUBT"; empty where all telegrams are as they should be
+    std::vector<std::string> remarks; ///< each in a sentence
+    Condition telegrams = Condition::Good;
     Condition window = Condition::Good;
     std::string contamination; ///< "window clean", "WINDOW DIRTY", "WINDOW TOO DIRTY"; also of an earlier line of the sweep
     Condition device = Condition::Good;

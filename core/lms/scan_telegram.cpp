@@ -1,6 +1,8 @@
 // The scan telegram LMDscandata: bytes to fields and back.
 #include "core/lms/scan_telegram.h"
 
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 #include "core/cola/cola_fields.h"
 
 #include <algorithm>
@@ -153,6 +155,21 @@ bool startsWith(ByteView payload, std::string_view text) {
     return payload.size() >= text.size() && std::equal(text.begin(), text.end(), payload.begin());
 }
 
+/// A scale or an offset from a broken device would put ranges where nobody measures.
+Result<Done> checkRangeChannels(const ScanTelegram& telegram) {
+    constexpr double kLargestCount = 65535;
+    for (const ScanChannel& channel : telegram.channels16) {
+        if (!std::string_view(channel.content).starts_with("DIST")) continue;
+        const bool scaled = physical::kUnitMm.hold(channel.scale) && physical::kRangeMm.hold(kLargestCount * channel.scale);
+        if (scaled && physical::kRangeMm.hold(std::abs(channel.offset))) continue;
+        return Error{std::string("the ") + (scaled ? "offset" : "scale") + " of the channel " + channel.content + " is " +
+                         significantText(scaled ? channel.offset : channel.scale, 6) + ", which no scanner uses",
+                     "the scan telegram",
+                     {}};
+    }
+    return Done{};
+}
+
 } // namespace
 
 bool isScanTelegram(ByteView payload) { return startsWith(payload, kSubscribed) || startsWith(payload, kPolled); }
@@ -169,6 +186,7 @@ Result<ScanTelegram> decodeScanTelegram(ByteView payload, Dialect dialect) {
     telegram.channels8 = readChannels(reader, 8);
     readBlocks(reader, telegram);
     if (reader.failed()) return reader.error();
+    if (auto measured = checkRangeChannels(telegram); !measured) return measured.error();
     return telegram;
 }
 

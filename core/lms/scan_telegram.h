@@ -73,7 +73,7 @@ struct ScanTelegram {
     std::array<std::uint8_t, 2> digitalOut{};
     std::int16_t layer = 0;                 ///< reserved; layer angle on MRS1000
     std::uint32_t scanFrequency = 0;        ///< 1/100 Hz
-    std::uint32_t measurementFrequency = 0; ///< 100 Hz, or 1 Hz on some firmwares: see measurementFrequencyHz()
+    std::uint32_t measurementFrequency = 0; ///< 100 Hz, or 1 Hz on some firmwares (docs/protocol.md, "Scan telegram")
     std::vector<ScanEncoder> encoders;
     std::vector<ScanChannel> channels16;
     std::vector<ScanChannel> channels8;
@@ -120,7 +120,6 @@ struct BeamGrid {
 };
 [[nodiscard]] BeamGrid beamGrid(const ScanChannel& channel);
 [[nodiscard]] double snappedDeg(double degrees);
-[[nodiscard]] std::vector<double> beamAnglesDeg(const BeamGrid& grid);
 
 /// The two status bytes in words.
 struct DeviceFlags {
@@ -133,7 +132,7 @@ struct DeviceFlags {
 [[nodiscard]] DeviceFlags deviceFlags(const ScanTelegram& telegram);
 
 [[nodiscard]] double scanFrequencyHz(const ScanTelegram& telegram);
-/// Beams per second; firmwares that send a hundredfold are put right (docs/protocol.md, "Scan telegram").
-[[nodiscard]] double measurementFrequencyHz(const ScanTelegram& telegram);
+/// Seconds that the mirror turns once in; those of the usual 25 Hz where the telegram names a frequency that no mirror turns with.
+[[nodiscard]] double linePeriodS(const ScanTelegram& telegram);
 
 } // namespace edgescan

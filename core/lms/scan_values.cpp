@@ -1,6 +1,8 @@
 // What the raw fields of a scan telegram mean: millimetres, degrees, hertz, warnings.
 #include "core/lms/scan_telegram.h"
 
+#include "core/base/physical_limits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,8 @@ ChannelRanges rangesMm(const ScanChannel& channel) {
         if (raw == 0) continue;
         const bool isRange = raw >= kFirstRange;
         const float mm = static_cast<float>(raw) * channel.scale + (isRange ? channel.offset : 0.0F);
-        // A scale or an offset from a broken device must not put a range at infinity or behind the scanner.
-        if (!std::isfinite(mm) || mm <= 0.0F) continue;
+        // An offset from a broken device must not put a range behind the scanner, nor farther away than any reaches.
+        if (mm == 0.0F || !physical::kRangeMm.hold(mm)) continue;
         ranges.rangeMm[beam] = mm;
         ranges.state[beam] = isRange ? CellState::Valid : CellState::DeviceStatus;
     }
@@ -46,13 +48,6 @@ BeamGrid beamGrid(const ScanChannel& channel) {
     return {snappedDeg(channel.startAngle / 1e4), snappedDeg(channel.step / 1e4), static_cast<int>(channel.values.size())};
 }
 
-std::vector<double> beamAnglesDeg(const BeamGrid& grid) {
-    std::vector<double> angles;
-    angles.reserve(static_cast<std::size_t>(std::max(grid.beams, 0)));
-    for (int beam = 0; beam < grid.beams; ++beam) angles.push_back(grid.startDeg + beam * grid.stepDeg);
-    return angles;
-}
-
 DeviceFlags deviceFlags(const ScanTelegram& telegram) {
     const unsigned bits = telegram.status[0];
     return {(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
@@ -60,9 +55,10 @@ DeviceFlags deviceFlags(const ScanTelegram& telegram) {
 
 double scanFrequencyHz(const ScanTelegram& telegram) { return telegram.scanFrequency / 100.0; }
 
-double measurementFrequencyHz(const ScanTelegram& telegram) {
-    const double raw = telegram.measurementFrequency;
-    return 100.0 * (raw > 10000.0 ? raw / 100.0 : raw);
+double linePeriodS(const ScanTelegram& telegram) {
+    constexpr double kUsualHz = 25.0, kSlowestHz = 1.0, kFastestHz = 1000.0;
+    const double hz = scanFrequencyHz(telegram);
+    return 1.0 / (hz >= kSlowestHz && hz <= kFastestHz ? hz : kUsualHz);
 }
 
 } // namespace edgescan

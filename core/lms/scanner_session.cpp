@@ -1,6 +1,8 @@
 // A scanner kept alive.
 #include "core/lms/scanner_session.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 
 namespace edgescan {
@@ -9,10 +11,7 @@ namespace {
 
 ColaLink::Hooks hooksOf(const SessionEvents& events) { return {events.frameReceived, events.frameSent}; }
 
-std::string seconds(std::chrono::duration<double> duration) {
-    std::string text = std::to_string(duration.count());
-    return text.substr(0, text.find('.') + 2) + " s";
-}
+std::string seconds(std::chrono::duration<double> duration) { return fixedText(duration.count(), 1) + " s"; }
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// A recording's file: whole pieces, each synced.
+// A recording's file: whole pieces.
 #include "core/mcap/mcap_writer.h"
 
 #include <fcntl.h>
@@ -44,26 +44,23 @@ Error appendError(const std::filesystem::path& path, int code) {
 
 } // namespace
 
-Result<GrowingFile> GrowingFile::create(const std::filesystem::path& path) {
+Result<GrowingFile> GrowingFile::create(const std::filesystem::path& path, DiskCalls calls) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) return createError(path, errno);
-    // The name itself must survive a power failure too.
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const int folderDescriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folderDescriptor >= 0) {
-        static_cast<void>(::fsync(folderDescriptor));
-        ::close(folderDescriptor);
-    }
-    return GrowingFile(path, descriptor);
+    if (!calls.write) calls.write = ::write;
+    if (!calls.sync) calls.sync = ::fdatasync;
+    return GrowingFile(path, descriptor, std::move(calls));
 }
 
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_),
+      calls_(std::move(other.calls_)) {}
 
 GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(descriptor_, other.descriptor_);
     std::swap(size_, other.size_);
+    std::swap(calls_, other.calls_);
     return *this;
 }
 
@@ -73,10 +70,10 @@ GrowingFile::~GrowingFile() {
 
 Result<Done> GrowingFile::append(ByteView bytes) {
     for (auto rest = bytes; !rest.empty();) {
-        const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+        const std::ptrdiff_t count = calls_.write(descriptor_, rest.data(), rest.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) {
-            const int code = errno;
+        if (count <= 0) {
+            const int code = count < 0 ? errno : ENOSPC;
             // What is there of the piece is taken away again, so that the file ends with a whole record.
             static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(size_)) == 0 &&
                               ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) >= 0);
@@ -84,9 +81,26 @@ Result<Done> GrowingFile::append(ByteView bytes) {
         }
         rest = rest.subspan(static_cast<std::size_t>(count));
     }
-    if (::fdatasync(descriptor_) != 0 && errno != EINVAL) return appendError(path_, errno); // EINVAL: a pipe
     size_ += bytes.size();
     return Done{};
+}
+
+Result<Done> GrowingFile::sync() const {
+    while (calls_.sync(descriptor_) != 0) {
+        if (errno == EINTR) continue;
+        if (errno == EINVAL || errno == EROFS || errno == ENOTSUP) break; // a pipe or a file system that cannot
+        return Error{std::string("the disk reports that it lost some of what was recorded: ") + std::strerror(errno), path_.string(),
+                     "check the disk, and start a new recording on another one"};
+    }
+    return Done{};
+}
+
+void GrowingFile::syncFolder() const {
+    const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".");
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    static_cast<void>(calls_.sync(descriptor));
+    ::close(descriptor);
 }
 
 } // namespace edgescan

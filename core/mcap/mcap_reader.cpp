@@ -1,22 +1,23 @@
 // Reading MCAP record by record.
 #include "core/mcap/mcap_reader.h"
 
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/mcap/mcap_unpack.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <optional>
+#include <set>
 
 namespace edgescan {
 namespace {
 
 constexpr std::size_t kChunkFields = 8 + 8 + 8 + 4;                             // before the compression string
 constexpr std::size_t kPlainChunkHead = kMcapRecordHead + kChunkFields + 4 + 8; // of an uncompressed chunk, up to its first record
-constexpr std::uint64_t kUnpackedAtMost = 64;                                   // times the file's size, in all
-constexpr std::uint64_t kUnpackedAlways = 64ULL << 20U;                         // bytes that any file may unpack to
+constexpr std::uint64_t kAskFrom = 1ULL << 20U;                                 // bytes of a chunk: asking takes time too
 constexpr std::size_t kLongestDataEnd = 64;                                     // longer: the opcode of something else was damaged
-constexpr int kSearches = 64;                                                   // sound chunks looked for behind damage
 constexpr std::size_t kWarnings = 20;
 
 struct Record {
@@ -38,7 +39,7 @@ std::optional<Record> recordAt(ByteView bytes) {
 struct ChunkHead {
     std::uint64_t size = 0;
     std::uint32_t crc = 0;
-    std::string compression;
+    std::string_view compression;
     ByteView records;
     bool sound = false;
 };
@@ -49,7 +50,7 @@ ChunkHead chunkHead(ByteView content) {
     ChunkHead head;
     head.size = cursor.number64();
     head.crc = cursor.number32();
-    head.compression = cursor.string();
+    head.compression = cursor.text();
     head.records = cursor.raw(cursor.number64());
     head.sound = !cursor.bad();
     return head;
@@ -87,12 +88,16 @@ public:
             at = next;
         }
         content_.end = at;
+        if (untold_ > 0) content_.warnings.push_back(std::to_string(untold_) + " more places are damaged or were left out");
         return std::move(content_);
     }
 
 private:
     void warn(std::string sentence) {
-        if (content_.warnings.size() < kWarnings) content_.warnings.push_back(std::move(sentence));
+        if (content_.warnings.size() < kWarnings)
+            content_.warnings.push_back(std::move(sentence));
+        else
+            ++untold_;
     }
 
     /// A record may begin here: one that the specification knows, or a private one that fits; or the file ends.
@@ -216,11 +221,13 @@ private:
     }
 
     Result<ByteView> unpack(const ChunkHead& chunk) {
-        const std::uint64_t allowed = std::max(kUnpackedAlways, kUnpackedAtMost * bytes_.size());
+        const std::uint64_t allowed = mostUnpackedBytes(bytes_.size());
         if (chunk.size > allowed - std::min(allowed, unpacked_))
-            return Error{"it promises to unpack to more than is reasonable", where_, ""};
-        if (auto enough = checkMemory(chunk.size, where_); !enough) return enough.error();
-        auto bytes = unpackChunk(chunk.compression, chunk.records, chunk.size, where_);
+            return Error{"it promises to unpack to " + sizeText(chunk.size) + ", more than a file of this size holds", where_, ""};
+        if (chunk.size >= kAskFrom) {
+            if (auto enough = checkMemory(chunk.size, where_); !enough) return enough.error();
+        }
+        auto bytes = unpackChunk(std::string(chunk.compression), chunk.records, chunk.size, where_);
         if (!bytes) return bytes.error();
         unpacked_ += bytes->size();
         content_.unpacked.push_back(std::move(*bytes));
@@ -251,19 +258,28 @@ private:
         content_.salvaged = content_.messages.size() - before;
     }
 
-    /// First byte of an uncompressed chunk with a checksum that fits, or the end.
-    std::size_t soundChunkAfter(std::size_t at) const {
-        int searches = 0;
-        for (std::size_t i = at + 1; i + kPlainChunkHead < bytes_.size() && searches < kSearches; ++i) {
+    /// First byte of a chunk that can be trusted behind damage, or the end: an uncompressed one whose checksum fits, or a compressed one
+    /// with the mark of its packing that ends where a record can be.
+    std::size_t soundChunkAfter(std::size_t at) {
+        for (std::size_t i = at + 1; i + kPlainChunkHead < bytes_.size(); ++i) {
             if (bytes_[i] != static_cast<std::uint8_t>(McapOpcode::Chunk)) continue;
             const auto record = recordAt(bytes_.subspan(i));
             if (!record || record->content.size() < kPlainChunkHead - kMcapRecordHead) continue;
             const ChunkHead chunk = chunkHead(record->content);
-            if (!chunk.sound || !chunk.compression.empty() || chunk.crc == 0 || chunk.size != chunk.records.size()) continue;
-            ++searches;
-            if (crc32(chunk.records) == chunk.crc) return i;
+            if (chunk.sound && (chunk.compression.empty() ? hasItsChecksum(chunk) : isPacked(chunk, i + record->length))) return i;
         }
         return bytes_.size();
+    }
+    bool hasItsChecksum(const ChunkHead& chunk) {
+        if (chunk.crc == 0 || chunk.size != chunk.records.size()) return false;
+        if (!checksums_) checksums_.emplace(bytes_);
+        return checksums_->of(static_cast<std::size_t>(chunk.records.data() - bytes_.data()), chunk.records.size()) == chunk.crc;
+    }
+    bool isPacked(const ChunkHead& chunk, std::size_t behind) const {
+        constexpr std::array<std::uint8_t, 4> kZstd{0x28, 0xB5, 0x2F, 0xFD}, kLz4{0x04, 0x22, 0x4D, 0x18};
+        const bool zstd = chunk.compression == "zstd";
+        if (!zstd && chunk.compression != "lz4") return false;
+        return chunk.records.size() >= 4 && std::ranges::equal(chunk.records.first(4), zstd ? kZstd : kLz4) && recordCanBeAt(behind);
     }
 
     /// Footer and magic are where they belong and the summary's checksum fits.
@@ -283,8 +299,12 @@ private:
         return crc32(bytes_.subspan(from, covered - from)) == crc;
     }
 
-    /// The summary repeats schemas and channels and knows where the metadata are.
+    /// The summary repeats schemas and channels and knows where the metadata are. Entries that name the same place, or places inside each
+    /// other, must not make more of the file than there is: what is read in all is no longer than the file.
     void mendFromSummary(std::size_t summary) {
+        std::set<std::string, std::less<>> known;
+        for (const McapMetadata& m : content_.metadata) known.insert(m.name);
+        std::size_t left = bytes_.size();
         while (const auto record = recordAt(bytes_.subspan(summary))) {
             summary += record->length;
             const auto opcode = static_cast<McapOpcode>(record->opcode);
@@ -293,12 +313,13 @@ private:
             McapCursor cursor(record->content);
             const std::uint64_t at = cursor.number64();
             cursor.number64(); // length
-            const std::string name = cursor.string();
-            const bool known =
-                std::any_of(content_.metadata.begin(), content_.metadata.end(), [&](const McapMetadata& m) { return m.name == name; });
-            const auto metadata = known || at > bytes_.size() ? std::nullopt : recordAt(bytes_.subspan(static_cast<std::size_t>(at)));
-            if (metadata && metadata->opcode == static_cast<std::uint8_t>(McapOpcode::Metadata))
-                take(*metadata, static_cast<std::size_t>(at));
+            if (known.contains(cursor.text()) || at > bytes_.size()) continue;
+            const auto metadata = recordAt(bytes_.subspan(static_cast<std::size_t>(at)));
+            if (!metadata || metadata->opcode != static_cast<std::uint8_t>(McapOpcode::Metadata) || metadata->length > left) continue;
+            left -= metadata->length;
+            const std::size_t before = content_.metadata.size();
+            take(*metadata, static_cast<std::size_t>(at));
+            if (content_.metadata.size() > before) known.insert(content_.metadata.back().name);
         }
     }
 
@@ -320,6 +341,8 @@ private:
     const std::string& where_;
     McapContent content_;
     std::uint64_t unpacked_ = 0;
+    std::size_t untold_ = 0;
+    std::optional<PartChecksums> checksums_; // made by the first search behind damage
     bool damagedBetween_ = false;
 };
 

@@ -106,6 +106,19 @@ private:
 /// CRC-32 as MCAP, zip and PNG use it.
 [[nodiscard]] std::uint32_t crc32(ByteView bytes);
 
+/// The CRC-32 of any part of some bytes in a time that does not depend on its length: sums from the front are kept every 1,024 bytes.
+class PartChecksums {
+public:
+    /// The bytes must outlive it.
+    explicit PartChecksums(ByteView bytes);
+    [[nodiscard]] std::uint32_t of(std::size_t from, std::size_t count) const;
+
+private:
+    [[nodiscard]] std::uint32_t upTo(std::size_t end) const;
+    ByteView bytes_;
+    std::vector<std::uint32_t> kept_;
+};
+
 /// Takes numbers and strings off the front; once something is missing it is bad() and gives zeros and nothing.
 class McapCursor {
 public:
@@ -124,7 +137,9 @@ public:
         bytes_ = bytes_.subspan(front.size());
         return front;
     }
-    std::string string() {
+    std::string string() { return std::string(text()); }
+    /// The same where it lies: what searches for records must not copy what they claim to hold.
+    std::string_view text() {
         const auto text = raw(number32());
         return {reinterpret_cast<const char*>(text.data()), text.size()};
     }

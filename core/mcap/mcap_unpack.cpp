@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kPiece = 256 * 1024;
 
 Error damaged(const std::string& compression, const std::string& where) {
-    return {"a chunk compressed with " + compression + " is damaged", where, "copy the file again"};
+    return {"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"};
 }
 
 // Room for the next piece of output, within the promised size and one byte more, so that too long an output is noticed.
@@ -91,7 +91,8 @@ Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteV
     if (compression == "zstd" || compression == "lz4")
         return Error{"this program was built without " + compression + ", which this recording is compressed with", where,
                      "unpack it with \"mcap compress --compression none\" or install lib" + compression + " and build again"};
-    return Error{"a chunk is compressed in a way that is not known", where, "unpack it with the program that wrote it"};
+    return Error{"it is compressed with \"" + compression.substr(0, 20) + "\", which is not known here", where,
+                 "unpack it with the program that wrote it"};
 }
 
 } // namespace edgescan

@@ -4,7 +4,9 @@
 #include "core/base/result.h"
 #include "core/mcap/mcap_records.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 
 namespace edgescan {
 
@@ -54,25 +56,37 @@ private:
     std::map<std::uint16_t, std::uint64_t> messageCounts_;
 };
 
+/// What a growing file asks of the system; tests put a slow or a broken disk here. As write(2) and fdatasync(2).
+struct DiskCalls {
+    std::function<std::ptrdiff_t(int, const void*, std::size_t)> write; ///< empty: the system's
+    std::function<int(int)> sync;
+};
+
 /// A file that grows by whole pieces. After a failed append the file ends where it ended before it.
 class GrowingFile {
 public:
     /// Error: a file of that name exists, the folder does not, not allowed ... An existing recording is never overwritten.
-    static Result<GrowingFile> create(const std::filesystem::path& path);
+    static Result<GrowingFile> create(const std::filesystem::path& path, DiskCalls calls = {});
     GrowingFile(GrowingFile&& other) noexcept;
     GrowingFile& operator=(GrowingFile&& other) noexcept;
     ~GrowingFile();
 
-    /// Writes and syncs. Error: disk full, disk gone ...
+    /// Writes: what is written survives the end of the program, and a power failure once it is synced. Error: disk full, disk gone ...
     Result<Done> append(ByteView bytes);
+    /// Waits until the disk has what was appended before; from another thread than append() too. Error: the disk lost some of it.
+    [[nodiscard]] Result<Done> sync() const;
+    /// The same for the file's name.
+    void syncFolder() const;
     [[nodiscard]] std::uint64_t size() const { return size_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
-    GrowingFile(std::filesystem::path path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+    GrowingFile(std::filesystem::path path, int descriptor, DiskCalls calls)
+        : path_(std::move(path)), descriptor_(descriptor), calls_(std::move(calls)) {}
     std::filesystem::path path_;
     int descriptor_ = -1;
     std::uint64_t size_ = 0;
+    DiskCalls calls_;
 };
 
 } // namespace edgescan

@@ -2,6 +2,7 @@
 #include "core/recording/recorded_grid.h"
 
 #include "core/points/description.h"
+#include "core/scan/count_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +12,15 @@ namespace {
 
 /// Raw counts are what the telegrams carried; the description says what they mean.
 void readCounts(Scan& scan, const GridDescription& grid) {
-    const auto holds = [](const std::vector<std::uint32_t>& codes, std::uint32_t count) {
-        return std::find(codes.begin(), codes.end(), count) != codes.end();
-    };
+    const CountStates states = countStates(grid.noReturnCodes, grid.statusCodes);
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] == CellState::Lost) continue;
         const double raw = static_cast<double>(scan.rangeMm[k]) / scan.unitMm;
         const auto count = static_cast<std::uint32_t>(std::lround(std::clamp(raw, 0.0, 65535.0)));
         scan.rangeMm[k] = static_cast<float>(count * grid.unitMm);
-        scan.state[k] = CellState::Valid;
-        if (holds(grid.statusCodes, count)) scan.state[k] = CellState::DeviceStatus;
-        if (holds(grid.noReturnCodes, count)) scan.state[k] = CellState::NoReturn;
+        scan.state[k] = states[count];
     }
-    for (const StateRun& run : grid.stateRuns) {
-        const auto end = std::min<std::uint64_t>(run.firstCell + run.cells, scan.cells());
-        for (std::uint64_t k = run.firstCell; k < end; ++k) scan.state[k] = run.state;
-    }
+    applyStateRuns(scan, grid);
 }
 
 } // namespace
@@ -49,12 +43,9 @@ Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const st
     polar.lineSkewDeg = grid->lineSkewDeg ? anglesOf(*grid->lineSkewDeg, grid->beams) : std::vector<double>{};
     if (grid->axis) polar.axis = *grid->axis;
     polar.lineDirection = grid->lineDirection;
-    scan.unitMm = grid->unitMm;
-    scan.noReturnCodes = grid->noReturnCodes;
-    scan.statusCodes = grid->statusCodes;
-    scan.note = grid->note;
-    if (grid->placement && grid->lines == lines) scan.placement = grid->placement;
-    scan.acquisition = grid->acquisition;
+    const auto readings = scan.placement; // a place per line needs all the lines
+    takeDescription(scan, *grid);
+    if (!grid->placement || grid->lines != lines) scan.placement = readings;
     return scan;
 }
 

@@ -1,6 +1,8 @@
 // Reading robot, poses and scanner out of a recording.
 #include "core/recording/recorded_robot.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/physical_limits.h"
 #include "core/base/utc_time.h"
 #include "core/cola/cola_commands.h"
 #include "core/cola/cola_frames.h"
@@ -19,10 +21,16 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-constexpr std::size_t kLongestReading = 4096;
-constexpr double kStillM = 0.05;  // a base that stands still does not seem to move farther than this ...
-constexpr double kStillDeg = 0.2; // ... nor to turn by more
+constexpr std::size_t kLongestAnswer = 1024; // of the scanner to what it was asked: its name, its firmware
+constexpr double kStillM = 0.05;             // a base that stands still does not seem to move farther than this ...
+constexpr double kStillDeg = 0.2;            // ... nor to turn by more
 constexpr double kRotationTolerance = 1e-5;
+
+/// Null where the text is none that can be used.
+PlainJson jsonOf(std::string_view text) {
+    auto json = parseJson(text, "", kReadingJson);
+    return json ? std::move(*json) : PlainJson();
+}
 
 /// The robot's keys of a metadata record. A value that cannot be used is a warning, and then nothing of it is used.
 class RobotKeys {
@@ -44,12 +52,11 @@ public:
     }
     Eigen::Vector3d vector(const char* key, const Eigen::Vector3d& missing, double most) {
         if (!has(key)) return missing;
-        const PlainJson list = PlainJson::parse(text(key), nullptr, false);
-        if (const auto v = three(list); v && v->cwiseAbs().maxCoeff() <= most) return *v;
+        if (const auto v = three(jsonOf(text(key))); v && v->cwiseAbs().maxCoeff() <= most) return *v;
         return refuse(key), missing;
     }
     Eigen::Matrix3d rotation(const char* key) {
-        const PlainJson rows = PlainJson::parse(text(key), nullptr, false);
+        const PlainJson rows = jsonOf(text(key));
         Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
         bool sound = rows.is_array() && rows.size() == 3;
         for (std::size_t i = 0; sound && i < 3; ++i) {
@@ -108,11 +115,11 @@ std::optional<Calibration> calibrationOf(const SweepMetadata& metadata, std::vec
 }
 
 /// A number of a reading; NaN when it is none or out of all reason.
-double numberOf(const PlainJson& reading, const char* key, double most) {
+double numberOf(const PlainJson& reading, const char* key, const PhysicalLimit& limit) {
     const auto found = reading.find(key);
     if (found == reading.end() || !found->is_number()) return kUnknownTime;
     const auto value = found->get<double>();
-    return std::abs(value) <= most ? value : kUnknownTime;
+    return limit.hold(value) ? value : kUnknownTime;
 }
 
 double timeOf(const PlainJson& reading, std::int64_t logNs) {
@@ -122,7 +129,8 @@ double timeOf(const PlainJson& reading, std::int64_t logNs) {
 }
 
 std::optional<InclinometerReading> inclinometerOf(const PlainJson& reading, double timeS) {
-    const InclinometerReading r{timeS, numberOf(reading, "tilt_x_deg", 90), numberOf(reading, "tilt_y_deg", 90)};
+    const InclinometerReading r{timeS, numberOf(reading, "tilt_x_deg", physical::kTiltDeg),
+                                numberOf(reading, "tilt_y_deg", physical::kTiltDeg)};
     return std::isfinite(r.tiltXDeg) && std::isfinite(r.tiltYDeg) ? std::optional(r) : std::nullopt;
 }
 
@@ -130,10 +138,11 @@ std::optional<TalinReading> talinOf(const PlainJson& reading, double timeS) {
     if (reading.value("status", PlainJson(0)) != PlainJson(0)) return std::nullopt; // it says itself that it is not to be used
     TalinReading r;
     r.timeS = timeS;
-    r.enhM = {numberOf(reading, "easting_m", 1e8), numberOf(reading, "northing_m", 1e8), numberOf(reading, "elevation_m", 2e4)};
-    r.headingDeg = numberOf(reading, "heading_deg", 360);
-    r.pitchDeg = numberOf(reading, "pitch_deg", 90);
-    r.rollDeg = numberOf(reading, "roll_deg", 180);
+    r.enhM = {numberOf(reading, "easting_m", physical::kPlaceM), numberOf(reading, "northing_m", physical::kPlaceM),
+              numberOf(reading, "elevation_m", physical::kElevationM)};
+    r.headingDeg = numberOf(reading, "heading_deg", physical::kBeamDeg);
+    r.pitchDeg = numberOf(reading, "pitch_deg", physical::kTiltDeg);
+    r.rollDeg = numberOf(reading, "roll_deg", physical::kRollDeg);
     r.trueNorth = reading.value("heading_ref", PlainJson("true")) != PlainJson("grid");
     const bool whole = r.enhM.allFinite() && std::isfinite(r.headingDeg) && std::isfinite(r.pitchDeg) && std::isfinite(r.rollDeg);
     return whole ? std::optional(r) : std::nullopt;
@@ -196,9 +205,7 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
     for (const RecordedMessage& message : recording.messages()) {
         const bool talin = message.topic == RecordingTopic::Talin;
         if (!talin && message.topic != RecordingTopic::Inclinometer) continue;
-        const PlainJson reading = message.payload.size() > kLongestReading
-                                      ? PlainJson()
-                                      : PlainJson::parse(message.payload.begin(), message.payload.end(), nullptr, false);
+        const PlainJson reading = jsonOf({reinterpret_cast<const char*>(message.payload.data()), message.payload.size()});
         if (!reading.is_object()) {
             ++unusable;
             continue;
@@ -309,7 +316,7 @@ void nameScanner(Scan& scan, const Recording& recording) {
     if (named->serial.empty()) named->serial = keys.text("lidar.serial");
     ColaStream stream;
     for (const RecordedMessage& message : recording.messages()) {
-        if (message.topic != RecordingTopic::ColaRx || message.payload.size() > kLongestReading / 4) continue; // answers are short
+        if (message.topic != RecordingTopic::ColaRx || message.payload.size() > kLongestAnswer) continue;
         for (const ColaFrame& frame : stream.push(message.payload)) {
             if (isScanTelegram(frame.payload())) continue;
             const auto answer = parseAnswer(frame.payload(), frame.dialect);

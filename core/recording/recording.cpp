@@ -1,6 +1,7 @@
 // Reading a recording.
 #include "core/recording/recording.h"
 
+#include "core/base/inputs.h"
 #include "core/base/whole_file.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ std::int64_t sane(std::uint64_t ns) { return static_cast<std::int64_t>(std::min(
 } // namespace
 
 Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path) {
+    claimInput(path);
     const auto read = readWholeFile(path);
     if (!read) return read.error();
     const auto* first = reinterpret_cast<const std::uint8_t*>(read->data());
@@ -42,9 +44,18 @@ Result<Done> Recording::take(Bytes bytes, const std::string& where) {
     warnings_ = content_.warnings;
     if (!content_.clean && content_.badChunks == 0 && content_.warnings.empty())
         warnings_.emplace_back("The recording was cut off: everything up to the cut is here.");
-    if (metadata_.empty() && messages_.empty())
-        return Error{"this MCAP file holds nothing that a laser scanner sent", where, "choose a recording of a sweep"};
+    if (metadata_.empty() && messages_.empty()) {
+        const std::string leftOut = whatWasLeftOut();
+        if (leftOut.empty()) return Error{"this MCAP file holds nothing that a laser scanner sent", where, "choose a recording of a sweep"};
+        return Error{"nothing that a laser scanner sent can be read in this MCAP file" + leftOut, where, "copy it again"};
+    }
     return Done{};
+}
+
+std::string Recording::whatWasLeftOut() const {
+    if (content_.warnings.empty()) return {};
+    const std::size_t more = content_.warnings.size() - 1;
+    return "; " + content_.warnings.front() + (more > 0 ? ", and " + std::to_string(more) + " more" : "");
 }
 
 } // namespace edgescan

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace edgescan {
 
@@ -33,6 +34,8 @@ public:
     [[nodiscard]] bool clean() const { return content_.clean && content_.badChunks == 0; }
     /// What was cut off, damaged or not understood, in sentences.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    /// "; the chunk at byte 96 was left out: its checksum does not fit", for a sentence that says that something is not there; or nothing.
+    [[nodiscard]] std::string whatWasLeftOut() const;
 
     Recording() = default;
     Recording(const Recording&) = delete;

@@ -1,6 +1,9 @@
 // Topics, schemas and messages of "sweep/1".
 #include "core/recording/recording_layout.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/physical_limits.h"
 #include "core/base/version.h"
 #include "core/lms/scan_telegram.h"
 
@@ -31,7 +34,7 @@ std::string jsonSchema(const char* title, std::initializer_list<std::pair<const 
         if (must) required.push_back(name + 1);
     }
     schema["required"] = required;
-    return schema.dump();
+    return jsonText(schema);
 }
 
 std::vector<McapSchema> schemas() {
@@ -114,8 +117,6 @@ T numberOr(const Json& object, const char* key, T otherwise) {
 
 } // namespace
 
-const char* topicName(RecordingTopic topic) { return kTopics[static_cast<std::size_t>(topic)]; }
-
 std::optional<RecordingTopic> topicNamed(std::string_view name) {
     for (std::size_t i = 0; i < kTopics.size(); ++i) {
         if (name == kTopics[i]) return static_cast<RecordingTopic>(i);
@@ -129,14 +130,14 @@ Bytes stepperJson(const StepperReading& reading) {
                       {"rate_deg_s", reading.degPerSecond},
                       {"moving", reading.moving},
                       {"t_host_ns", reading.hostNs}};
-    const std::string text = object.dump();
+    const std::string text = jsonText(object);
     return {text.begin(), text.end()};
 }
 
 std::optional<StepperReading> parseStepper(ByteView json, std::int64_t hostNs) {
-    constexpr std::size_t kLongest = 4096;
-    if (json.size() > kLongest) return std::nullopt;
-    const Json object = Json::parse(json.begin(), json.end(), nullptr, false);
+    const auto parsed = parseOrderedJson({reinterpret_cast<const char*>(json.data()), json.size()}, "", kReadingJson);
+    if (!parsed) return std::nullopt;
+    const Json& object = *parsed;
     if (!object.is_object() || !object.contains("phi_deg") || !object["phi_deg"].is_number()) return std::nullopt;
     StepperReading reading;
     reading.phiDeg = object["phi_deg"].get<double>();
@@ -145,8 +146,7 @@ std::optional<StepperReading> parseStepper(ByteView json, std::int64_t hostNs) {
     reading.moving = object.value("moving", Json(reading.degPerSecond != 0.0)) == Json(true);
     const auto stated = numberOr<std::int64_t>(object, "t_host_ns", hostNs);
     reading.hostNs = stated >= 0 && stated < (std::int64_t{1} << 62) ? stated : hostNs;
-    constexpr double kMostDeg = 1e9;
-    const bool sane = std::abs(reading.phiDeg) <= kMostDeg && std::abs(reading.degPerSecond) <= kMostDeg;
+    const bool sane = physical::kLineDeg.hold(reading.phiDeg) && physical::kLineDeg.hold(reading.degPerSecond);
     return sane ? std::optional(reading) : std::nullopt;
 }
 

@@ -15,7 +15,6 @@ enum class RecordingTopic : std::uint8_t { ColaRx, ColaTx, Stepper, Inclinometer
 inline constexpr int kRecordingTopics = 6;
 
 /// "/lidar/cola_rx", "/stepper" ...
-[[nodiscard]] const char* topicName(RecordingTopic topic);
 [[nodiscard]] std::optional<RecordingTopic> topicNamed(std::string_view name);
 
 /// One message, made once, never changed.

@@ -5,7 +5,8 @@
 #include "core/cola/cola_frames.h"
 #include "core/recording/recording_layout.h"
 
-#include <condition_variable>
+#include <algorithm>
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <mutex>
@@ -29,20 +30,31 @@ private:
 [[nodiscard]] RecordingMessagePtr stepperMessage(const StepperReading& reading);
 
 struct RecordingState {
-    std::uint64_t messages = 0;   ///< on the disk
-    std::uint64_t bytes = 0;      ///< on the disk
-    std::uint64_t dropped = 0;    ///< not recorded: the disk was full, or slower than what arrived
-    std::uint64_t waiting = 0;    ///< bytes not yet on the disk
+    std::uint64_t messages = 0;    ///< written: they survive the end of the program
+    std::uint64_t bytes = 0;       ///< written
+    std::uint64_t syncedBytes = 0; ///< the disk says that it has them: they survive a power failure
+    std::uint64_t dropped = 0;     ///< not recorded: the disk was full, or slower than what arrived
+    std::uint64_t waiting = 0;     ///< bytes not yet written
+    double lagSeconds = 0.0;       ///< age of the oldest byte that the disk does not have yet
+    double worstLagSeconds = 0.0;
     std::optional<Error> problem; ///< the first that occurred; when `ended`, nothing is recorded any more
     bool ended = false;
-};
 
-/// Writes a recording. At most a quarter of a second waits for the disk; after kill -9 the file opens with all before that.
+    /// Written, but the disk has not said that it has it.
+    [[nodiscard]] std::uint64_t unsynced() const { return bytes - std::min(bytes, syncedBytes); }
+};
+/// Of a disk that is far behind: "the disk is 12 s behind (1.1 MB)"; empty while it keeps up.
+[[nodiscard]] std::string lagText(const RecordingState& state);
+
+/// Writes a recording. At most a quarter of a second waits to be written; after kill -9 the file opens with all before that. The disk is
+/// asked to keep it (fdatasync) by a thread of its own, for all that was written meanwhile at once: a slow disk holds nobody up.
 class RecordingWriter {
 public:
     struct Options {
         McapLimits limits;
-        std::size_t queueBytes = 32U << 20U; ///< waiting for the disk at most
+        std::size_t queueBytes = 32U << 20U;          ///< waiting to be written at most
+        std::chrono::milliseconds closeWithin{5'000}; ///< how long close() waits for the disk
+        DiskCalls disk;
     };
 
     /// Error: the file exists, the folder does not, the disk is full ...
@@ -57,30 +69,16 @@ public:
 
     /// From any thread; never waits for the disk.
     void post(RecordingMessagePtr message);
-    /// Everything posted so far is written, with the index at the end. Error: what went wrong since the start.
+    /// Everything posted so far is written, with the index at the end, unless the disk takes longer than Options::closeWithin. What the
+    /// disk has not synced by then stays unsynced (state()). Error: what went wrong since the start.
     Result<Done> close();
     [[nodiscard]] RecordingState state() const;
 
 private:
-    RecordingWriter(GrowingFile file, const SweepMetadata& metadata, Options options);
-    void loop();
-    void encode(const std::vector<RecordingMessagePtr>& messages);
-    bool write();
-
-    // Used by the writing thread alone.
-    GrowingFile file_;
-    RecordingEncoder encoder_;
-    std::optional<std::chrono::steady_clock::time_point> chunkSince_;
-    std::uint64_t encoded_ = 0;
-
-    const Options options_;
-    mutable std::mutex mutex_;
-    std::condition_variable wake_;
-    std::vector<RecordingMessagePtr> queue_;
-    RecordingState state_;
-    std::uint64_t unwritten_ = 0; // taken from the queue after the disk was full
-    bool closing_ = false;
-    std::thread thread_; // last: starts when all the rest is there
+    struct Work; // shared with the threads, which outlive a disk that hangs
+    explicit RecordingWriter(std::shared_ptr<Work> work) : work_(std::move(work)) {}
+    std::shared_ptr<Work> work_;
+    std::thread writing_, syncing_;
 };
 
 /// The messages of the last minute, for "keep what just happened". From any thread.

@@ -24,7 +24,7 @@ bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
     if (!isScanTelegram(frame.payload())) return false;
     const auto telegram = decodeScanTelegram(frame);
     if (!telegram) {
-        ++undecodable_;
+        if (++undecodable_ == 1) whyUndecodable_ = telegram.error().what;
         return false;
     }
     assembler_.push(*telegram, hostNs);
@@ -34,7 +34,9 @@ bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
 bool SweepFeed::message(const RecordedMessage& message) {
     bool line = false;
     if (message.topic == RecordingTopic::ColaRx) {
+        const std::uint64_t skipped = stream_.counts().skipped;
         for (const ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
+        if (stream_.waiting() > 0 || stream_.counts().skipped > skipped) ++torn_;
         if (stream_.waiting() > 0) stream_ = ColaStream(); // a message holds whole frames: the rest of it is damaged
     } else if (message.topic == RecordingTopic::Stepper) {
         if (const auto reading = parseStepper(message.payload, message.logNs)) assembler_.push(*reading);
@@ -42,10 +44,27 @@ bool SweepFeed::message(const RecordedMessage& message) {
     return line;
 }
 
-Replay::Replay(std::shared_ptr<const Recording> recording, const SweepSettings& otherwise)
-    : recording_(std::move(recording)), settings_(otherwise), warnings_(recording_->warnings()), feed_(settings_) {
-    SettingsFound found = settingsOf(recording_->metadata(), otherwise);
+namespace {
+
+/// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
+void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
+    if (options.axis) {
+        if (settings.axisAssumed) settings.axis = *options.axis;
+        settings.axisAssumed = false;
+    }
+    if (options.lineStepDeg) {
+        if (settings.stepAssumed && settings.degPerLine) settings.degPerLine = options.lineStepDeg;
+        settings.stepAssumed = false;
+    }
+}
+
+} // namespace
+
+Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options)
+    : recording_(std::move(recording)), warnings_(recording_->warnings()), feed_(settings_) {
+    SettingsFound found = settingsOf(recording_->metadata());
     settings_ = found.settings;
+    sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
     feed_ = SweepFeed(settings_);
     for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
@@ -104,7 +123,7 @@ Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::s
 
 Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options,
                     const LinePlayed& played) {
-    Replay replay(recording);
+    Replay replay(recording, options);
     FinishedSweep best;
     int sweeps = 0;
     const auto collect = [&] {
@@ -119,9 +138,13 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     }
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
+    const TelegramAccount account = replay.progress().account;
     if (!best.scan) {
-        return Error{undecodable > 0 ? "none of the scan telegrams in this recording can be decoded"
-                                     : "this recording holds no scan telegram",
+        const std::string why = replay.feed().whyUndecodable();
+        return Error{account.telegrams > 0
+                         ? "none of the " + std::to_string(account.telegrams) + " scan telegrams in this recording holds a line of ranges"
+                     : undecodable > 0 ? "none of the scan telegrams in this recording can be decoded" + (why.empty() ? why : ": " + why)
+                                       : "this recording holds no scan telegram" + recording->whatWasLeftOut(),
                      where, "choose another recording"};
     }
     Scan scan = *best.scan;
@@ -130,7 +153,11 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
         scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
                                 std::to_string(best.progress.number + 1) + ", the one with most lines, was opened.");
     }
-    if (undecodable > 0) scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded.");
+    if (undecodable > 0)
+        scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +
+                                ".");
+    if (const std::int64_t torn = replay.feed().torn(); torn > 0)
+        scan.warnings.push_back(std::to_string(torn) + " messages hold bytes that are no whole telegram: what was in them is lost.");
     if (!recording->clean() && best.progress.expected == 0)
         scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
                                 " lines are there, how many there were is not known.");

@@ -22,17 +22,23 @@ public:
     [[nodiscard]] const SweepAssembler& assembler() const { return assembler_; }
     /// Scan telegrams that could not be decoded.
     [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
+    /// Messages of a recording with bytes that are no whole frame.
+    [[nodiscard]] std::int64_t torn() const { return torn_; }
+    /// What was wrong with the first of them.
+    [[nodiscard]] const std::string& whyUndecodable() const { return whyUndecodable_; }
 
 private:
     ColaStream stream_;
     SweepAssembler assembler_;
-    std::int64_t undecodable_ = 0;
+    std::int64_t undecodable_ = 0, torn_ = 0;
+    std::string whyUndecodable_;
 };
 
 /// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
 class Replay {
 public:
-    explicit Replay(std::shared_ptr<const Recording> recording, const SweepSettings& otherwise = {});
+    /// `options` say what of the mounting the recording only assumes.
+    explicit Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options = {});
 
     [[nodiscard]] const Recording& recording() const { return *recording_; }
     /// Lines, that is scan telegrams, in the recording.

@@ -5,9 +5,12 @@
 #include "core/recording/recorded_grid.h"
 #include "core/recording/recording_writer.h"
 #include "core/recording/replay.h"
+#include "core/scan/count_states.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
 
 namespace edgescan {
 namespace {
@@ -57,17 +60,13 @@ ScanTelegram emptyTelegram(const Scan& scan, const PolarGeometry& polar) {
     return telegram;
 }
 
-bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t count) {
-    return std::find(codes.begin(), codes.end(), count) != codes.end();
-}
-
 /// The count of a cell. A cell without a range counts as its own number when that says so, else as the first code for it.
-Result<std::uint16_t> countOf(const Scan& scan, std::size_t k, const std::string& where) {
+Result<std::uint16_t> countOf(const Scan& scan, const CountStates& states, std::size_t k, const std::string& where) {
     const double raw = static_cast<double>(scan.rangeMm[k]) / scan.unitMm;
     const bool whole = raw > -0.5 && raw < 65535.5 && std::abs(raw - std::round(raw)) <= 1e-3;
     const auto count = static_cast<std::uint16_t>(whole ? std::lround(raw) : 0);
     const CellState state = scan.state[k];
-    if (state == CellState::NoReturn && !(whole && holds(scan.noReturnCodes, count)))
+    if (state == CellState::NoReturn && !(whole && states[count] == CellState::NoReturn))
         return static_cast<std::uint16_t>(scan.noReturnCodes.empty() ? 0 : scan.noReturnCodes.front());
     if (whole || (state != CellState::Valid && state != CellState::DeviceStatus)) return count;
     const auto beams = static_cast<std::size_t>(scan.beams());
@@ -79,10 +78,11 @@ Result<std::uint16_t> countOf(const Scan& scan, std::size_t k, const std::string
 /// The description with every status code that occurs.
 std::string gridDescription(const Scan& scan) {
     Scan complete = scan;
+    std::set<std::uint32_t> known(scan.statusCodes.begin(), scan.statusCodes.end());
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] != CellState::DeviceStatus) continue;
         const auto count = static_cast<std::uint32_t>(std::lround(static_cast<double>(scan.rangeMm[k]) / scan.unitMm));
-        if (!holds(complete.statusCodes, count)) complete.statusCodes.push_back(count);
+        if (known.insert(count).second) complete.statusCodes.push_back(count);
     }
     return descriptionText(complete, "", -1);
 }
@@ -91,13 +91,14 @@ Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const Pola
     std::vector<RecordingMessagePtr> messages;
     const std::vector<bool> leftOut = linesLeftOut(scan);
     ScanTelegram telegram = emptyTelegram(scan, polar);
+    const auto states = std::make_unique<const CountStates>(countStates(scan.noReturnCodes, {}));
     for (int line = 0; line < scan.lines(); ++line) {
         if (leftOut[static_cast<std::size_t>(line)]) continue;
         telegram.telegramCounter = telegram.scanCounter = static_cast<std::uint16_t>(line);
         telegram.sinceStartUs = static_cast<std::uint32_t>(line * kPeriodUs);
         telegram.transmittedUs = static_cast<std::uint32_t>(line * kPeriodUs + kTransmittedUs);
         for (int beam = 0; beam < scan.beams(); ++beam) {
-            const auto count = countOf(scan, scan.rangeMm.index(line, beam), where);
+            const auto count = countOf(scan, *states, scan.rangeMm.index(line, beam), where);
             if (!count) return count.error();
             telegram.channels16.front().values[static_cast<std::size_t>(beam)] = *count;
         }
