@@ -19,6 +19,11 @@ void addServe(CLI::App& app, int& code);
 void addRecord(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addWhy(CLI::App& app, int& code);
+void addRocks(CLI::App& app, int& code);
+void addBatch(CLI::App& app, int& code);
+void addReport(CLI::App& app, int& code);
 void addCompare(CLI::App& app, int& code);
+void addCalibrate(CLI::App& app, int& code);
+void addThumbnail(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

@@ -1,8 +1,12 @@
 // edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
 #include "app/cli/commands.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/eval/truth_fit.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 #include "core/report/comparison_pictures.h"
 #include "core/report/comparison_report.h"
@@ -11,11 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <limits>
 #include <memory>
 
@@ -36,10 +36,10 @@ struct CompareFlags {
 // "BoundaryEstimation k=30" -> "boundaryestimation-k-30".
 std::string fileName(const std::string& name) {
     std::string result;
-    for (const char c : name) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+';
+    for (const char c : asciiLower(name)) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+';
         if (plain)
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            result += c;
         else if (!result.empty() && result.back() != '-')
             result += '-';
     }
@@ -66,7 +66,6 @@ Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std
 
 // Flags that would change nothing, or make every score 0.
 std::optional<Error> wrongUsage(const CompareFlags& flags) {
-    if (std::isnan(flags.settings.tolerance)) return Error{"the tolerance is no number", "--tolerance", "give 0 to 20 cells"};
     if (flags.settings.bestThreshold && flags.truth.empty())
         return Error{"without truth no threshold is the best", "--best", "give --truth DIR too"};
     return std::nullopt;
@@ -87,6 +86,7 @@ std::optional<Error> unknownKey(const std::vector<std::string>& only) {
 Result<Done> compare(const CompareFlags& flags) {
     Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
     if (!opened) return opened.error();
+    if (auto enough = checkMemoryFor(Work::Compare, *opened); !enough) return enough.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));
     std::optional<TruthSet> truth;
     if (!flags.truth.empty()) {
@@ -102,20 +102,20 @@ Result<Done> compare(const CompareFlags& flags) {
     if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
     const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
     const auto progress = [&](const char* name, double fraction) {
-        if (tell) std::fprintf(stderr, "\r%3.0f %% %-40s", 100 * fraction, name);
+        if (tell) tellProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
         return true;
     };
     const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
-    if (tell) std::fprintf(stderr, "\r%-48s\r", "");
+    if (tell) tellProgress("all compared", true);
     if (!flags.pictures.empty()) {
         const Result<Done> saved = savePictures(flags, *scan, methods, truth);
         if (!saved) return saved.error();
     }
-    if (flags.json != "-") std::cout << comparisonText(*scan, methods);
+    if (flags.json != "-") say(comparisonText(*scan, methods));
     if (flags.json.empty()) return Done{};
-    const std::string json = reportText(comparisonReport(*scan, methods, settings), true) + "\n";
-    if (flags.json != "-") return writeWholeFile(flags.json, json);
-    std::cout << json;
+    const nlohmann::ordered_json report = document("compare", comparisonReport(*scan, methods, settings));
+    if (flags.json != "-") return writeWholeFile(flags.json, reportText(report, true) + "\n");
+    say(report, true);
     return Done{};
 }
 
@@ -130,21 +130,13 @@ void addCompare(CLI::App& app, int& code) {
     command.add_option("--pictures", flags->pictures,
                        "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
                        "mask per method");
-    command.add_option("--tolerance", flags->settings.tolerance, "How far a detection may lie from a true edge [cells]")
-        ->check(CLI::Range(0.0, 20.0))
-        ->capture_default_str();
+    addNumber(command, "--tolerance", flags->settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--best", flags->settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
-    command
-        .add_option("--repeats", flags->settings.repeats, "Runs of each of our methods, interleaved; medians of thread CPU time are told")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command.add_option("--radius", flags->settings.peerLimits.radiusM, "Radius of PCL's BoundaryEstimation [m]")
-        ->check(CLI::Range(0.001, 10.0))
-        ->capture_default_str();
-    command
-        .add_option("--peer-seconds", flags->settings.peerLimits.seconds, "A PCL peer that works point by point stops after this time [s]")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
+    addNumber(command, "--repeats", flags->settings.repeats, {1, 1000},
+              "Runs of each of our methods, interleaved; medians of thread CPU time are told");
+    addNumber(command, "--radius", flags->settings.peerLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
+    addNumber(command, "--peer-seconds", flags->settings.peerLimits.seconds, {0, 1e6},
+              "A PCL peer that works point by point stops after this time [s]");
     command.add_flag("--slow", flags->slow, "Let every PCL peer end, however long it takes");
     command.add_option("--only", flags->settings.only, "Only these of our methods, and no peers: thesis,edgescan+")->delimiter(',');
     command.add_flag("--no-peers", flags->noPeers, "Leave the PCL peers out");

@@ -1,10 +1,11 @@
 // edgescan-cli convert: any readable scan to any writable format.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
 #include "core/formats/formats.h"
+#include "core/georef/placed_points.h"
 #include "core/io/save_scan.h"
 
-#include <iostream>
 #include <memory>
 
 namespace edgescan::cli {
@@ -29,12 +30,14 @@ int run(const Convert& convert) {
     Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
-    // In the scanner's frame a scan opens again as it was, its place beside it.
-    const ExportOptions options = exportOptions(convert.write, CoordinateFrame::Scanner);
-    const std::vector<std::string> lost =
-        lostOnSaving(scan, convert.out, {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached});
+    // In the scanner's frame a scan opens again as it was, its place beside it, where the format has room for the place.
+    const ExportOptions options =
+        exportOptions(convert.write, writtenFormat(convert.out)->keepsPlace ? CoordinateFrame::Scanner : usualFrame(scan));
+    const std::vector<std::string> lost = lostOnSaving(
+        scan, convert.out,
+        {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
     for (const auto& sentences : {scan.warnings, lost}) {
-        for (const std::string& sentence : sentences) std::cerr << "edgescan-cli: " << convert.in << ": " << sentence << '\n';
+        for (const std::string& sentence : sentences) complain(printable(convert.in) + ": " + sentence);
     }
     const auto saved = exportWithProvenance(ExportContent::WholeScan, detection, convert.out, options);
     if (saved) return kDone;

@@ -1,11 +1,16 @@
 // edgescan-cli detect: runs the method on files and writes what was asked for.
 #include "app/cli/commands.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/formats/formats.h"
 #include "core/georef/placed_points.h"
 #include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
+#include "core/points/point_table.h"
 #include "core/report/provenance.h"
 #include "core/report/report.h"
 
@@ -13,7 +18,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -26,6 +30,7 @@ namespace fs = std::filesystem;
 struct Detect {
     std::vector<std::string> files;
     std::string json, mask, gray, range, edges, cloud, folder;
+    bool ndjson = false;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
@@ -53,8 +58,8 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
     return out;
 }
 
-Result<Done> writeOutputs(const Outputs& out, const Detection& detection, const WriteFlags& write, double loadMs, bool several) {
-    const ExportOptions options = exportOptions(write, usualFrame(*detection.scan));
+Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detection& detection, double loadMs) {
+    const ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
     const std::vector<std::pair<ExportContent, std::string>> exports{{ExportContent::EdgeImage, out.mask},
                                                                      {ExportContent::GrayImage, out.gray},
                                                                      {ExportContent::RangeImage, out.range},
@@ -68,9 +73,10 @@ Result<Done> writeOutputs(const Outputs& out, const Detection& detection, const 
     }
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
-    const nlohmann::ordered_json report = detectReport(detection, loadMs);
-    if (out.json != "-") return writeWholeFile(out.json, reportText(report, true) + "\n");
-    std::cout << reportText(report, !several) << '\n';
+    const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
+    const nlohmann::ordered_json report = document("detect", detectReport(detection, loadMs));
+    if (out.json != "-") return writeWholeFile(out.json, reportText(report, !lines) + "\n");
+    say(report, !lines);
     return Done{};
 }
 
@@ -78,22 +84,25 @@ bool nothingAskedFor(const Outputs& out) {
     return out.json.empty() && out.mask.empty() && out.gray.empty() && out.range.empty() && out.edges.empty() && out.cloud.empty();
 }
 
-Result<Done> detectOne(const Detect& detect, const std::string& file, bool several) {
+Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
     Result<Scan> opened = openAsAsked(file, readingOptions(detect.read));
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (auto enough = checkMemoryFor(Work::Detect, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
+    if (const auto sentence = leftOutSentence(*opened)) complain(file + ": " + *sentence);
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (nothingAskedFor(out)) {
-        std::cout << file << ": " << detection->edges->size() << " edge cells of " << detection->scan->cells() << " ("
-                  << detection->scan->lines() << " lines x " << detection->scan->beams() << " beams), " << fixedText(detection->totalMs, 1)
-                  << " ms\n";
+        const Scan& scan = *detection->scan;
+        say(printable(file) + ": " + std::to_string(detection->edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
+            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams), " + fixedText(detection->totalMs, 1) +
+            " ms");
         return Done{};
     }
-    return writeOutputs(out, *detection, detect.write, loadMs, several);
+    return writeOutputs(detect, out, *detection, loadMs);
 }
 
 // One output file cannot hold the results of several scans.
@@ -110,9 +119,17 @@ Result<Done> checkUsage(const Detect& detect) {
         if (const Format* format = writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
             return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
     }
+    std::set<fs::path> outputs;
+    for (const std::string& path : {detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud}) {
+        std::error_code ignored;
+        if (path.empty() || path == "-" || path.starts_with("/dev/")) continue;
+        if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
+            return Error{"two results cannot have one file", path, "give each a name of its own"};
+    }
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
-        const std::string stem = fs::path(file).stem().string();
+        claimInput(file); // before the first of them has results
+        const std::string stem = scanName(file);
         if (detect.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
@@ -136,10 +153,14 @@ int run(const Detect& detect) {
     }
     int code = kDone;
     for (const std::string& file : detect.files) {
-        const Result<Done> result = detectOne(detect, file, detect.files.size() > 1);
-        if (result) continue;
-        complain(result.error());
-        code = kRefused;
+        const auto one = [&] {
+            const Result<Done> result = detectOne(detect, file);
+            if (result) return kDone;
+            complain(result.error());
+            if (detect.json == "-") say(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
+            return kRefused;
+        };
+        if (guarded(one, kRefused) != kDone) code = kRefused;
     }
     return code;
 }
@@ -152,6 +173,7 @@ void addDetect(CLI::App& app, int& code) {
     command.add_option("FILE", detect->files, "Scans; after a bad one the others are still done")->required();
     const char* group = "Results";
     command.add_option("--json", detect->json, "Counts, settings, mask hash, times; - is stdout")->group(group);
+    command.add_flag("--ndjson", detect->ndjson, "JSON on one line per scan; without --json on stdout")->group(group);
     command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
     command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
     command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
@@ -161,7 +183,10 @@ void addDetect(CLI::App& app, int& code) {
     addMethodFlags(command, detect->method);
     addReadFlags(command, detect->read);
     addWriteFlags(command, detect->write);
-    command.callback([detect, &code] { code = run(*detect); });
+    command.callback([detect, &code] {
+        if (detect->ndjson && detect->json.empty() && detect->folder.empty()) detect->json = "-";
+        code = run(*detect);
+    });
 }
 
 } // namespace edgescan::cli

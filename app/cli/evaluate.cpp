@@ -1,12 +1,17 @@
 // edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_rocks.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/truth_fit.h"
 #include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
 #include "core/pictures/png.h"
+#include "core/report/report.h"
+#include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 namespace edgescan::cli {
@@ -28,7 +32,10 @@ struct Evaluate {
     std::string json;
     double tolerance = 2.0;
     bool sweep = false;
-    std::vector<double> thresholds;
+    bool rocks = false;
+    EvaluateRocks ofRocks; ///< what only --rocks reads
+    std::vector<std::string> typedThresholds;
+    std::vector<double> thresholds; ///< those typed, once they are checked
     MethodFlags method;
     ReadFlags read;
 };
@@ -81,26 +88,33 @@ Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     if (!scan) return scan.error();
     if (auto fits = checkShape(file, scan->lines(), scan->beams(), wanted); !fits) return fits.error();
     if (auto fits = checkTruthFits(*scan, one.truth, evaluate.truths[n]); !fits) return fits.error();
+    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
     one.scan = std::make_shared<const Scan>(std::move(*scan));
     return one;
 }
 
 void show(const Json& evaluation) {
     const auto text = [](const Json& number, int decimals) { return fixedText(number.get<double>(), decimals); };
-    std::cout << "                precision  recall      F\n";
+    std::string lines = "                precision  recall      F\n";
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
-        std::cout << rightAligned(group, 15) << "      " << text(evaluation[group]["precision"], 3) << "   "
-                  << text(evaluation[group]["recall"], 3) << "  " << text(evaluation[group]["f"], 3) << '\n';
+        lines += rightAligned(group, 15) + "      " + text(evaluation[group]["precision"], 3) + "   " +
+                 text(evaluation[group]["recall"], 3) + "  " + text(evaluation[group]["f"], 3) + "\n";
     const Json& rocks = evaluation["rocks"];
     if (rocks["count"] == 0)
-        std::cout << "no rock with an outline to find";
+        lines += "no rock with an outline to find";
     else
-        std::cout << "rocks with 80 / 90 % of their outline: " << fixedText(100 * rocks["at_least_80_percent"].get<double>(), 0) << " / "
-                  << fixedText(100 * rocks["at_least_90_percent"].get<double>(), 0) << " % of " << rocks["count"];
+        lines += "rocks with 80 / 90 % of their outline: " + fixedText(100 * rocks["at_least_80_percent"].get<double>(), 0) + " / " +
+                 fixedText(100 * rocks["at_least_90_percent"].get<double>(), 0) + " % of " + fixedText(rocks["count"].get<double>(), 0);
     if (evaluation.contains("error_mm"))
-        std::cout << ", 3D error P50 / P95 " << text(evaluation["error_mm"]["p50"], 0) << " / " << text(evaluation["error_mm"]["p95"], 0)
-                  << " mm";
-    std::cout << ", Pratt " << text(evaluation["pratt"], 3) << '\n';
+        lines += ", 3D error P50 / P95 " + text(evaluation["error_mm"]["p50"], 0) + " / " + text(evaluation["error_mm"]["p95"], 0) + " mm";
+    say(lines + ", Pratt " + text(evaluation["pratt"], 3));
+}
+
+void showSweep(const Json& sweep) {
+    const auto number = [](const Json& value) { return significantText(value.get<double>(), 6); };
+    for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
+        say(rightAligned(group, 15) + "  ODS " + number(sweep[group]["ods"]) + " at " + number(sweep[group]["ods_threshold"]) + ", OIS " +
+            number(sweep[group]["ois"]) + ", AP " + number(sweep[group]["ap"]));
 }
 
 Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
@@ -126,7 +140,7 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
         for (const double threshold : sweep.thresholds) row.push_back(scoreAt(threshold));
         sweep.perScan.push_back(std::move(row));
     }
-    Json json;
+    Json json = document("evaluate", Json::object());
     json["files"] = evaluate.files;
     json["tolerance"] = evaluate.tolerance;
     if (!isMask(evaluate.files.front())) json["settings"] = settingsToJson(settings);
@@ -138,24 +152,58 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
     return json;
 }
 
-// Thresholds and flags that a person typed and that would change nothing, or not what was meant.
-Result<Done> checkUsage(const Evaluate& evaluate, const Settings& settings) {
-    if (std::isnan(evaluate.tolerance)) return Error{"the tolerance is no number", "--tolerance", "give 0 to 20 cells"};
+// Thresholds and flags that a person typed and that would change nothing, or not what was meant; turns the thresholds typed into numbers.
+Result<Done> checkUsage(Evaluate& evaluate, const Settings& settings) {
     if (std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask) && anyTyped(evaluate.method))
         return Error{"a mask holds its edges already, so no method finds them", "evaluate", "leave the flags of the method out"};
-    if (!evaluate.thresholds.empty() && !evaluate.sweep) return Error{"thresholds belong to a sweep", "--thresholds", "give --sweep too"};
     const Parameter& swept = sweptParameter(settings.method);
-    for (std::size_t n = 0; n < evaluate.thresholds.size(); ++n) {
-        const double value = evaluate.thresholds[n];
-        if (!(value >= swept.minimum && value <= swept.maximum) || (n > 0 && value <= evaluate.thresholds[n - 1]))
+    for (std::size_t n = 0; n < evaluate.typedThresholds.size(); ++n) {
+        const std::optional<double> value = numberOf(evaluate.typedThresholds[n]);
+        const bool fits = value && NumberLimits{swept.minimum, swept.maximum}.hold(*value);
+        if (fits && (n == 0 || *value > evaluate.thresholds.back()))
+            evaluate.thresholds.push_back(*value);
+        else
             return Error{"value " + std::to_string(n + 1) + " is out of place", "--thresholds",
                          "give rising values of --" + std::string(swept.key) + ", from " + formatValue(swept, swept.minimum) + " to " +
                              formatValue(swept, swept.maximum)};
     }
+    if (!evaluate.thresholds.empty() && !evaluate.sweep) return Error{"thresholds belong to a sweep", "--thresholds", "give --sweep too"};
     return Done{};
 }
 
-int run(const Evaluate& evaluate) {
+/// Flags that were typed though nothing reads them.
+std::optional<Error> misplacedFlag(const CLI::App& command, bool rocks) {
+    for (const char* flag : {"--ranges", "--tolerance", "--sweep", "--thresholds"}) {
+        if (rocks && command.count(flag) > 0) return Error{"it is about edges", flag, "leave it out, or --rocks"};
+    }
+    for (const char* flag : {"--peers", "--pictures", "--level"}) {
+        if (!rocks && command.count(flag) > 0) return Error{"it is about rocks", flag, "give --rocks too, or leave it out"};
+    }
+    return std::nullopt;
+}
+
+int runRocks(Evaluate& evaluate, const Settings& settings) {
+    if (std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask)) {
+        complain({"a mask holds no rocks", "evaluate --rocks", "give the scans"});
+        return kWrongUsage;
+    }
+    if (!reads(settings.method, kReadsSurface)) {
+        complain({"rocks follow from the surface, which this method does not measure", "--method", "leave it out with --rocks"});
+        return kWrongUsage;
+    }
+    evaluate.ofRocks.choices.edges = settings;
+    evaluate.ofRocks.files = evaluate.files;
+    evaluate.ofRocks.truths = evaluate.truths;
+    evaluate.ofRocks.json = evaluate.json;
+    evaluate.ofRocks.read = evaluate.read;
+    return evaluateRocks(evaluate.ofRocks);
+}
+
+int run(Evaluate& evaluate, const CLI::App& command) {
+    if (const auto idle = misplacedFlag(command, evaluate.rocks)) {
+        complain(*idle);
+        return kWrongUsage;
+    }
     const Result<Settings> settings = settingsOf(evaluate.method);
     if (!settings) {
         complain(settings.error());
@@ -172,6 +220,7 @@ int run(const Evaluate& evaluate) {
                   "evaluate", "give --truth once per file, in the same order"});
         return kWrongUsage;
     }
+    if (evaluate.rocks) return runRocks(evaluate, *settings);
     const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size())) {
         complain({"ranges belong to masks, one scan each", "--ranges", "give --ranges once per mask, in the same order, or leave it out"});
@@ -187,22 +236,18 @@ int run(const Evaluate& evaluate) {
         return kRefused;
     }
     if (evaluate.json == "-") {
-        std::cout << json->dump(2) << '\n';
+        say(*json, true);
         return kDone;
     }
     if (!evaluate.json.empty()) {
-        const Result<Done> written = writeWholeFile(evaluate.json, json->dump(2) + "\n");
+        const Result<Done> written = writeWholeFile(evaluate.json, reportText(*json, true) + "\n");
         if (written) return kDone;
         complain(written.error());
         return kRefused;
     }
     show((*json)["fixed"]);
     if (!json->contains("sweep")) return kDone;
-    const Json& sweep = (*json)["sweep"];
-    for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
-        std::cout << std::setw(15) << group << "  ODS " << sweep[group]["ods"].get<double>() << " at "
-                  << sweep[group]["ods_threshold"].get<double>() << ", OIS " << sweep[group]["ois"].get<double>() << ", AP "
-                  << sweep[group]["ap"].get<double>() << '\n';
+    showSweep((*json)["sweep"]);
     return kDone;
 }
 
@@ -216,16 +261,24 @@ void addEvaluate(CLI::App& app, int& code) {
     command.add_option("--truth", evaluate->truths, "Folder with the truth of each file, in the same order")->required();
     command.add_option("--ranges", evaluate->ranges,
                        "Scan that each mask was made from, in the same order: also the 3D error of its edges");
-    command.add_option("--tolerance", evaluate->tolerance, "How far a detection may lie from a true edge [cells]")
-        ->check(CLI::Range(0.0, 20.0))
-        ->capture_default_str();
+    addNumber(command, "--tolerance", evaluate->tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--sweep", evaluate->sweep, "Also the best threshold for all scans (ODS), for each (OIS), and average precision");
-    command.add_option("--thresholds", evaluate->thresholds, "Thresholds of the sweep, ascending, instead of the usual ones")
-        ->delimiter(',');
+    command
+        .add_option("--thresholds", evaluate->typedThresholds,
+                    "Thresholds of the sweep, ascending, instead of the usual ones; within the limits of the method's threshold")
+        ->delimiter(',')
+        ->type_name("NUMBER,...");
     command.add_option("--json", evaluate->json, "All figures; - is stdout");
+    const char* rocks = "Rocks";
+    command.add_flag("--rocks", evaluate->rocks, "Scores the rocks found in simulated scans instead of the edges")->group(rocks);
+    const auto level = std::ranges::find_if(rockParameters(), [](const RockParameter& p) { return p.key == std::string_view("level"); });
+    addNumber(command, "--level", evaluate->ofRocks.choices.rocks.level, {level->minimum, level->maximum}, level->help).group(rocks);
+    command.add_flag("--peers", evaluate->ofRocks.peers, "Also PCL's RegionGrowing and LCCP")->group(rocks);
+    command.add_option("--pictures", evaluate->ofRocks.pictures, "Folder for a picture per scan: rocks found, merged, split and missed")
+        ->group(rocks);
     addMethodFlags(command, evaluate->method);
     addReadFlags(command, evaluate->read);
-    command.callback([evaluate, &code] { code = run(*evaluate); });
+    command.callback([evaluate, &command, &code] { code = run(*evaluate, command); });
 }
 
 } // namespace edgescan::cli

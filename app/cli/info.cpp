@@ -1,11 +1,11 @@
 // edgescan-cli info: one JSON object per file.
 #include "app/cli/commands.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/report/report.h"
 
 #include <nlohmann/json.hpp>
 
-#include <iostream>
 #include <memory>
 
 namespace edgescan::cli {
@@ -19,13 +19,13 @@ struct Info {
 int run(const Info& info) {
     int code = kDone;
     for (const std::string& file : info.files) {
-        const Result<Scan> scan = openAsAsked(file, readingOptions(info.read));
-        if (!scan) {
-            complain(scan.error());
-            code = kRefused;
-            continue;
-        }
-        std::cout << reportText(infoReport(*scan), false) << '\n';
+        const auto one = [&] {
+            const Result<Scan> scan = openAsAsked(file, readingOptions(info.read));
+            say(scan ? document("info", infoReport(*scan)) : refusal("info", file, scan.error()), false);
+            if (!scan) complain(scan.error());
+            return scan ? kDone : kRefused;
+        };
+        if (guarded(one, kRefused) != kDone) code = kRefused;
     }
     return code;
 }

@@ -1,10 +1,10 @@
 // edgescan-cli: the method without a display.
 #include "app/cli/commands.h"
+#include "app/shared/exits.h"
+#include "app/shared/pages.h"
+#include "app/shared/usage.h"
+#include "core/base/inputs.h"
 #include "core/base/version.h"
-
-#include <exception>
-#include <iostream>
-#include <new>
 
 int main(int argc, char** argv) {
     using namespace edgescan;
@@ -12,8 +12,11 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", version());
     app.require_subcommand(1);
     int code = cli::kDone;
+    const BindInputs inputs; // nothing that is read is written over
     cli::addInfo(app, code);
     cli::addDetect(app, code);
+    cli::addBatch(app, code);
+    cli::addReport(app, code);
     cli::addConvert(app, code);
     cli::addSimulate(app, code);
     cli::addEvaluate(app, code);
@@ -22,21 +25,18 @@ int main(int argc, char** argv) {
     cli::addRecord(app, code);
     cli::addReplay(app, code);
     cli::addWhy(app, code);
+    cli::addRocks(app, code);
     cli::addCompare(app, code);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        // Help and version end here too, with code 0.
-        return app.exit(error) == 0 ? cli::kDone : cli::kWrongUsage;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "edgescan-cli: there is not enough memory for this scan; close other programs or use a smaller scan.\n";
-        return cli::kRefused;
-    } catch (const std::exception& error) {
-        std::cerr << "edgescan-cli: " << error.what() << "; this should not happen, please report it.\n";
-        return cli::kRefused;
-    }
-    std::cout.flush();
-    if (std::cout.good()) return code;
-    std::cerr << "edgescan-cli: stdout: the results cannot be written (no space, or closed); send them elsewhere.\n";
+    cli::addCalibrate(app, code);
+    cli::addThumbnail(app, code);
+    cli::addPages(app,
+                  {"edgescan-cli",
+                   "edges of rocks in laser range scans",
+                   {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381", "edgescan-cli detect BELL.json",
+                    "edgescan-cli detect BELL.json -o RESULTS --jump 40", "edgescan-cli convert BELL.json BELL.pcd",
+                    "edgescan-cli evaluate BELL.json --truth TRUTH", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
+    const int ended = cli::guarded([&] { return cli::parsed(app, argc, argv).value_or(code); }, cli::kRefused);
+    if (cli::everythingWasSaid()) return ended;
+    cli::complain("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
     return cli::kRefused;
 }

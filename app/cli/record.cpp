@@ -1,7 +1,10 @@
 // edgescan-cli record: a live scanner to disk.
 #include "app/cli/commands.h"
+#include "app/cli/live_report.h"
 #include "app/shared/host_port.h"
 #include "app/shared/interrupt.h"
+#include "app/shared/json_output.h"
+#include "app/shared/mounting.h"
 #include "app/shared/options.h"
 #include "core/live/live_feed.h"
 #include "core/report/report.h"
@@ -11,8 +14,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
-#include <iostream>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -21,16 +24,22 @@ namespace {
 
 struct Record {
     std::string address, out;
-    std::string axis = "spin";
+    std::string axis;
     int lines = 0;
     double seconds = 0.0;
     bool progress = false;
-    SweepSettings sweep;
+    Mounting mounting;
 };
 
 void tell(const LiveStatus& status) {
-    std::fprintf(stderr, "\r%-11s %s, %d lost, %llu reconnects   ", sessionPhaseName(status.session.phase), status.sweep.text().c_str(),
-                 static_cast<int>(status.sweep.lost.size()), static_cast<unsigned long long>(status.statistics.reconnects));
+    std::string line = sessionPhaseName(status.session.phase);
+    line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
+            std::to_string(status.statistics.reconnects) + " reconnects";
+    if (const auto remarks = status.sweep.irregular.sentences(); !remarks.empty())
+        line += ", " + std::to_string(remarks.size()) + " remarks";
+    const std::string lag = status.recording ? lagText(*status.recording) : std::string();
+    if (!lag.empty()) line += ", " + lag;
+    tellProgress(line);
 }
 
 // True when the recording has what was asked for, or will never get it.
@@ -41,7 +50,41 @@ bool finished(const Record& record, const LiveStatus& status, std::chrono::stead
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
 }
 
-nlohmann::ordered_json summary(const Record& record, const LiveStatus& status) {
+// What the sweeps, the telegrams and the disk were like, in sentences.
+std::vector<std::string> remarks(const LiveStatus& status, const RecordingState& recorded) {
+    std::vector<std::string> all = status.sweep.irregularEver.sentences();
+    if (!status.sweep.assumed.empty()) all.push_back(status.sweep.assumed);
+    const auto count = [&](std::uint64_t number, const char* what) {
+        if (number > 0) all.push_back(std::to_string(number) + what);
+    };
+    const TelegramAccount& account = status.sweep.account;
+    count(static_cast<std::uint64_t>(account.linesLost), " lines of the sweeps are lost in whole or in part.");
+    count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded.");
+    count(status.statistics.stream.skipped, " bytes were no telegram and were skipped.");
+    count(recorded.dropped, " telegrams are missing in the recording.");
+    if (recorded.unsynced() > 0)
+        all.push_back("The disk has not confirmed the last " + std::to_string(recorded.unsynced()) +
+                      " bytes: keep the power on until it is idle.");
+    return all;
+}
+
+/// How the lines were placed, and what of it nobody said.
+nlohmann::ordered_json mountingReport(const SweepSettings& sweep) {
+    nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
+    if (sweep.axisAssumed) assumed.push_back("axis");
+    if (sweep.stepAssumed) assumed.push_back("line_step_deg");
+    nlohmann::ordered_json lines = nullptr;
+    if (sweep.expectedLines > 0) lines = sweep.expectedLines;
+    return {{"axis", sweep.axis == Axis::Spin ? "spin" : "sweep"},
+            {"line_step_deg", *sweep.degPerLine},
+            {"first_line_deg", sweep.firstLineDeg},
+            {"standing", !sweep.continuous},
+            {"expected_lines", lines},
+            {"assumed", assumed}};
+}
+
+nlohmann::ordered_json summary(const Record& record, const SweepSettings& sweep, const LiveStatus& status, const RecordingState& recorded) {
+    const TelegramAccount& account = status.sweep.account;
     return {{"output", record.out},
             {"lines", status.lines},
             {"sweep", status.sweep.text()},
@@ -49,7 +92,24 @@ nlohmann::ordered_json summary(const Record& record, const LiveStatus& status) {
             {"duplicates", status.sweep.duplicates},
             {"undecodable", status.undecodable},
             {"reconnects", status.statistics.reconnects},
-            {"scanner", status.scanner ? nlohmann::ordered_json(status.scanner->words()) : nlohmann::ordered_json(nullptr)}};
+            {"mounting", mountingReport(sweep)},
+            {"scanner", status.scanner ? nlohmann::ordered_json(status.scanner->words()) : nlohmann::ordered_json(nullptr)},
+            {"sweeps",
+             {{"count", account.sweeps},
+              {"lines", account.lines},
+              {"lines_lost", account.linesLost},
+              {"cells", account.cells},
+              {"cells_lost", account.cellsLost}}},
+            {"telegrams", accountReport(account)},
+            {"irregular", irregularReport(status.sweep.irregularEver)},
+            {"stream", {{"skipped_bytes", status.statistics.stream.skipped}, {"bad_checksums", status.statistics.stream.badChecksum}}},
+            {"disk",
+             {{"messages", recorded.messages},
+              {"bytes", recorded.bytes},
+              {"dropped", recorded.dropped},
+              {"unsynced_bytes", recorded.unsynced()},
+              {"worst_lag_s", std::round(recorded.worstLagSeconds * 100) / 100}}},
+            {"warnings", remarks(status, recorded)}};
 }
 
 int run(const Record& record) {
@@ -61,9 +121,14 @@ int run(const Record& record) {
     SessionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
-    SweepSettings sweep = record.sweep;
-    sweep.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
-    LiveFeed feed(scanner, sweep, [] {});
+    Mounting mounting = record.mounting;
+    if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
+    const Result<SweepSettings> sweep = sweepOf(mounting);
+    if (!sweep) {
+        complain(sweep.error());
+        return kRefused;
+    }
+    LiveFeed feed(scanner, *sweep, [] {});
     if (const Result<Done> started = feed.startRecording(record.out); !started) {
         complain(started.error());
         return kRefused;
@@ -75,20 +140,31 @@ int run(const Record& record) {
         if (telling) tell(feed.status());
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    if (telling) std::fputc('\n', stderr);
-    const LiveStatus status = feed.status();
+    LiveStatus status = feed.status();
+    if (telling) tellProgress(std::to_string(status.lines) + " lines", true);
     feed.stop();
-    const Result<Done> closed = feed.stopRecording();
+    const LiveStatus last = feed.status();
+    status.sweep = last.sweep;           // with the end of its last sweep
+    status.statistics = last.statistics; // with what came meanwhile
+    if (const std::string lag = status.recording ? lagText(*status.recording) : std::string(); !lag.empty())
+        complain(lag + "; waiting some seconds for it.");
+    const Result<RecordingState> closed = feed.stopRecording();
     if (!closed) {
         complain(closed.error());
         return kRefused;
     }
+    if (status.lines == 0 && status.statistics.stream.bytes == 0) {
+        // Nothing is lost with it, and left here it would be in the way of the next try.
+        std::error_code ignored;
+        std::filesystem::remove(record.out, ignored);
+    }
     if (status.lines == 0) {
-        complain({status.session.sentence.empty() ? "no line was received" : status.session.sentence, record.address,
-                  "check cable, address and port"});
+        const bool kept = status.statistics.stream.bytes > 0;
+        complain(Error{status.session.sentence.empty() ? "no line was received" : status.session.sentence, record.address,
+                       "check cable, address and port" + (kept ? "; what did arrive is in " + record.out : std::string())});
         return kRefused;
     }
-    std::cout << reportText(summary(record, status), false) << '\n';
+    say(document("record", summary(record, *sweep, status, *closed)), false);
     return kDone;
 }
 
@@ -99,13 +175,18 @@ void addRecord(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("record", "A live scanner to disk; nothing but reads and a subscription is sent to it");
     command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT")->required();
     command.add_option("-o,--output", record->out, "New recording (.mcap)")->required();
-    command.add_option("--lines", record->lines, "End after so many lines; 0 = until Ctrl+C")->capture_default_str();
-    command.add_option("--seconds", record->seconds, "End after so many seconds; 0 = run on")->capture_default_str();
-    command.add_option("--expected-lines", record->sweep.expectedLines, "Lines of a whole sweep; 0 = not known")->capture_default_str();
-    command.add_option("--axis", record->axis, "Mounting of the stepper")->check(CLI::IsMember({"spin", "sweep"}))->capture_default_str();
-    command.add_option("--first-line", record->sweep.firstLineDeg, "Stepper angle of the first line [degrees]")->capture_default_str();
-    command.add_option("--line-step", record->sweep.degPerLine, "Stepper angle from line to line [degrees]");
-    command.add_option("--ticks-per-degree", record->sweep.ticksPerDeg, "Encoder counts per degree, where there is an encoder");
+    addNumber(command, "--lines", record->lines, {0, 1e9}, "End after so many lines; 0 = until Ctrl+C");
+    addNumber(command, "--seconds", record->seconds, kSeconds, "End after so many seconds; 0 = run on");
+    const char* group = "Mounting of the stepper (what is not said is assumed, told and marked in the recording)";
+    Mounting& mounting = record->mounting;
+    command.add_option("--axis", record->axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
+        ->check(CLI::IsMember({"spin", "sweep"}))
+        ->group(group);
+    addNumber(command, "--line-step", mounting.lineStepDeg, {-90, 90}, "Stepper angle from line to line [degrees]").group(group);
+    addNumber(command, "--first-line", mounting.firstLineDeg, physical::kBeamDeg.limits, "Stepper angle of the first line [degrees]")
+        .group(group);
+    command.add_option("--calibration", mounting.calibration, "Calibration file of the robot: says axis and step")->group(group);
+    addMountingFlags(command, mounting, group);
     command.add_flag("--progress", record->progress, "Tell the progress on stderr also where that is no terminal");
     command.callback([record, &code] { code = run(*record); });
 }

@@ -1,6 +1,8 @@
 // edgescan-cli replay: a recording through the live path, a JSON line per line received, and the edges of the sweep at the end.
 #include "core/recording/replay.h"
 #include "app/cli/commands.h"
+#include "app/cli/live_report.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <thread>
 
@@ -27,8 +28,13 @@ struct ReplayWanted {
 
 nlohmann::ordered_json lineReport(const Replay& replay) {
     const SweepProgress progress = replay.progress();
-    return {{"line", replay.position() - 1}, {"sweep", progress.number},          {"row", progress.lines - 1},
-            {"lost", progress.lost.size()},  {"duplicates", progress.duplicates}, {"time_ns", replay.timeNs(replay.position() - 1)}};
+    return {{"line", replay.position() - 1},
+            {"sweep", progress.number},
+            {"row", progress.lines - 1},
+            {"lost", progress.lost.size()},
+            {"duplicates", progress.duplicates},
+            {"time_ns", replay.timeNs(replay.position() - 1)},
+            {"irregular", irregularReport(progress.irregularEver)}};
 }
 
 // Until the next line, as long as when it was recorded, at the speed asked for; 0 does not wait.
@@ -45,7 +51,7 @@ int run(const ReplayWanted& wanted) {
         return kWrongUsage;
     }
     auto scan = openScan(wanted.file, wanted.place, [&](const Replay& replay) {
-        if (!wanted.quiet) std::cout << reportText(lineReport(replay), false) << '\n';
+        if (!wanted.quiet) say(document("replay-line", lineReport(replay)), false);
         waitForNextLine(replay, wanted.speed);
     });
     if (scan && scan->format != "recording") scan = Error{"this is no recording", wanted.file, "open it with detect"};
@@ -59,7 +65,7 @@ int run(const ReplayWanted& wanted) {
         return kRefused;
     }
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
-    std::cout << reportText({{"result", detectReport(*detection, 0.0)}}, false) << '\n';
+    say(document("replay", {{"result", document("detect", detectReport(*detection, 0.0))}}), false);
     return kDone;
 }
 
@@ -70,7 +76,7 @@ void addReplay(CLI::App& app, int& code) {
     CLI::App& command =
         *app.add_subcommand("replay", "A recording through the live path: a JSON line per line received, the edges at the end");
     command.add_option("FILE", wanted->file, "Recording (.mcap)")->required();
-    command.add_option("--speed", wanted->speed, "1 = as it was recorded; 0 = as fast as it goes")->capture_default_str();
+    addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as it goes");
     command.add_flag("--quiet", wanted->quiet, "Only the result");
     addPlaceFlags(command, wanted->place);
     addMethodFlags(command, wanted->method);

@@ -1,12 +1,16 @@
 // edgescan-cli serve: an emulated LMS511 that sends a scan's lines over TCP.
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/base/number_text.h"
 #include "core/emulator/emulated_scanner.h"
 #include "core/emulator/emulated_telegram.h"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
-#include <iostream>
+#include <cmath>
 #include <memory>
 #include <thread>
 
@@ -23,7 +27,24 @@ struct Serve {
     ReadFlags read;
 };
 
-Result<std::unique_ptr<EmulatedScanner>> start(const Serve& serve) {
+/// The flags of `record` with which the lines get the angles of this scan; empty when they do not lie evenly.
+std::string recordFlags(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr || polar->lineDeg.size() < 2 || polar->lineDirection < 0 || !polar->lineSkewDeg.empty()) return {};
+    const std::vector<double>& lines = polar->lineDeg;
+    const double step = (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (std::abs(lines[i] - lines.front() - static_cast<double>(i) * step) > 1e-6) return {};
+    }
+    return std::string("--axis ") + (polar->axis == Axis::Spin ? "spin" : "sweep") + " --first-line " + significantText(lines.front(), 9) +
+           " --line-step " + significantText(step, 9) + " --standing --expected-lines " + std::to_string(lines.size());
+}
+
+struct Served {
+    std::unique_ptr<EmulatedScanner> scanner;
+    std::string recordFlags;
+};
+Result<Served> start(const Serve& serve) {
     const Result<Scan> scan = openAsAsked(serve.file, readingOptions(serve.read));
     if (!scan) return scan.error();
     TelegramStyle style;
@@ -33,17 +54,21 @@ Result<std::unique_ptr<EmulatedScanner>> start(const Serve& serve) {
     EmulatedScannerSettings settings = serve.settings;
     settings.atEnd = serve.loop ? AtEnd::Again : AtEnd::Stop;
     if (serve.dialect != "both") settings.only = serve.dialect == "a" ? Dialect::A : Dialect::B;
-    return serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+    auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+    if (!scanner) return scanner.error();
+    return Served{std::move(*scanner), recordFlags(*scan)};
 }
 
 int run(const Serve& serve) {
-    const auto scanner = start(serve);
-    if (!scanner) {
-        complain(scanner.error());
+    const auto served = start(serve);
+    if (!served) {
+        complain(served.error());
         return kRefused;
     }
     catchInterrupt();
-    std::cout << "{\"host\":\"" << serve.settings.address << "\",\"port\":" << (*scanner)->port() << "}" << std::endl;
+    nlohmann::ordered_json flags = nullptr;
+    if (!served->recordFlags.empty()) flags = served->recordFlags;
+    say(document("serve", {{"host", serve.settings.address}, {"port", served->scanner->port()}, {"record_flags", flags}}), false);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(serve.seconds);
     while (!interrupted() && (serve.seconds <= 0 || std::chrono::steady_clock::now() < end)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -59,26 +84,33 @@ void addServe(CLI::App& app, int& code) {
     CLI::App& command =
         *app.add_subcommand("serve", "An emulated LMS511 that sends a scan's lines over TCP; prints host and port, runs until Ctrl+C");
     command.add_option("FILE", serve->file, "Scan to send")->required();
-    command.add_option("--port", s.port, "TCP port; 0 = any that is free")->capture_default_str();
+    addNumber(command, "--port", s.port, {0, 65535}, "TCP port; 0 = any that is free");
     command.add_option("--address", s.address, "Address to listen on")->capture_default_str();
-    command.add_option("--rate", s.linesPerSecond, "Lines per second; 0 = as fast as the client reads")->capture_default_str();
+    addNumber(command, "--rate", s.linesPerSecond, {0, 1e6}, "Lines per second; 0 = as fast as the client reads");
     command.add_flag("--loop", serve->loop, "From the first line again at the end");
-    command.add_option("--seconds", serve->seconds, "End after so many seconds; 0 = run on")->capture_default_str();
+    addNumber(command, "--seconds", serve->seconds, kSeconds, "End after so many seconds; 0 = run on");
     command.add_option("--dialect", serve->dialect, "CoLa dialect that is answered")
         ->check(CLI::IsMember({"both", "a", "b"}))
         ->capture_default_str();
     command.add_flag("--remission", serve->remission, "Send an RSSI channel, made up from the range");
     const char* faults = "Faults";
+    constexpr NumberLimits kCount{0, 1e9};
     command.add_flag("--split", s.faults.splitSends, "Telegrams go out in pieces of random length")->group(faults);
     command.add_flag("--merge", s.faults.mergeSends, "Several telegrams go out at once")->group(faults);
-    command.add_option("--lose-every", s.faults.loseEvery, "Every n-th telegram is not sent")->group(faults);
-    command.add_option("--lose-burst", s.faults.loseBurst, "How many in a row")->group(faults);
-    command.add_option("--duplicate-every", s.faults.duplicateEvery, "Every n-th telegram is sent twice")->group(faults);
-    command.add_option("--garbage-every", s.faults.garbageEvery, "Random bytes before every n-th telegram")->group(faults);
-    command.add_option("--corrupt-every", s.faults.corruptEvery, "One bit of every n-th telegram is wrong")->group(faults);
-    command.add_option("--stall-every", s.faults.stallEvery, "Silence at every n-th telegram ...")->group(faults);
-    command.add_option("--stall-seconds", s.faults.stallS, "... for so long")->group(faults);
-    command.add_option("--drop-every", s.faults.dropEvery, "All connections are closed at every n-th telegram")->group(faults);
+    addNumber(command, "--lose-every", s.faults.loseEvery, kCount, "Every n-th telegram is not sent").group(faults);
+    addNumber(command, "--lose-burst", s.faults.loseBurst, kCount, "How many in a row").group(faults);
+    addNumber(command, "--duplicate-every", s.faults.duplicateEvery, kCount, "Every n-th telegram is sent twice").group(faults);
+    addNumber(command, "--garbage-every", s.faults.garbageEvery, kCount, "Random bytes before every n-th telegram").group(faults);
+    addNumber(command, "--corrupt-every", s.faults.corruptEvery, kCount, "One bit of every n-th telegram is wrong").group(faults);
+    addNumber(command, "--stall-every", s.faults.stallEvery, kCount, "Silence at every n-th telegram ...").group(faults);
+    addNumber(command, "--stall-seconds", s.faults.stallS, {0, 3600}, "... for so long").group(faults);
+    addNumber(command, "--drop-every", s.faults.dropEvery, kCount, "All connections are closed at every n-th telegram").group(faults);
+    addNumber(command, "--narrow-every", s.faults.narrowEvery, kCount, "Every n-th telegram has half of its beams").group(faults);
+    addNumber(command, "--counter-step", s.faults.counterStep, {0, 65535}, "What both counters go on by from line to line").group(faults);
+    addNumber(command, "--clock-rate", s.faults.clockRate, {-1000, 1000}, "Pace of the device clock; 0 it stands, -1 it runs backward")
+        .group(faults);
+    command.add_flag("--by-chance", s.faults.byChance, "Once in n by chance instead of at every n-th")->group(faults);
+    addNumber(command, "--fault-seed", s.faults.seed, {0, 4294967295}, "Seed of all chance").group(faults);
     command.add_flag("--contamination-warning", s.contaminationWarning, "The window is dirty")->group(faults);
     command.add_flag("--contamination-error", s.contaminationError, "The window is too dirty")->group(faults);
     addReadFlags(command, serve->read);

@@ -2,6 +2,7 @@
 #include "core/sim/simulate.h"
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/number_text.h"
 #include "core/eval/truth_files.h"
 #include "core/formats/formats.h"
 #include "core/io/open_scan.h"
@@ -11,7 +12,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -64,7 +64,7 @@ int run(const Simulate& simulate) {
     SimulationProgress progress;
     if (simulate.progress || isatty(STDERR_FILENO) != 0) {
         progress = [](double fraction) {
-            std::fprintf(stderr, "\rcasting beams %3.0f %%%s", fraction * 100, fraction >= 1.0 ? "\n" : "");
+            tellProgress("casting beams " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
             return true;
         };
     }
@@ -98,6 +98,9 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
     const std::vector<Use> uses{{"--rocks", {"hangup", "pile"}},
                                 {"--rock-roughness", {"hangup", "pile"}},
                                 {"--rock-rounding", {"hangup", "pile"}},
+                                {"--rock-size", {"hangup", "pile"}},
+                                {"--rock-lumps", {"hangup", "pile"}},
+                                {"--rock-lump-size", {"hangup", "pile"}},
                                 {"--wall-roughness", {"hangup", "pile", "empty", "wall"}},
                                 {"--surface", {"rescan"}},
                                 {"--surface-scale", {"rescan"}},
@@ -124,10 +127,12 @@ std::string sceneHelp() {
     return text;
 }
 
-/// An option of a group, with its default in the help.
+/// A number among the settings, with the limits that the simulation has for it.
 template <class Value>
 CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& value, const char* help) {
-    return *command.add_option(flag, value, help)->capture_default_str()->group(group);
+    const auto known = simulationNumbers();
+    const auto number = std::ranges::find_if(known, [&](const SimulationNumber& n) { return std::string_view(flag).substr(2) == n.key; });
+    return *addNumber(command, flag, value, number == known.end() ? NumberLimits{0, -1} : number->limits, help).group(group);
 }
 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
@@ -137,16 +142,19 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
     add(command, group, "--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]");
     add(command, group, "--rock-rounding", s.rockRounding,
         "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)");
-    command
-        .add_option("--wall-roughness", s.wallRoughnessMm,
-                    "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given")
-        ->group(group);
+    add(command, group, "--rock-size", s.rockSize, "Times the size of every rock; small ones need more --rocks to fill the same room");
+    add(command, group, "--rock-lumps", s.rockLumpsMm, "Smooth lumps of the rocks beside their relief, standard deviation [mm]");
+    add(command, group, "--rock-lump-size", s.rockLumpM,
+        "Lattice that the lumps are drawn on; from one to the next it is two to three times as far [m]");
+    add(command, group, "--wall-roughness", s.wallRoughnessMm,
+        "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given");
     add(command, group, "--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back");
-    add(command, group, "--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan");
+    command.add_option("--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(group);
     add(command, group, "--surface-scale", s.surfaceScale, "Times its size");
     add(command, group, "--distance", s.distanceM, "Distance of wall, staircase or rescan [m]");
-    add(command, group, "--hole", simulate.hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
-        .check(CLI::IsMember({"none", "round", "square"}));
+    command.add_option("--hole", simulate.hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
+        ->check(CLI::IsMember({"none", "round", "square"}))
+        ->group(group);
     add(command, group, "--holes", s.holes, "How many: one is in the middle, several are spread as the seed says");
     add(command, group, "--hole-size", s.holeM, "Their diameter or side [m]");
 }
@@ -169,6 +177,17 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
     command.add_flag("--no-echo-loss", simulate.noEchoLoss, "Grazing and weak echoes are not lost")->group(group);
 }
 
+/// Errors that a calibration finds (docs/calibration.md).
+void addAssemblyFlags(CLI::App& command, SimulationSettings& s) {
+    const char* group = "Assembly, unknown to the scan";
+    add(command, group, "--mount-t1", s.assembly.t1Mm(), "Lever arm of the scanner: along x of a spin, along y of a sweep [mm]");
+    add(command, group, "--mount-t2", s.assembly.t2Mm(), "Lever arm of the scanner: along y of a spin, along z of a sweep [mm]");
+    add(command, group, "--mount-tilt", s.assembly.tiltDeg(), "Tilt of the fan against the axis: roll of a spin, yaw of a sweep [degrees]");
+    add(command, group, "--mount-index", s.assembly.indexDeg(), "Error of the beam angle: pitch of the mount [degrees]");
+    add(command, group, "--turn-error", s.assembly.turnDeg(), "Error of the stepper's angle at 180 degrees [degrees]");
+    add(command, group, "--zero-jump", s.zeroJumpDeg, "How far the stepper's zero moves at half of the turn [degrees]");
+}
+
 } // namespace
 
 void addSimulate(CLI::App& app, int& code) {
@@ -179,16 +198,19 @@ void addSimulate(CLI::App& app, int& code) {
         ->required();
     command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
-    command.add_option("--seed", s.seed, "Seed of everything random")->capture_default_str();
-    command.add_option("--lines", s.lines, "Scan lines over 180 degrees")->capture_default_str();
-    command.add_option("--beams", s.beams, "Beams over -5 to 185 degrees")->capture_default_str();
+    const char* general = "Options"; // where CLI11 puts those without a group
+    addNumber(command, "--seed", s.seed, {0, 999999999999999}, "Seed of everything random");
+    add(command, general, "--lines", s.lines, "Scan lines over the turn");
+    add(command, general, "--turn", s.turnDeg, "How far the stepper turns [degrees]");
+    add(command, general, "--beams", s.beams, "Beams over -5 to 185 degrees");
     command.add_option("--axis", simulate->axis, "Mounting of the stepper")->check(CLI::IsMember({"spin", "sweep"}))->capture_default_str();
     command.add_option("--profile", simulate->profile, "Beam divergence: high (resolution, 4.6 mrad) or standard (11 mrad)")
         ->check(CLI::IsMember({"high", "standard"}))
         ->capture_default_str();
     addSceneFlags(command, *simulate);
     addMeasurementFlags(command, *simulate);
-    command.add_option("--threads", s.threads, "0 = one per core; the result is the same")->capture_default_str();
+    addAssemblyFlags(command, s);
+    add(command, general, "--threads", s.threads, "0 = one per core; the result is the same");
     command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
     command.callback([simulate, &command, &code] {
         if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {

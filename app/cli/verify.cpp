@@ -1,12 +1,14 @@
 // edgescan-cli verify: makes exports again from their records and says whether they are the same.
 #include "core/report/verify.h"
 #include "app/cli/commands.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/io/grid_beside.h"
 #include "core/report/report.h"
 
 #include <nlohmann/json.hpp>
 
-#include <iostream>
+#include <algorithm>
 #include <memory>
 
 namespace edgescan::cli {
@@ -18,19 +20,33 @@ struct Verify {
     bool json = false;
 };
 
+/// What was named, each once, a record beside an export as that export: `verify RESULTS/*` is what people type.
+std::vector<std::string> exportsOf(const std::vector<std::string>& named) {
+    static const std::string kRecord = sidecarPath("").string();
+    std::vector<std::string> exports;
+    for (const std::string& file : named) {
+        const std::string whole = file.ends_with(kRecord) ? file.substr(0, file.size() - kRecord.size()) : file;
+        if (std::ranges::find(exports, whole) == exports.end()) exports.push_back(whole);
+    }
+    return exports;
+}
+
 int run(const Verify& verify) {
     int code = kDone;
     std::optional<std::filesystem::path> scans;
     if (!verify.scans.empty()) scans = verify.scans;
-    for (const std::string& file : verify.files) {
-        const Result<Verification> verification = verifyExport(file, scans);
-        if (!verification) {
-            complain(verification.error());
-            code = kRefused;
-            continue;
-        }
-        std::cout << (verify.json ? reportText(verificationReport(*verification), false) : verificationText(*verification)) << '\n';
-        if (!verification->identical) code = kRefused;
+    for (const std::string& file : exportsOf(verify.files)) {
+        const auto one = [&] {
+            const Result<Verification> verification = verifyExport(file, scans);
+            if (!verification) complain(verification.error());
+            if (verify.json)
+                say(verification ? document("verify", verificationReport(*verification)) : refusal("verify", file, verification.error()),
+                    false);
+            else if (verification)
+                say(verificationText(*verification));
+            return verification && verification->identical ? kDone : kRefused;
+        };
+        if (guarded(one, kRefused) != kDone) code = kRefused;
     }
     return code;
 }
@@ -41,7 +57,8 @@ void addVerify(CLI::App& app, int& code) {
     auto verify = std::make_shared<Verify>();
     CLI::App& command =
         *app.add_subcommand("verify", "Makes exports again from their provenance and says identical, or which byte differs first");
-    command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported")->required();
+    command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported; the records beside them stand for them")
+        ->required();
     command.add_option("--scans", verify->scans, "Folder to look for the scan in, besides that of the export");
     command.add_flag("--json", verify->json, "One JSON object per export");
     command.callback([verify, &code] { code = run(*verify); });

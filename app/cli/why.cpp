@@ -1,13 +1,14 @@
 // edgescan-cli why: why a cell is an edge, or why it is none.
 #include "app/cli/commands.h"
+#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
 #include "core/report/report.h"
 #include "core/report/why_report.h"
 
 #include <nlohmann/json.hpp>
 
-#include <iostream>
 #include <memory>
 
 namespace edgescan::cli {
@@ -29,11 +30,12 @@ Result<Done> explain(const WhyFlags& flags) {
                      "lines run from 0 to " + std::to_string(opened->lines() - 1) + ", beams from 0 to " +
                          std::to_string(opened->beams() - 1)};
     }
+    if (auto enough = checkMemoryFor(Work::Explain, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Why why = whyCell(*detection, detection->scan->rangeMm.index(flags.line, flags.beam));
-    std::cout << reportText(whyReport(*detection, why), true) << '\n';
+    say(document("why", whyReport(*detection, why)), true);
     return Done{};
 }
 
@@ -55,8 +57,9 @@ void addWhy(CLI::App& app, int& code) {
     auto flags = std::make_shared<WhyFlags>();
     CLI::App& command = *app.add_subcommand("why", "Why a cell is an edge, or why it is none; JSON");
     command.add_option("FILE", flags->file, "Scan")->required();
-    command.add_option("--line", flags->line, "Line of the cell, from 0")->required();
-    command.add_option("--beam", flags->beam, "Beam of the cell, from 0")->required();
+    constexpr NumberLimits kIndex{0, 1e9};
+    addNumber(command, "--line", flags->line, kIndex, "Line of the cell, from 0").required();
+    addNumber(command, "--beam", flags->beam, kIndex, "Beam of the cell, from 0").required();
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] { code = run(*flags); });

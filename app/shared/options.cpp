@@ -2,28 +2,21 @@
 #include "app/shared/options.h"
 
 #include "core/base/number_text.h"
-#include "core/method/step_meaning.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <iostream>
-#include <memory>
 
 namespace edgescan::cli {
 namespace {
 
-const std::string kNotTyped = "\n"; // no flag can hold it
-const std::string kLower = "lower";
-
 // The limits and the default, for --help: "x, 1 to 10, default 3".
 std::string hint(const Parameter& p) {
     std::string text = p.help;
-    if (p.key == kLower) text += " A depth (0.5m), or with logarithmic gray levels a share of the range (5%), is turned into levels.";
+    if (std::string_view(p.key) == "lower")
+        text += " A depth (0.5m), or with logarithmic gray levels a share of the range (5%), is turned into levels.";
     text += " [";
     if (p.choices.empty()) {
         if (*p.unit != '\0') text += std::string(p.unit) + ", ";
@@ -35,13 +28,11 @@ std::string hint(const Parameter& p) {
     return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
 }
 
-std::atomic<bool> progressLineOpen{false}; // an error must start on a line of its own
-
 // One line per stage on stderr, redrawn in place.
-bool tellProgress(const char* stage, double fraction) {
-    std::fprintf(stderr, "\r%-24s %3.0f %%", stage, fraction * 100);
-    progressLineOpen = fraction < 1.0;
-    if (!progressLineOpen) std::fputc('\n', stderr);
+bool tellStage(const char* stage, double fraction) {
+    std::string line = stage;
+    line.resize(std::max<std::size_t>(24, line.size()), ' ');
+    tellProgress(line + " " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
     return true;
 }
 
@@ -52,7 +43,8 @@ namespace {
 void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptions& options, const char* group) {
     const std::string name = std::string("--") + option.key;
     const auto take = [&option, &options](const std::string& text) {
-        if (const auto fits = checked(option, text); !fits) throw CLI::ValidationError(fits.error().where, fits.error().what);
+        if (const auto fits = checked(option, text); !fits)
+            throw CLI::ValidationError(fits.error().where, fits.error().what + "; " + fits.error().hint);
         option.set(options, text);
     };
     CLI::Option* added = nullptr;
@@ -68,7 +60,7 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
     else
         added = command.add_option_function<std::string>(name, take, option.help);
     if (!option.words.empty()) added->check(CLI::IsMember(option.words));
-    if (option.kind == ReadingOption::Kind::Number || option.kind == ReadingOption::Kind::ThreeNumbers) added->type_name("NUMBER");
+    if (option.limit != nullptr) added->type_name(rangeName(option.limit->limits));
     added->group(group);
 }
 
@@ -102,26 +94,15 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
         .add_flag("--include-attached", flags.includeAttached,
                   "Of a cloud that was projected: also the points that lie behind the nearest of their cell")
         ->group(group);
+    for (const WritingChoice& choice : kWritingChoices)
+        command.add_flag(std::string("--") + choice.key, flags.choices.*choice.member, choice.help)->group(group);
     command.add_option("--operator", flags.operatorName, "Who exports, for the record")->group(group);
     command.add_option("--role", flags.role, "As what, for the record")->group(group);
 }
 
-ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual) {
-    ExportOptions options;
-    options.frame = flags.frame == "scanner" ? CoordinateFrame::Scanner
-                    : flags.frame == "local" ? CoordinateFrame::MineLocal
-                    : flags.frame == "mine"  ? CoordinateFrame::Mine
-                                             : usual;
-    options.ascii = flags.ascii;
-    options.includeAttached = flags.includeAttached;
-    options.operatorName = flags.operatorName;
-    options.role = flags.role;
-    return options;
-}
-
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
-    if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellProgress;
+    if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellStage;
     return options;
 }
 
@@ -134,87 +115,10 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
                     "Settings to start from: " + names +
                         " or a preset file; without one, default, or log where flags of gray levels are given")
         ->group(group);
+    flags = nothingTyped();
     for (const Parameter& p : parameters()) {
-        flags.typed[p.key] = kNotTyped;
         command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
     }
-}
-
-bool anyTyped(const MethodFlags& flags) {
-    if (!flags.preset.empty()) return true;
-    return std::ranges::any_of(flags.typed, [](const auto& flag) { return flag.second != kNotTyped; });
-}
-
-Result<Preset> presetOf(const MethodFlags& flags) {
-    if (!flags.preset.empty()) return findPreset(flags.preset);
-    // Flags of gray levels alone ask for Canny on them: a threshold that somebody types must do something.
-    const bool gray = flags.typed.at("method") == kNotTyped && std::ranges::any_of(flags.typed, [](const auto& flag) {
-                          const Parameter& parameter = *findParameter(flag.first);
-                          return flag.second != kNotTyped && !parameter.usedBy(Settings{}) && parameter.usedBy(cannySettings());
-                      });
-    return findPreset(gray ? "log" : builtInPresets().front().name);
-}
-
-namespace {
-
-// All that can be known without a scan: a lower threshold typed as a depth is left as it is.
-Result<Settings> settingsBut(const MethodFlags& flags) {
-    const Result<Preset> preset = presetOf(flags);
-    if (!preset) return preset.error();
-    Settings settings = preset->settings;
-    for (const auto& [key, text] : flags.typed) {
-        if (text == kNotTyped) continue;
-        if (key == kLower && typedStep(text)) continue;
-        const Parameter& parameter = *findParameter(key);
-        const Result<double> value = parseValue(parameter, text);
-        if (!value) return value.error();
-        parameter.set(settings, *value);
-    }
-    if (flags.typed.at(kLower) == kNotTyped) {
-        Settings before = preset->settings;
-        if (stepGain(before).straight <= 0) before = cannySettings();
-        settings.lower = lowerWithSameStep(before, settings);
-    }
-    if (const auto checked = checkSettings(settings); !checked) return checked.error();
-    // Who names a method or a preset may type every parameter there is; who does not should hear that a flag changes nothing.
-    const bool chosen = !flags.preset.empty() || flags.typed.at("method") != kNotTyped;
-    for (const auto& [key, text] : flags.typed) {
-        if (chosen || text == kNotTyped || findParameter(key)->usedBy(settings)) continue;
-        const Parameter& method = *findParameter("method");
-        return Error{"the method " + formatValue(method, method.get(settings)) + " takes no notice of this flag", "--" + key,
-                     "leave it out, or name a --method or --preset that uses it"};
-    }
-    return settings;
-}
-
-} // namespace
-
-Result<Settings> settingsOf(const MethodFlags& flags) {
-    if (typedStep(flags.typed.at(kLower)))
-        return Error{"a depth becomes a threshold only once there is a scan", "--lower", "give the threshold in gray levels here"};
-    return settingsBut(flags);
-}
-
-Result<Done> checkMethod(const MethodFlags& flags) {
-    const Result<Settings> settings = settingsBut(flags);
-    if (!settings) return settings.error();
-    return Done{};
-}
-
-Result<Settings> settingsFor(const MethodFlags& flags, const Scan& scan) {
-    Result<Settings> settings = settingsBut(flags);
-    const auto step = typedStep(flags.typed.at(kLower));
-    if (!settings || !step) return settings;
-    const Result<double> lower = lowerOfStep(*step, *settings, grayScale(scan, *settings));
-    if (!lower) return lower.error();
-    settings->lower = *lower;
-    return settings;
-}
-
-void complain(const Error& error) {
-    if (progressLineOpen) std::cerr << '\n';
-    progressLineOpen = false;
-    std::cerr << "edgescan-cli: " << error.sentence() << '\n';
 }
 
 } // namespace edgescan::cli

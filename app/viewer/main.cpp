@@ -1,6 +1,9 @@
 // edgescan: the viewer.
 #include "app/shared/host_port.h"
+#include "app/shared/mounting.h"
 #include "app/shared/options.h"
+#include "app/shared/pages.h"
+#include "app/shared/usage.h"
 #include "core/base/version.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
@@ -14,7 +17,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <optional>
 
 namespace {
@@ -27,8 +29,7 @@ struct Wanted {
     cli::ReadFlags read;
     bool demo = false;
     std::string live;
-    int expectedLines = 0;
-    std::optional<double> ticksPerDeg;
+    cli::Mounting mounting;
     bool noSettings = false;
     std::string screenshot;
     int screenshotLines = 1;
@@ -40,62 +41,88 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
     app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
     app.add_option("--live", wanted.live, "Connect to a live scanner, HOST or HOST:PORT; nothing but reads and a subscription is sent");
-    const char* sweep = "Live sweep (with --line-start, --line-step and --axis)";
-    app.add_option("--expected-lines", wanted.expectedLines, "Lines of a whole sweep; 0 = not known")->capture_default_str()->group(sweep);
-    app.add_option("--ticks-per-degree", wanted.ticksPerDeg, "Encoder counts per degree, where there is an encoder")->group(sweep);
+    cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
     app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
-    app.add_option("--screenshot-lines", wanted.screenshotLines, "Only once so many lines are there")->capture_default_str();
-    app.add_option("--quit-after", wanted.quitAfter, "Quit after so many seconds");
+    cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
+    cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
     cli::addMethodFlags(app, wanted.method);
     cli::addReadFlags(app, wanted.read);
+    cli::addPages(app, {"edgescan", "shows the edges of rocks in a laser scan", {"edgescan --demo"}});
 }
 
-SweepSettings sweepOf(const Wanted& wanted) {
+Result<SweepSettings> sweepOf(const Wanted& wanted) {
     const ReadingOptions options = cli::readingOptions(wanted.read);
-    SweepSettings sweep;
-    sweep.expectedLines = wanted.expectedLines;
-    sweep.ticksPerDeg = wanted.ticksPerDeg;
-    if (options.lineStepDeg) sweep.degPerLine = options.lineStepDeg;
-    if (options.lineStartDeg) sweep.firstLineDeg = *options.lineStartDeg;
-    if (options.axis) sweep.axis = *options.axis;
-    return sweep;
+    cli::Mounting mounting = wanted.mounting;
+    mounting.axis = options.axis;
+    mounting.lineStepDeg = options.lineStepDeg;
+    mounting.firstLineDeg = options.lineStartDeg;
+    mounting.calibration = options.calibration;
+    return cli::sweepOf(mounting);
 }
 
 // Once the first picture is shown and the cloud has come to rest, or at once when the scan was refused.
-void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines) {
+void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines, bool live) {
     constexpr int kRestMs = 700;
     const auto write = [&window, path] {
         const Result<Done> written = ui::savePng(window.screenshot(), QString::fromStdString(path));
-        if (!written) std::cerr << "edgescan: " << written.error().sentence() << '\n';
+        if (!written) cli::complain(written.error());
         QApplication::exit(written ? 0 : 1);
     };
-    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, lines] {
-        if (window.session().picture()->detection->scan->lines() >= lines) QTimer::singleShot(kRestMs, &window, write);
+    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, lines, live, path] {
+        const int shown = window.session().picture()->detection->scan->lines();
+        if (shown >= lines) {
+            QTimer::singleShot(kRestMs, &window, write);
+        } else if (!live) { // it will have no more
+            cli::complain(
+                Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", path, "give --screenshot-lines fewer"});
+            QApplication::exit(1);
+        }
     });
     QObject::connect(&window.session(), &ui::Session::failed, &window, [](const QString& sentence) {
-        std::cerr << "edgescan: " << sentence.toStdString() << '\n';
+        cli::complain(sentence.toStdString());
         QApplication::exit(1);
     });
 }
 
+// As asked with --quit-after; a screenshot that was asked for too is not there, or the window would be gone already.
+void quitInTime(const std::string& screenshot) {
+    if (!screenshot.empty())
+        cli::complain(Error{"no picture was written: the scan was not on screen in time", screenshot, "give --quit-after more seconds"});
+    QApplication::exit(screenshot.empty() ? 0 : 1);
+}
+
+// Qt holds names as Unicode: of any other bytes it would ask the system for another file.
+std::optional<Error> nameThatIsNone(const Wanted& wanted) {
+    std::vector<std::string> names = wanted.files;
+    names.push_back(wanted.screenshot);
+    names.push_back(wanted.read.options.pose);
+    names.push_back(wanted.read.options.calibration);
+    for (const std::string& name : names) {
+        if (QString::fromStdString(name).toStdString() != name)
+            return Error{"the window cannot open a name that is no UTF-8", name, "rename the file, or use edgescan-cli"};
+    }
+    return std::nullopt;
+}
+
 int runViewer(QApplication& application, Wanted& wanted, const std::optional<Settings>& settings,
-              const std::optional<cli::HostPort>& scanner) {
+              const std::optional<cli::HostPort>& scanner, const SweepSettings& sweep) {
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::MainWindow window(memory);
     if (settings) {
         if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *settings);
     }
     window.show();
-    if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines);
-    if (wanted.quitAfter > 0) QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, &QApplication::quit);
+    if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines, !wanted.live.empty());
+    if (wanted.quitAfter > 0)
+        QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
     if (!files.isEmpty())
         window.files().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.files().openDemo();
-    if (scanner) window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, sweepOf(wanted));
+    if (scanner) window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, sweep);
     return QApplication::exec();
 }
 
@@ -114,47 +141,56 @@ int main(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
     std::vector<char*> qtArguments{argv[0]};
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+    cli::setProgramName("edgescan");
+    if (const auto ended = cli::parsed(app, argc, argv)) return *ended;
+    if (const auto none = nameThatIsNone(wanted)) {
+        cli::complain(*none);
+        return 1;
     }
     if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty()) {
-        std::cerr << "edgescan: --screenshot: there is no scan to show; give a file, --demo or --live.\n";
+        cli::complain(Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"});
         return 2;
     }
     std::optional<cli::HostPort> scanner;
+    SweepSettings sweep;
     if (!wanted.live.empty()) {
         const Result<cli::HostPort> typed = cli::hostPort(wanted.live);
         if (!typed) {
-            std::cerr << "edgescan: " << typed.error().sentence() << '\n';
+            cli::complain(typed.error());
             return 2;
         }
         scanner = *typed;
+        const Result<SweepSettings> said = sweepOf(wanted);
+        if (!said) {
+            cli::complain(said.error());
+            return 1;
+        }
+        sweep = *said;
     }
     std::optional<Settings> settings;
     if (cli::anyTyped(wanted.method)) {
         const Result<Settings> typed = cli::settingsOf(wanted.method);
         if (!typed) {
-            std::cerr << "edgescan: " << typed.error().sentence() << '\n';
+            cli::complain(typed.error());
             return 2;
         }
         settings = *typed;
     }
     if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
         qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        std::cerr << "edgescan: there is no display to show a window on; log in to a desktop, or use edgescan-cli.\n";
+        cli::complain("there is no display to show a window on; log in to a desktop, or use edgescan-cli.");
         return 1;
     }
     int qtArgc = 1;
     QApplication application(qtArgc, qtArguments.data());
     ui::useTheme(application);
     QIcon icon;
-    for (const int size : {16, 24, 32, 48, 64, 128, 256}) icon.addFile(QString(":/icons/edgescan-%1.png").arg(size));
+    for (const int size : {16, 24, 32, 48, 64, 128, 256, 512}) icon.addFile(QString(":/icons/edgescan-%1.png").arg(size));
     QApplication::setWindowIcon(icon);
+    QGuiApplication::setDesktopFileName("edgescan"); // where windows get their icon from the desktop entry
     if (const ui::GlCheck gl = ui::checkGl(); !gl.available) {
-        std::cerr << "edgescan: " << gl.reason.toStdString() << '\n';
+        cli::complain(gl.reason.toStdString());
         return 1;
     }
-    return runViewer(application, wanted, settings, scanner);
+    return runViewer(application, wanted, settings, scanner, sweep);
 }

@@ -1,0 +1,346 @@
+// edgescan-cli batch: the method over a whole archive, however often it is interrupted (docs/batch.md).
+#include "app/cli/batch_scan.h"
+#include "app/cli/commands.h"
+#include "app/shared/interrupt.h"
+#include "app/shared/json_output.h"
+#include "core/archive/output_names.h"
+#include "core/archive/results_table.h"
+#include "core/archive/worker_processes.h"
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "core/base/whole_file.h"
+#include "core/method/pipeline.h"
+#include "core/page/survey_page.h"
+#include "core/settings/parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <span>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct Batch {
+    std::vector<std::string> asked;
+    std::string results, wanted = "mask,json", names = "{path}", shard;
+    int jobs = 0;
+    double memoryGb = 0, timeLimit = 3600;
+    bool noSidecars = false, noSurvey = false, merge = false, retry = false, trustTimes = false, strict = false;
+    ReadFlags read;
+    WriteFlags write;
+    MethodFlags method;
+};
+
+int processors() {
+    cpu_set_t set;
+    return ::sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
+
+std::uint64_t memoryOfJob(const Batch& batch, int jobs) {
+    if (batch.memoryGb > 0) return static_cast<std::uint64_t>(batch.memoryGb * 1e9);
+    const auto pages = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
+    return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 5 * 4 / static_cast<std::uint64_t>(jobs);
+}
+
+// All that can change a result but the scan itself.
+Result<Json> settingsOfRun(const Batch& batch) {
+    const Result<Preset> preset = presetOf(batch.method);
+    if (!preset) return preset.error();
+    Json choices = Json::array();
+    for (const WritingChoice& choice : kWritingChoices) {
+        if (batch.write.choices.*choice.member) choices.push_back(choice.key);
+    }
+    return Json{{"program", std::string(version()) + " " + commit()},
+                {"preset", settingsToJson(preset->settings)},
+                {"typed", typedFlags(batch.method)},
+                {"reading", readingFlags(batch.read.options)},
+                {"results", batch.wanted},
+                {"sidecars", !batch.noSidecars},
+                {"names", batch.names},
+                {"writing", {batch.write.frame, batch.write.ascii, batch.write.includeAttached, choices}},
+                {"operator", {batch.write.operatorName, batch.write.role}}};
+}
+
+Result<BatchWork> planned(const Batch& batch, const Json& settings) {
+    const auto listing = listArchive(batch.asked, batch.results);
+    if (!listing) return listing.error();
+    const auto names = outputNames(listing->inputs, batch.names);
+    if (!names) return names.error();
+    const auto wanted = wantedFiles(batch.wanted);
+    const Result<Shard> shard = batch.shard.empty() ? Result<Shard>(Shard{}) : shardOf(batch.shard);
+    if (!wanted) return wanted.error();
+    if (!shard) return shard.error();
+    BatchWork work;
+    for (std::size_t i = 0; i < listing->inputs.size(); ++i) {
+        if (!shard->holds(listing->inputs[i])) continue;
+        work.inputs.push_back(listing->inputs[i]);
+        work.names.push_back((*names)[i]);
+    }
+    if (!listing->leftOut.empty())
+        complain(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
+                 " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+    work.results = batch.results;
+    work.read = batch.read;
+    work.method = batch.method;
+    work.write = batch.write;
+    work.wanted = *wanted;
+    const std::string text = jsonText(settings);
+    work.settingsSha256 = sha256Hex(std::as_bytes(std::span(text)));
+    work.sidecars = !batch.noSidecars;
+    work.retry = batch.retry;
+    work.trustTimes = batch.trustTimes || batch.merge;
+    return work;
+}
+
+struct Counts {
+    std::size_t done = 0, refused = 0, failed = 0, unchanged = 0;
+    [[nodiscard]] std::size_t ended() const { return done + refused + failed + unchanged; }
+};
+
+std::string clockText(double seconds) {
+    const auto whole = static_cast<long long>(seconds + 0.5);
+    const auto two = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    return (whole >= 3600 ? std::to_string(whole / 3600) + ":" + two(whole / 60 % 60) : std::to_string(whole / 60)) + ":" + two(whole % 60);
+}
+
+class ProgressLine {
+public:
+    ProgressLine(bool told, std::size_t scans) : told_(told), scans_(scans) {}
+    void tell(const Counts& counts) {
+        const auto now = Clock::now();
+        const bool last = counts.ended() == scans_;
+        if (!told_ || (!last && now - told_at_ < std::chrono::milliseconds(200))) return;
+        told_at_ = now;
+        const double seconds = std::chrono::duration<double>(now - start_).count();
+        const auto worked = static_cast<double>(counts.ended() - counts.unchanged);
+        std::string text = std::to_string(counts.ended()) + "/" + std::to_string(scans_) + " scans";
+        if (counts.unchanged > 0) text += ", " + std::to_string(counts.unchanged) + " unchanged";
+        if (counts.refused + counts.failed > 0) text += ", " + std::to_string(counts.refused + counts.failed) + " not done";
+        if (worked > 0) text += ", " + fixedText(worked / seconds, 1) + "/s";
+        const double each = seconds / static_cast<double>(std::max<std::size_t>(1, counts.ended()));
+        if (!last) text += ", " + clockText(each * static_cast<double>(scans_ - counts.ended())) + " left";
+        tellProgress(text, last);
+    }
+
+private:
+    bool told_;
+    std::size_t scans_;
+    Clock::time_point start_ = Clock::now(), told_at_;
+};
+
+/// What a run has in hand while it goes on.
+struct Running {
+    const BatchWork& work;
+    Journal& journal;
+    Counts counts;
+    std::optional<Error> stop; ///< nothing can be noted any more
+};
+
+void noteEnd(Running& running, const JobEnd& end) {
+    if (end.answer && end.answer->empty()) {
+        ++running.counts.unchanged;
+        return;
+    }
+    Json row;
+    std::string picture;
+    if (end.answer) {
+        const std::size_t line = end.answer->find('\n');
+        auto parsed = parseOrderedJson(std::string_view(*end.answer).substr(0, line), "");
+        if (parsed) row = std::move(*parsed);
+        picture = end.answer->substr(std::min(line + 1, end.answer->size()));
+    } else {
+        row = failedRow(running.work, end.job, end.death);
+    }
+    if (!row.is_object()) row = failedRow(running.work, end.job, "its answer is no row");
+    const std::string outcome = row.value("outcome", "");
+    ++(outcome == "done" ? running.counts.done : outcome == "refused" ? running.counts.refused : running.counts.failed);
+    if (row.contains("error") && row["error"].is_string()) complain(row["error"].get<std::string>());
+    if (const auto noted = running.journal.append(row, picture); !noted && !running.stop) running.stop = noted.error();
+}
+
+Result<Done> workThrough(const Batch& batch, const BatchWork& work, int jobs, Running& running) {
+    ProgressLine progress(batch.read.progress || isatty(STDERR_FILENO) != 0, work.inputs.size());
+    std::size_t next = 0;
+    Jobs run;
+    run.next = [&]() -> std::optional<std::size_t> { return next < work.inputs.size() ? std::optional(next++) : std::nullopt; };
+    run.work = [&](std::size_t job, int worker) { return scanForArchive(work, job, worker); };
+    run.ended = [&](const JobEnd& end) {
+        noteEnd(running, end);
+        progress.tell(running.counts);
+    };
+    run.goOn = [&] { return !interrupted() && !running.stop; };
+    const auto ended = runInProcesses({jobs, work.memoryBytes, batch.timeLimit}, run);
+    if (running.stop) return *running.stop;
+    return ended;
+}
+
+// The newest row of each input, in order; those that have none, or one of other settings, are missing.
+struct AllRows {
+    std::vector<std::string> rows;
+    std::vector<std::string> missing;
+};
+Result<AllRows> allRows(const BatchWork& work) {
+    auto rows = readJournals(work.results);
+    if (!rows) return rows.error();
+    AllRows all;
+    for (const std::string& input : work.inputs) {
+        const auto found = rows->find(input);
+        const auto row = found == rows->end() ? Result<Json>(Json()) : parseOrderedJson(found->second, "");
+        if (row && row->is_object() && row->value("settings_sha256", "") == work.settingsSha256)
+            all.rows.push_back(std::move(found->second));
+        else
+            all.missing.push_back(input);
+    }
+    return all;
+}
+
+Result<Done> writeTables(const Batch& batch, const Json& settings, const std::vector<std::string>& rows) {
+    const fs::path folder = batch.results;
+    std::vector<std::pair<fs::path, std::string>> files{{folder / "results.csv", csvTable(rows)},
+                                                        {folder / "results.ndjson", ndjsonTable(rows)},
+                                                        {folder / "settings.json", jsonText(settings, 2) + "\n"}};
+    if (!batch.noSurvey) {
+        const auto picture = [&](const std::string& text) {
+            const auto row = parseOrderedJson(text, "");
+            return row ? pictureOf(*row, folder) : std::string();
+        };
+        files.emplace_back(folder / "survey.html", surveyPage("Survey of " + std::to_string(rows.size()) + " scans", rows, picture));
+    }
+    std::vector<FileContent> contents;
+    for (const auto& [path, text] : files) contents.push_back({path, std::as_bytes(std::span(text))});
+    return writeWholeFiles(contents);
+}
+
+// Which elements of an array of jobs have to run again.
+Json elementsOf(const std::vector<std::string>& missing, int of) {
+    Json elements = Json::array();
+    for (int i = 1; of > 1 && i <= of; ++i) {
+        if (std::ranges::any_of(missing, [&](const std::string& input) { return Shard{i, of}.holds(input); })) elements.push_back(i);
+    }
+    return elements;
+}
+
+int tell(const Batch& batch, const Running& running, const AllRows& all, double seconds) {
+    std::size_t refused = 0, failed = 0;
+    for (const std::string& text : all.rows) {
+        const auto row = parseOrderedJson(text, "");
+        const std::string outcome = row ? row->value("outcome", "") : "";
+        refused += outcome == "refused" ? 1 : 0;
+        failed += outcome == "failed" ? 1 : 0;
+    }
+    Json report{{"results", batch.results},
+                {"scans", running.work.inputs.size()},
+                {"done", all.rows.size() - refused - failed},
+                {"refused", refused},
+                {"failed", failed},
+                {"missing", all.missing.size()},
+                {"unchanged", running.counts.unchanged},
+                {"worked", running.counts.ended() - running.counts.unchanged},
+                {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};
+    if (batch.merge) report["missing_elements"] = elementsOf(all.missing, shardsIn(batch.results));
+    say(document("batch", report), false);
+    if (!all.missing.empty()) {
+        complain(Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,
+                       batch.merge ? "run the elements named again, then the merge" : "run the same command again: it goes on from here"});
+        return kRefused;
+    }
+    return batch.strict && refused + failed > 0 ? kRefused : kDone;
+}
+
+Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
+    const auto start = Clock::now();
+    const Shard shard = batch.shard.empty() ? Shard{} : *shardOf(batch.shard);
+    auto journal = Journal::open(batch.results, shard, batch.shard.empty());
+    if (!journal) return journal.error();
+    work.workFolder = journal->workFolder();
+    auto before = readJournals(batch.results);
+    if (!before) return before.error();
+    work.before = std::move(*before);
+    const int jobs = batch.jobs > 0 ? batch.jobs : processors();
+    work.memoryBytes = memoryOfJob(batch, jobs);
+    Running running{work, *journal, {}, {}};
+    if (!batch.merge) {
+        catchInterrupt();
+        if (auto worked = workThrough(batch, work, jobs, running); !worked) return worked.error();
+    }
+    const auto all = allRows(work);
+    if (!all) return all.error();
+    if (all->missing.empty() && batch.shard.empty()) {
+        if (auto written = writeTables(batch, settings, all->rows); !written) return written.error();
+    }
+    return tell(batch, running, *all, std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+int run(const Batch& batch) {
+    const Pipeline withoutThreads; // checking the settings smooths a step; a pool started by it would hang every worker made by fork
+    const auto refuse = [](const Error& error, int code) {
+        complain(error);
+        return code;
+    };
+    if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
+    if (const auto wanted = wantedFiles(batch.wanted); !wanted) return refuse(wanted.error(), kWrongUsage);
+    if (!batch.shard.empty()) {
+        if (const auto shard = shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
+        if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
+    }
+    const auto settings = settingsOfRun(batch);
+    if (!settings) return refuse(settings.error(), kWrongUsage);
+    auto work = planned(batch, *settings);
+    if (!work) return refuse(work.error(), kRefused);
+    const auto code = runPlan(batch, *work, *settings);
+    return code ? *code : refuse(code.error(), kRefused);
+}
+
+void addFlags(CLI::App& command, Batch& batch) {
+    command.add_option("INPUT", batch.asked, "Folders, lists of paths, patterns in quotes, or scans; - is a list on standard input")
+        ->required();
+    const char* group = "Results";
+    std::string fields;
+    for (const NameField& field : nameFields()) fields += (fields.empty() ? "{" : ", {") + std::string(field.key) + "} " + field.help;
+    command.add_option("-o,--output", batch.results, "Folder for tables and results; its own")->required()->group(group);
+    command.add_option("--results", batch.wanted, "What is written of each scan: " + wantedWords() + "; none for the table alone")
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--names", batch.names, "The folder of each scan's results: " + fields)->capture_default_str()->group(group);
+    command.add_flag("--no-sidecars", batch.noSidecars, "No records beside pictures and clouds")->group(group);
+    command.add_flag("--no-survey", batch.noSurvey, "No survey.html")->group(group);
+    group = "Run";
+    addNumber(command, "--jobs", batch.jobs, {0, 1024}, "Scans at the same time; 0 = one per processor").group(group);
+    addNumber(command, "--memory", batch.memoryGb, {0, 100'000}, "Most memory of one job, GB; 0 = its share of four fifths of all")
+        .group(group);
+    addNumber(command, "--time-limit", batch.timeLimit, kSeconds, "Seconds after which a scan is given up; 0 = never").group(group);
+    command.add_flag("--retry", batch.retry, "Also what was refused before, though it did not change")->group(group);
+    command.add_flag("--trust-times", batch.trustTimes, "A file of the same size and time of change is taken for the same")->group(group);
+    command.add_flag("--strict", batch.strict, "Exit code 1 where a scan was refused or failed")->group(group);
+    command.add_option("--shard", batch.shard, "Only this part of the run, such as 3/20; then --merge")->group(group);
+    command.add_flag("--merge", batch.merge, "Only the tables, when all parts have run")->group(group);
+}
+
+} // namespace
+
+void addBatch(CLI::App& app, int& code) {
+    auto batch = std::make_shared<Batch>();
+    CLI::App& command = *app.add_subcommand("batch", "The method over an archive: continued where it was interrupted");
+    addFlags(command, *batch);
+    addMethodFlags(command, batch->method);
+    addReadFlags(command, batch->read);
+    addWriteFlags(command, batch->write);
+    command.callback([batch, &code] {
+        if (batch->wanted == "none") batch->wanted.clear();
+        code = run(*batch);
+    });
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,337 @@
+// A scan of an archive: is it done already; if not, read, detect, write beside, move into place, tell.
+#include "app/cli/batch_scan.h"
+
+#include "app/shared/json_output.h"
+#include "core/base/bounded_json.h"
+#include "core/base/inputs.h"
+#include "core/base/json_text.h"
+#include "core/base/sha256.h"
+#include "core/base/shell_quoted.h"
+#include "core/base/utc_time.h"
+#include "core/base/version.h"
+#include "core/base/whole_file.h"
+#include "core/formats/formats.h"
+#include "core/georef/placed_points.h"
+#include "core/io/grid_beside.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
+#include "core/page/scan_page.h"
+#include "core/page/survey_picture.h"
+#include "core/report/report.h"
+#include "core/scan/acquisition.h"
+#include "core/settings/parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct ResultWord {
+    const char* word;
+    std::optional<ExportContent> content;
+    const char* stem;
+    const char* extension; ///< empty: the one typed behind the word
+};
+constexpr std::array kWords{
+    ResultWord{"mask", ExportContent::EdgeImage, "edges", ".png"},   ResultWord{"gray", ExportContent::GrayImage, "gray", ".png"},
+    ResultWord{"range", ExportContent::RangeImage, "range", ".png"}, ResultWord{"json", std::nullopt, "detect", ".json"},
+    ResultWord{"report", std::nullopt, "report", ".html"},           ResultWord{"edges", ExportContent::EdgeCloud, "edges", ""},
+    ResultWord{"cloud", ExportContent::FullCloud, "cloud", ""}};
+
+double milliseconds(Clock::time_point since) {
+    return std::round(std::chrono::duration<double, std::milli>(Clock::now() - since).count() * 1000) / 1000;
+}
+
+double cpuMilliseconds() {
+    timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
+}
+
+// Size and time of change, in nanoseconds since 1970: what tells a file that is written at from one that is not.
+struct FileState {
+    std::int64_t bytes = -1, modified = -1;
+    bool operator==(const FileState&) const = default;
+};
+FileState stateOf(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    return {status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+fs::path folderOf(const BatchWork& work, std::size_t job) { return work.results / "scans" / work.names[job]; }
+
+Json beginRow(const BatchWork& work, std::size_t job) {
+    return {{"input", work.inputs[job]},
+            {"outcome", "done"},
+            {"results", "scans/" + work.names[job]},
+            {"settings_sha256", work.settingsSha256},
+            {"program", std::string(version()) + " " + commit()}};
+}
+
+// Every file that was read for this scan: itself, its counts or description, pose, calibration, the record beside it.
+void tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
+    std::vector<std::string> paths{input};
+    for (const fs::path& path : claimedPaths(claims)) {
+        if (std::ranges::find(paths, path.string()) == paths.end()) paths.push_back(path.string());
+    }
+    std::sort(paths.begin() + 1, paths.end());
+    Json files = Json::array(), modified = Json::array();
+    for (const std::string& path : paths) {
+        const FileState state = stateOf(path);
+        const auto hash = sha256OfFile(path);
+        files.push_back({{"file", path}, {"bytes", state.bytes}, {"sha256", hash ? Json(*hash) : Json()}});
+        modified.push_back(state.modified);
+    }
+    row["bytes"] = files[0]["bytes"];
+    row["sha256"] = files[0]["sha256"];
+    row["files"] = files;
+    row["record_beside"] = isThere(sidecarPath(input));
+    row["times"]["modified"] = modified;
+}
+
+Json changedSettings(const Settings& settings) {
+    const auto all = settingsToJson(settings);
+    Json changed{{"method", all["method"]}};
+    for (const std::string& key : changedFromDefault(settings)) changed[key] = all[key];
+    return changed;
+}
+
+void tellDetection(Json& row, const Detection& detection) {
+    const Json report = detectReport(detection, 0);
+    const Scan& scan = *detection.scan;
+    row["format"] = scan.format;
+    row["scan_sha256"] = scan.sha256;
+    row["method"] = report["settings"]["method"];
+    row["settings"] = changedSettings(detection.settings);
+    for (const char* key : {"lines", "beams", "cells", "range_mm", "edges", "classes", "noise_mm_at_5_m", "edge_mask_sha256", "frame"})
+        row[key] = report[key];
+    if (scan.acquisition) {
+        row["scanned_utc"] = scan.acquisition->startUtc;
+        row["serial"] = scan.acquisition->serial;
+    }
+    row["warnings"] = report["warnings"];
+    for (const std::string& warning : placeWarnings(scan)) row["warnings"].push_back(warning);
+    if (const auto sentence = leftOutSentence(scan)) row["warnings"].push_back(*sentence);
+}
+
+// That makes the same report by itself.
+std::string reportCommand(const BatchWork& work, const Scan& scan) {
+    std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o report.html";
+    for (const std::string& flags : {typedFlags(work.method), readingFlags(work.read.options)}) command += flags.empty() ? "" : " " + flags;
+    return command;
+}
+
+Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Detection& detection, double loadMs, const fs::path& folder) {
+    ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
+    options.sidecar = work.sidecars;
+    if (wanted.extension == ".html")
+        return writeWholeFile(
+            folder / (wanted.stem + wanted.extension),
+            scanPage(detection, {reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())}));
+    if (!wanted.content)
+        return writeWholeFile(folder / (wanted.stem + wanted.extension),
+                              reportText(document("detect", detectReport(detection, loadMs)), true) + "\n");
+    const std::string tail = isCloud(*wanted.content) ? frameTail(options.frame) : "";
+    const auto written = exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
+    if (!written) return written.error();
+    return Done{};
+}
+
+// JSON, records and reports tell times, so that their bytes are others every time.
+bool holdsTimes(const fs::path& path) { return path.extension() == ".json" || path.extension() == ".html"; }
+
+// The results that an earlier row tells of, but for those that were made anew.
+void removeOld(const fs::path& folder, const Json& before, const std::vector<fs::path>& made) {
+    if (!before.contains("outputs")) return;
+    for (const Json& old : before["outputs"]) {
+        const fs::path name = fs::path(old.value("file", "")).filename();
+        std::error_code ignored;
+        if (!name.empty() && std::ranges::find(made, name) == made.end()) fs::remove(folder / name, ignored);
+    }
+}
+
+// From where they were written to where they belong. What an earlier run left there and this one does not make goes away.
+Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json& before, Json& row) {
+    std::error_code problem;
+    row["outputs"] = Json::array();
+    std::vector<fs::path> made;
+    for (const auto& entry : fs::directory_iterator(from, problem)) made.push_back(entry.path().filename());
+    std::ranges::sort(made);
+    if (!made.empty()) fs::create_directories(to, problem);
+    if (problem) return Error{"the folder cannot be made (" + problem.message() + ")", to.string(), "check the disk and its rights"};
+    for (const fs::path& name : made) {
+        const auto hash = holdsTimes(name) ? Result<std::string>(std::string()) : sha256OfFile(from / name);
+        if (!hash) return hash.error();
+        Json output{{"file", name.string()}};
+        if (!holdsTimes(name)) output.update(Json{{"bytes", fs::file_size(from / name, problem)}, {"sha256", *hash}});
+        fs::rename(from / name, to / name, problem);
+        if (problem)
+            return Error{"the result cannot be moved into place (" + problem.message() + ")", (to / name).string(),
+                         "check the disk and its rights"};
+        row["outputs"].push_back(output);
+    }
+    removeOld(to, before, made);
+    return Done{};
+}
+
+Json rowBefore(const BatchWork& work, std::size_t job) {
+    const auto found = work.before.find(work.inputs[job]);
+    if (found == work.before.end()) return {};
+    const auto row = parseOrderedJson(found->second, "");
+    return row ? *row : Json();
+}
+
+void refuse(Json& row, const char* outcome, const Error& error) {
+    row["outcome"] = outcome;
+    row["error"] = error.sentence();
+}
+
+// Opens, detects, writes into `staging`; the outcome is in the row.
+std::string fillRow(const BatchWork& work, const std::string& input, const fs::path& staging, Json& row) {
+    const BindInputs inputs;
+    claimInput(input);
+    const auto start = Clock::now();
+    ReadingOptions reading = work.read.options;
+    const Result<Scan> opened = openAsAsked(input, reading);
+    const double loadMs = milliseconds(start);
+    row["times"] = {{"load_ms", loadMs}};
+    const bool readable = stateOf(input).bytes >= 0 && sha256OfFile(input);
+    tellFiles(row, input, *inputs.claims());
+    if (!opened) {
+        refuse(row, readable ? "refused" : "failed", opened.error());
+        return {};
+    }
+    const auto enough = checkMemoryFor(Work::Detect, *opened);
+    const Result<Settings> settings = settingsFor(work.method, *opened);
+    if (!enough || !settings) {
+        refuse(row, "refused", enough ? settings.error() : enough.error());
+        return {};
+    }
+    const auto detection = detectEdges(std::make_shared<const Scan>(*opened), *settings);
+    row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
+    tellDetection(row, *detection);
+    for (const WantedFile& wanted : work.wanted) {
+        const auto written = writeOne(work, wanted, *detection, loadMs, staging);
+        if (!written) {
+            refuse(row, "failed", written.error());
+            return {};
+        }
+    }
+    return surveyPicture(*detection);
+}
+
+} // namespace
+
+Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
+    std::vector<WantedFile> wanted;
+    for (std::size_t at = 0; at <= commaSeparated.size();) {
+        const std::size_t end = std::min(commaSeparated.find(',', at), commaSeparated.size());
+        const std::string typed = commaSeparated.substr(at, end - at);
+        at = end + 1;
+        if (typed.empty() || std::ranges::any_of(wanted, [&](const WantedFile& other) { return other.typed == typed; })) continue;
+        const std::size_t dot = std::min(typed.find('.'), typed.size());
+        const auto word = std::ranges::find_if(kWords, [&](const ResultWord& w) { return typed.substr(0, dot) == w.word; });
+        const bool cloud = word != kWords.end() && *word->extension == '\0';
+        if (word == kWords.end() || cloud != (dot < typed.size())) return Error{"this is no result", typed, "use " + wantedWords()};
+        const std::string extension = cloud ? typed.substr(dot) : word->extension;
+        const Format* format = cloud ? writtenFormat("x" + extension) : nullptr;
+        if (cloud && (format == nullptr || format->write == nullptr))
+            return Error{"the extension names no format for points", typed, "use " + writtenExtensions(false)};
+        wanted.push_back({typed, word->content, word->stem, extension});
+    }
+    return wanted;
+}
+
+std::string wantedWords() {
+    std::string words;
+    for (const ResultWord& word : kWords)
+        words += (words.empty() ? "" : ", ") + std::string(word.word) + (*word.extension == '\0' ? ".EXT" : "");
+    return words;
+}
+
+bool isUnchanged(const BatchWork& work, std::size_t job) {
+    const Json row = rowBefore(work, job);
+    if (!row.is_object() || row.value("settings_sha256", "") != work.settingsSha256) return false;
+    if (row.value("results", "") != "scans/" + work.names[job] || !row.contains("files") || !row.contains("record_beside")) return false;
+    const std::string outcome = row.value("outcome", "");
+    const bool triedAgain = work.retry || work.memoryBytes > row["times"].value("memory_bytes", std::uint64_t{0});
+    if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
+    if (isThere(sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
+    const Json& modified = row["times"]["modified"];
+    for (std::size_t i = 0; i < row["files"].size(); ++i) {
+        const Json& file = row["files"][i];
+        const std::string path = file.value("file", "");
+        const FileState state = stateOf(path);
+        if (state.bytes != file.value("bytes", std::int64_t{-2})) return false;
+        if (work.trustTimes && i < modified.size() && modified[i] == state.modified) continue;
+        const auto hash = sha256OfFile(path);
+        if (!hash || *hash != file.value("sha256", "")) return false;
+    }
+    if (!row.contains("outputs")) return true;
+    return std::ranges::all_of(row["outputs"], [&](const Json& output) {
+        std::error_code gone;
+        const auto bytes = fs::file_size(folderOf(work, job) / fs::path(output.value("file", "")).filename(), gone);
+        return !gone && (!output.contains("bytes") || output["bytes"] == bytes);
+    });
+}
+
+std::string scanForArchive(const BatchWork& work, std::size_t job, int worker) {
+    if (isUnchanged(work, job)) return {};
+    const auto start = Clock::now();
+    const double cpuBefore = cpuMilliseconds();
+    const fs::path staging = work.workFolder / std::to_string(worker);
+    std::error_code problem;
+    fs::remove_all(staging, problem);
+    fs::create_directories(staging, problem);
+    const std::string& input = work.inputs[job];
+    const FileState before = stateOf(input);
+    Json row = beginRow(work, job);
+    std::string picture = fillRow(work, input, staging, row);
+    if (row["outcome"] == "done" && !(stateOf(input) == before))
+        refuse(row, "failed", {"the file changed while it was read", input, "run the command again when it is complete"});
+    if (row["outcome"] != "done") {
+        fs::remove_all(staging, problem);
+        fs::create_directories(staging, problem);
+        picture.clear();
+    }
+    if (const auto moved = moveIntoPlace(staging, folderOf(work, job), rowBefore(work, job), row); !moved)
+        refuse(row, "failed", moved.error());
+    if (row["outcome"] != "done") row["times"]["memory_bytes"] = work.memoryBytes;
+    row["times"]["total_ms"] = milliseconds(start);
+    row["times"]["cpu_ms"] = std::round((cpuMilliseconds() - cpuBefore) * 1000) / 1000;
+    row["times"]["finished_utc"] = utcText(utcNow());
+    Json times = std::move(row["times"]); // last in every row
+    row.erase("times");
+    row["times"] = std::move(times);
+    return jsonText(row) + "\n" + picture;
+}
+
+Json failedRow(const BatchWork& work, std::size_t job, const std::string& death) {
+    Json row = beginRow(work, job);
+    const Error error{"the process that worked on this scan was lost: " + death, work.inputs[job],
+                      "look at it by itself with detect; it is tried again when the same command is run again"};
+    refuse(row, "failed", error);
+    row["times"] = {{"finished_utc", utcText(utcNow())}};
+    removeOld(folderOf(work, job), rowBefore(work, job), {});
+    return row;
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,96 @@
+// edgescan-cli calibrate: the errors of the scanner's assembly from a turn of more than 180 degrees.
+#include "app/cli/commands.h"
+#include "app/shared/json_output.h"
+#include "app/shared/options.h"
+#include "core/base/inputs.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/sha256.h"
+#include "core/base/whole_file.h"
+#include "core/calibrate/calibration_file.h"
+#include "core/calibrate/views_picture.h"
+#include "core/pictures/png.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct Calibrate {
+    std::vector<std::string> files;
+    std::string out, base, picture, json;
+    ReadFlags read;
+};
+
+std::string errorLine(const char* name, double value, double sd, const char* unit, int digits) {
+    return std::string(name) + rightAligned(fixedText(value, digits), 10) + " +- " + fixedText(2 * sd, digits) + " " + unit + "\n";
+}
+
+std::string tableOf(const SelfCalibration& found) {
+    const AssemblyErrors& e = found.errors;
+    const AssemblyErrors& sd = found.sd;
+    return "error of the assembly, +- 2 standard deviations\n" + errorLine("  lever arm t1  ", e.t1Mm(), sd.t1Mm(), "mm", 2) +
+           errorLine("  lever arm t2  ", e.t2Mm(), sd.t2Mm(), "mm", 2) +
+           errorLine("  tilt of fan   ", e.tiltDeg(), sd.tiltDeg(), "degrees", 4) +
+           errorLine("  beam index    ", e.indexDeg(), sd.indexDeg(), "degrees", 4) +
+           errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4) + "the two views of " + std::to_string(found.cells) +
+           " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " + fixedText(found.medianAfterMm, 1) +
+           " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) + " mm)\n";
+}
+
+Result<Done> calibrate(const Calibrate& asked) {
+    std::vector<std::shared_ptr<const Scan>> scans;
+    std::vector<CalibrationSource> sources;
+    for (const std::string& file : asked.files) {
+        Result<Scan> scan = openAsAsked(file, readingOptions(asked.read));
+        if (!scan) return scan.error();
+        for (const std::string& warning : scan->warnings) complain(file + ": " + warning);
+        const Result<std::string> hash = sha256OfFile(file);
+        if (!hash) return hash.error();
+        sources.push_back({std::filesystem::path(file).filename().string(), *hash});
+        scan->name = file;
+        scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
+    }
+    std::string base;
+    if (!asked.base.empty()) {
+        claimInput(asked.base);
+        const auto bytes = readWholeFile(asked.base);
+        if (!bytes) return bytes.error();
+        base.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    }
+    const Result<SelfCalibration> found = calibrateFromTurn(scans);
+    if (!found) return found.error();
+    const Result<std::string> text = calibrationText(base, asked.base, *found, sources);
+    if (!text) return text.error();
+    if (Result<Done> written = writeWholeFile(asked.out, *text); !written) return written;
+    if (!asked.picture.empty()) {
+        if (Result<Done> saved = savePngRgb(viewsPicture(*scans.front(), found->errors), asked.picture); !saved) return saved;
+    }
+    if (!asked.json.empty()) {
+        return writeWholeFile(asked.json, jsonText(document("calibrate", estimateJson(*found, sources)), 2) + "\n");
+    }
+    if (!isStandardOutput(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
+    return Done{};
+}
+
+} // namespace
+
+void addCalibrate(CLI::App& app, int& code) {
+    auto asked = std::make_shared<Calibrate>();
+    CLI::App& command =
+        *app.add_subcommand("calibrate", "Errors of the scanner's assembly, from surfaces that a turn of more than 180 degrees sees twice");
+    command.add_option("FILE", asked->files, "Scans of one assembly, spin mounting, 200 to 360 degrees of turn")->required();
+    command.add_option("-o,--output", asked->out, "New calibration file; - is stdout")->required();
+    command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is set anew, all else stays");
+    command.add_option("--picture", asked->picture, "New PNG: how far the two views lie apart, before and after");
+    command.add_option("--json", asked->json, "The result as JSON; - is stdout");
+    addReadFlags(command, asked->read);
+    command.callback([asked, &code] {
+        const Result<Done> result = calibrate(*asked);
+        code = result ? kDone : kRefused;
+        if (!result) complain(result.error());
+    });
+}
+
+} // namespace edgescan::cli

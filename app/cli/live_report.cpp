@@ -1,0 +1,20 @@
+// The account of telegrams as JSON.
+#include "app/cli/live_report.h"
+
+namespace edgescan::cli {
+
+nlohmann::ordered_json irregularReport(const Irregularities& irregular) {
+    auto report = nlohmann::ordered_json::object();
+    for (int k = 0; k < kIrregularities; ++k) {
+        const auto kind = static_cast<Irregularity>(k);
+        if (irregular.count(kind) > 0) report[irregularityKey(kind)] = irregular.count(kind);
+    }
+    return report;
+}
+
+nlohmann::ordered_json accountReport(const TelegramAccount& account) {
+    return {{"received", account.telegrams}, {"placed", account.placed}, {"duplicates", account.duplicates},
+            {"unusable", account.unusable},  {"lost", account.lost},     {"accounted_for", account.addsUp()}};
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,269 @@
+// edgescan-cli rocks: from the edges of a scan to one label per rock, with what may be said of each.
+#include "app/cli/commands.h"
+#include "app/shared/json_output.h"
+#include "app/shared/options.h"
+#include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/whole_file.h"
+#include "core/formats/formats.h"
+#include "core/georef/placed_points.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
+#include "core/report/provenance.h"
+#include "core/report/rock_report.h"
+#include "core/rocks/rock_study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One flag per row: where a result goes, and how it is called in a folder.
+struct RockOutput {
+    const char* flag;
+    ExportContent content;
+    const char* tail;
+    bool hasFrame;       ///< its numbers are coordinates
+    const char* formats; ///< of outlines and hulls: extensions, commas between; null: any
+    const char* help;
+};
+constexpr RockOutput kRockOutputs[]{
+    {"--labels", ExportContent::RockLabels, "_rocks.png", false, nullptr, "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
+    {"--json", ExportContent::RockReport, "_rocks.json", false, nullptr, "All rocks with what may be said of them; - is stdout"},
+    {"--csv", ExportContent::RockTable, "_rocks.csv", true, nullptr, "One row per rock, units in the names"},
+    {"--cloud", ExportContent::RockCloud, "_rocks.pcd", true, nullptr, "All points in metres with a field for rocks"},
+    {"--outlines", ExportContent::RockOutlines, "_rocks.dxf", true, ".dxf,.geojson",
+     "Closed polylines in space (.dxf), or polygons in the picture (.geojson)"},
+    {"--hulls", ExportContent::RockHulls, "_hulls.ply", true, ".ply,.obj",
+     "Convex hulls of the visible points, never a volume: .ply or .obj"},
+};
+constexpr std::size_t kOutputs = std::size(kRockOutputs);
+
+struct RocksFlags {
+    std::string file, folder, edits, region, writeEdits;
+    std::array<std::string, kOutputs> paths;
+    std::vector<std::string> why, split;
+    RockSettings settings;
+    ReadFlags read;
+    WriteFlags write;
+    MethodFlags method;
+};
+
+struct WantedFile {
+    const RockOutput* output;
+    std::string path;
+};
+
+std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
+    std::vector<WantedFile> files;
+    const CoordinateFrame frame = exportOptions(flags.write, usualFrame(scan)).frame;
+    for (std::size_t n = 0; n < kOutputs; ++n) {
+        const RockOutput& output = kRockOutputs[n];
+        std::string path = flags.paths[n];
+        if (path.empty() && !flags.folder.empty()) {
+            const fs::path tail = output.tail;
+            path = (fs::path(flags.folder) / scan.name).string() + tail.stem().string() + (output.hasFrame ? frameTail(frame) : "") +
+                   tail.extension().string();
+        }
+        if (!path.empty()) files.push_back({&output, path});
+    }
+    if (!flags.folder.empty() && flags.paths[4].empty())
+        files.push_back({&kRockOutputs[4], (fs::path(flags.folder) / scan.name).string() + "_rocks.geojson"});
+    return files;
+}
+
+// "LINE,BEAM" as a cell of the scan.
+Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const char* flag) {
+    const auto corner = parseRegion(text + " " + text);
+    if (!corner || corner->size() != 2 || !scan.rangeMm.contains(corner->front().line, corner->front().beam))
+        return Error{"\"" + text + "\" is no cell of the scan", flag,
+                     "give LINE,BEAM with lines from 0 to " + std::to_string(scan.lines() - 1) + " and beams from 0 to " +
+                         std::to_string(scan.beams() - 1)};
+    return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
+}
+
+Result<std::vector<RockEdit>> editsOf(const RocksFlags& flags, const Scan& scan) {
+    if (flags.edits.empty()) return std::vector<RockEdit>{};
+    const auto bytes = readWholeFile(flags.edits);
+    if (!bytes) return bytes.error();
+    return rockEditsFromText({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, scan.lines(), scan.beams(), flags.edits);
+}
+
+// A click at each of these cells, one after the other.
+Result<Done> split(const RocksFlags& flags, const RockInputs& inputs, RockStudy& study) {
+    for (const std::string& text : flags.split) {
+        const auto cell = cellOf(text, *inputs.scan, "--split");
+        if (!cell) return cell.error();
+        const auto edit = splitAt(*study.leaves, *study.tree, study.settings.level, *cell);
+        if (!edit)
+            return Error{"there is nothing to split at " + text, "--split",
+                         "choose a cell of a rock that is made of several pieces, or a lower --level"};
+        std::vector<RockEdit> edits = study.edits;
+        edits.push_back(*edit);
+        study = studyRocks(inputs, study.settings, edits, &study);
+    }
+    return Done{};
+}
+
+std::string summary(const RockStudy& study, const std::string& file) {
+    const SizeCurve curve = sizeCurve(study.rocks, study.settings.oversizeM);
+    const Fines fines = finesOf(study.map);
+    std::string text = printable(file) + ": " + std::to_string(study.rocks.size()) + " rocks (" + kRockCaveat + ")";
+    if (curve.rocks > 0)
+        text += ", visible width P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
+                fixedText(curve.p80M, 2) + " largest " + fixedText(curve.topM, 2) + " m";
+    return text + ", " + std::to_string(fines.regions) + " pieces of fines";
+}
+
+Result<Done> answerWhy(const RocksFlags& flags, const RockStudy& study) {
+    const Scan& scan = *study.leaves->inputs.scan;
+    const auto one = cellOf(flags.why[0], scan, "--why");
+    const auto other = cellOf(flags.why[1], scan, "--why");
+    if (!one || !other) return one ? other.error() : one.error();
+    say(document("rocks-why", whyReport(study, whyTwoRocks(study, *one, *other))), true);
+    return Done{};
+}
+
+Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, const std::shared_ptr<const RockStudy>& study) {
+    ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
+    options.rocks = study;
+    std::optional<Error> failure; // the others are still written
+    const std::vector<WantedFile> files = wantedFiles(flags, *detection.scan);
+    for (const WantedFile& file : files) {
+        if (file.output->content == ExportContent::RockReport && file.path == "-") {
+            say(document("rocks", rocksReport(*study, options.frame)), true);
+            continue;
+        }
+        const auto written = exportWithProvenance(file.output->content, detection, file.path, options);
+        if (!written && !failure) failure = written.error();
+    }
+    if (!flags.writeEdits.empty()) {
+        const auto json = rockEditsToJson(study->edits, detection.scan->lines(), detection.scan->beams());
+        const auto written = writeWholeFile(flags.writeEdits, jsonText(json, 1) + "\n");
+        if (!written && !failure) failure = written.error();
+    }
+    if (failure) return *failure;
+    if (files.empty() && flags.writeEdits.empty() && flags.why.empty()) say(summary(*study, flags.file));
+    return Done{};
+}
+
+Result<Done> findRocks(const RocksFlags& flags) {
+    Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
+    if (!opened) return opened.error();
+    if (auto enough = checkMemoryFor(Work::Rocks, *opened); !enough) return enough.error();
+    const Result<Settings> settings = settingsFor(flags.method, *opened);
+    if (!settings) return settings.error();
+    const auto edits = editsOf(flags, *opened);
+    if (!edits) return edits.error();
+    if (const auto sentence = leftOutSentence(*opened)) complain(flags.file + ": " + *sentence);
+    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, KeepFor::Rocks);
+    const RockInputs inputs = rockInputs(*detection);
+    auto study = std::make_shared<RockStudy>(studyRocks(inputs, flags.settings, *edits));
+    if (const auto done = split(flags, inputs, *study); !done) return done.error();
+    if (!flags.why.empty()) {
+        if (const auto done = answerWhy(flags, *study); !done) return done.error();
+    }
+    return writeFiles(flags, *detection, study);
+}
+
+// Wrong usage is found before anything is read.
+Result<Done> checkUsage(RocksFlags& flags) {
+    if (!flags.region.empty()) {
+        const auto region = parseRegion(flags.region);
+        if (!region) return region.error();
+        flags.settings.region = *region;
+    }
+    std::set<fs::path> outputs;
+    std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
+    paths.push_back(flags.writeEdits);
+    for (std::size_t n = 0; n < paths.size(); ++n) {
+        const std::string& path = paths[n];
+        if (path.empty()) continue;
+        if (n < kOutputs && kRockOutputs[n].formats != nullptr) {
+            const std::string formats = std::string(",") + kRockOutputs[n].formats + ",";
+            if (formats.find("," + asciiLower(fs::path(path).extension().string()) + ",") == std::string::npos)
+                return Error{"the extension names no format for this", path, std::string("use ") + kRockOutputs[n].formats};
+        }
+        if (n < kOutputs && kRockOutputs[n].content == ExportContent::RockCloud) {
+            const Format* format = writtenFormat(path);
+            if (format == nullptr || format->write == nullptr)
+                return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
+        }
+        std::error_code ignored;
+        if (path.starts_with("-") || path.starts_with("/dev/")) continue;
+        if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
+            return Error{"two results cannot have one file", path, "give each a name of its own"};
+    }
+    claimInput(flags.file);
+    if (!flags.edits.empty()) claimInput(flags.edits);
+    return checkMethod(flags.method);
+}
+
+int run(RocksFlags& flags) {
+    if (const Result<Done> usage = checkUsage(flags); !usage) {
+        complain(usage.error());
+        return kWrongUsage;
+    }
+    if (!flags.folder.empty()) {
+        std::error_code failed;
+        fs::create_directories(flags.folder, failed);
+        if (failed) {
+            complain({"the folder cannot be made (" + failed.message() + ")", flags.folder, "give -o a folder that can be written to"});
+            return kRefused;
+        }
+    }
+    const Result<Done> result = findRocks(flags);
+    if (result) return kDone;
+    complain(result.error());
+    if (flags.paths[1] == "-") say(refusal("rocks", flags.file, result.error()), true);
+    return kRefused;
+}
+
+} // namespace
+
+void addRocks(CLI::App& app, int& code) {
+    auto flags = std::make_shared<RocksFlags>();
+    CLI::App& command = *app.add_subcommand("rocks", std::string("Finds the rocks between the edges: ") + kRockCaveat);
+    command.add_option("FILE", flags->file, "Scan")->required();
+    const char* results = "Results";
+    for (std::size_t n = 0; n < kOutputs; ++n)
+        command.add_option(kRockOutputs[n].flag, flags->paths[n], kRockOutputs[n].help)->group(results);
+    command.add_option("-o,--output", flags->folder, "Folder for all of these, under the scan's name")->group(results);
+    command.add_option("--why", flags->why, "Why two cells, each as LINE,BEAM, lie in two rocks or in one; JSON on stdout")
+        ->expected(2)
+        ->group(results);
+    const char* group = "Rocks";
+    for (const RockParameter& p : rockParameters()) {
+        const std::string flag = std::string("--") + p.key;
+        const NumberLimits limits{p.minimum, p.maximum};
+        const auto take = [flags, flag, limits, &p](const std::string& text) {
+            p.set(flags->settings, numberTyped(flag, text, limits, p.decimals == 0));
+        };
+        const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
+        command.add_option_function<std::string>(flag, take, p.help + unit)
+            ->type_name(rangeName(limits))
+            ->default_str(shortestText(p.get(flags->settings)))
+            ->group(group);
+    }
+    command.add_option("--region", flags->region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
+        ->group(group);
+    command.add_option("--edits", flags->edits, "Edits by hand, JSON (docs/rocks-method.md)")->group(group);
+    command.add_option("--split", flags->split, "Splits the rock at this cell, as LINE,BEAM, as a click would")->expected(1)->group(group);
+    command.add_option("--write-edits", flags->writeEdits, "Where the edits go, those of --split included")->group(group);
+    addMethodFlags(command, flags->method);
+    addReadFlags(command, flags->read);
+    addWriteFlags(command, flags->write);
+    command.callback([flags, &code] { code = run(*flags); });
+}
+
+} // namespace edgescan::cli

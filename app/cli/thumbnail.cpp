@@ -1,0 +1,60 @@
+// edgescan-cli thumbnail: a small picture of a scan, for file managers.
+#include "app/cli/commands.h"
+#include "app/shared/options.h"
+#include "core/gray/gray.h"
+#include "core/pictures/png.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct Thumbnail {
+    std::string in, out;
+    int size = 256;
+};
+
+/// Mean of the cells with a range that fall onto each pixel; cells without one are black. Nothing is enlarged.
+Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, int size) {
+    const double step = std::max(1.0, static_cast<double>(std::max(levels.lines, levels.beams)) / size);
+    const auto pixels = [&](int cells) { return std::max(1, static_cast<int>(cells / step)); };
+    Grid<std::uint8_t> picture(pixels(levels.lines), pixels(levels.beams));
+    Grid<std::uint32_t> sum(picture.lines, picture.beams), count(picture.lines, picture.beams);
+    for (int line = 0; line < levels.lines; ++line) {
+        for (int beam = 0; beam < levels.beams; ++beam) {
+            if (scan.state.at(line, beam) != CellState::Valid) continue;
+            const int row = std::min(picture.lines - 1, static_cast<int>(line / step));
+            const int column = std::min(picture.beams - 1, static_cast<int>(beam / step));
+            sum.at(row, column) += levels.at(line, beam);
+            ++count.at(row, column);
+        }
+    }
+    for (std::size_t k = 0; k < picture.size(); ++k) picture[k] = count[k] == 0 ? 0 : static_cast<std::uint8_t>(sum[k] / count[k]);
+    return picture;
+}
+
+int run(const Thumbnail& thumbnail) {
+    const Result<Scan> scan = openScan(thumbnail.in);
+    if (!scan) {
+        complain(scan.error());
+        return kRefused;
+    }
+    const Result<Done> saved = savePng8(shrunk(*scan, grayImage(*scan, Settings{}).levels, thumbnail.size), thumbnail.out);
+    if (saved) return kDone;
+    complain(saved.error());
+    return kRefused;
+}
+
+} // namespace
+
+void addThumbnail(CLI::App& app, int& code) {
+    auto thumbnail = std::make_shared<Thumbnail>();
+    CLI::App& command = *app.add_subcommand("thumbnail", "A small gray picture of a scan as PNG; file managers call it");
+    command.add_option("SCAN", thumbnail->in, "Scan")->required();
+    command.add_option("OUT", thumbnail->out, "New picture (.png)")->required();
+    addNumber(command, "-s,--size", thumbnail->size, {16, 4096}, "Longest side at most [pixels]");
+    command.callback([thumbnail, &code] { code = run(*thumbnail); });
+}
+
+} // namespace edgescan::cli

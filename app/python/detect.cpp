@@ -1,0 +1,209 @@
+// Edges in Python: finding them, their arrays, writing results, and scores against ground truth.
+#include "app/python/result.h"
+#include "app/python/simulation.h"
+
+#include "app/shared/typed_settings.h"
+#include "core/base/inputs.h"
+#include "core/eval/evaluation.h"
+#include "core/eval/truth_fit.h"
+#include "core/formats/formats.h"
+#include "core/georef/placed_points.h"
+#include "core/method/methods.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
+#include "core/pictures/png.h"
+#include "core/report/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::python {
+namespace {
+
+cli::MethodFlags flagsOf(const Typed& typed, const std::string& preset) {
+    cli::MethodFlags flags = cli::nothingTyped();
+    flags.preset = preset;
+    for (const auto& [key, text] : typed) flags.typed.at(key) = text;
+    return flags;
+}
+
+ResultObject detect(const ScanObject& of, const Typed& typed, const std::string& preset) {
+    return unlocked([&]() -> ResultObject {
+        const BindInputs inputs;
+        const cli::MethodFlags flags = flagsOf(typed, preset);
+        taken(cli::checkMethod(flags));
+        taken(checkMemoryFor(Work::Detect, *of.scan));
+        return {detectEdges(of.scan, taken(cli::settingsFor(flags, *of.scan)))};
+    });
+}
+
+py::array strengthOf(const ResultObject& result) {
+    const auto kept = result.strength;
+    unlocked([&] {
+        std::call_once(kept->once, [&] { kept->map = thresholdMapOf(*result.detection); });
+        return Done{};
+    });
+    return gridArray(kept->map.highest, kept);
+}
+
+struct Content {
+    const char* name;
+    ExportContent content;
+};
+constexpr std::array<Content, 6> kContents{{{"edges", ExportContent::EdgeCloud},
+                                            {"cloud", ExportContent::FullCloud},
+                                            {"mask", ExportContent::EdgeImage},
+                                            {"gray", ExportContent::GrayImage},
+                                            {"range", ExportContent::RangeImage},
+                                            {"scan", ExportContent::WholeScan}}};
+
+ExportContent contentOf(const std::string& name) {
+    std::string names;
+    for (const Content& content : kContents) {
+        if (name == content.name) return content.content;
+        names += (names.empty() ? "" : ", ") + std::string(content.name);
+    }
+    throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
+}
+
+/// How a file is written, by the names of the flags.
+cli::WriteFlags writeFlagsOf(const Typed& typed) {
+    cli::WriteFlags flags;
+    const auto text = [&](const char* key, const std::string& usual) {
+        const auto found = typed.find(key);
+        return found == typed.end() ? usual : found->second;
+    };
+    flags.frame = text("frame", flags.frame);
+    if (flags.frame != "auto" && flags.frame != "scanner" && flags.frame != "local" && flags.frame != "mine")
+        throw Refused{{"\"" + flags.frame + "\" names no frame", "frame", "use auto, scanner, local or mine"}};
+    flags.ascii = text("ascii", "off") == "on";
+    flags.includeAttached = text("include-attached", "off") == "on";
+    flags.operatorName = text("operator", "");
+    flags.role = text("role", "");
+    for (const WritingChoice& choice : kWritingChoices) flags.choices.*choice.member = text(choice.key, "off") == "on";
+    return flags;
+}
+
+std::size_t write(const Detection& detection, ExportContent content, const std::string& path, const Typed& typed) {
+    const cli::WriteFlags flags = writeFlagsOf(typed);
+    return unlocked([&] {
+        const BindInputs inputs;
+        const Scan& scan = *detection.scan;
+        if (!scan.path.empty()) claimInput(scan.path);
+        const bool points = isCloud(content) || content == ExportContent::WholeScan;
+        const Format* format = points ? writtenFormat(path) : nullptr;
+        if (points && (format == nullptr || (isCloud(content) && format->write == nullptr)))
+            throw Refused{{"the extension names no format for points", path, "use " + writtenExtensions(!isCloud(content))}};
+        const bool asMeasured = content == ExportContent::WholeScan && format->keepsPlace;
+        const ExportOptions options = cli::exportOptions(flags, asMeasured ? CoordinateFrame::Scanner : usualFrame(scan));
+        return taken(exportWithProvenance(content, detection, path, options));
+    });
+}
+
+std::size_t saveScanObject(const ScanObject& scan, const std::string& path, const Typed& typed) {
+    Detection detection;
+    detection.scan = scan.scan;
+    return write(detection, ExportContent::WholeScan, path, typed);
+}
+
+std::size_t saveResult(const ResultObject& result, const std::string& path, const std::string& content, const Typed& typed) {
+    return write(*result.detection, contentOf(content), path, typed);
+}
+
+/// Null: a mask without ranges.
+py::object evaluate(const Grid<std::uint8_t>& mask, const py::object& truth, const ScanObject* ranges, double tolerance) {
+    std::string where = "the simulation";
+    const auto* simulation = py::isinstance<SimulationObject>(truth) ? truth.cast<const SimulationObject*>() : nullptr;
+    if (simulation == nullptr) where = py::str(truth);
+    const nlohmann::ordered_json json = unlocked([&] {
+        if (!(tolerance >= 0 && tolerance <= 20)) throw Refused{{"the tolerance is out of reason", "tolerance", "give 0 to 20 cells"}};
+        const TruthSet set = simulation != nullptr ? taken(truthOf(*simulation)) : taken(readTruth(where));
+        const Grid<std::uint8_t>& wanted = set.edges.edgeClass;
+        if (mask.lines != wanted.lines || mask.beams != wanted.beams)
+            throw Refused{{"it has " + std::to_string(mask.lines) + " x " + std::to_string(mask.beams) + " cells and its truth " +
+                               std::to_string(wanted.lines) + " x " + std::to_string(wanted.beams),
+                           ranges != nullptr ? ranges->scan->path : "", "give each scan the truth that was made with it"}};
+        const Scan* scan = ranges == nullptr ? nullptr : ranges->scan.get();
+        if (scan != nullptr && (scan->lines() != mask.lines || scan->beams() != mask.beams))
+            throw Refused{{"the ranges and the mask have different shapes", scan->path, "give the scan that the mask was made from"}};
+        if (scan != nullptr) {
+            taken(checkTruthFits(*scan, set, where));
+            taken(checkMemoryFor(Work::Compare, *scan));
+        }
+        const Evaluation found = evaluateMask(mask, set, scan, tolerance);
+        return nlohmann::ordered_json{{"tolerance", tolerance}, {"fixed", evaluationJson(found)}, {"rocks", rocksJson(found)}};
+    });
+    return objectOf(json);
+}
+
+using MaskArray = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
+py::object evaluateArray(const MaskArray& mask, const py::object& truth, const ScanObject* ranges, double tolerance) {
+    if (mask.ndim() != 2) throw Refused{{"a mask is an array of lines x beams", "mask", "give one with two dimensions"}};
+    Grid<std::uint8_t> grid(static_cast<int>(mask.shape(0)), static_cast<int>(mask.shape(1)));
+    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = mask.data()[k] != 0 ? 255 : 0;
+    return evaluate(grid, truth, ranges, tolerance);
+}
+
+py::object evaluateResult(const ResultObject& result, const py::object& truth, double tolerance) {
+    const ScanObject ranges{result.detection->scan};
+    return evaluate(*result.detection->mask, truth, &ranges, tolerance);
+}
+
+py::dict timesOf(const Detection& detection) {
+    py::dict times;
+    for (const StageTime& time : detection.timings) times[py::str(time.stage)] = time.milliseconds;
+    return times;
+}
+
+std::string textOf(const Detection& detection) {
+    return "<edgescan.Result " + detection.scan->name + ": " + std::to_string(detection.edges->size()) + " edge cells of " +
+           std::to_string(detection.scan->cells()) + ">";
+}
+
+void bindResult(py::module_& module) {
+    using D = std::shared_ptr<const Detection>;
+    py::class_<ResultObject> type(module, "Result", "The edges that one run of the method found in one scan.");
+    // clang-format off
+    const auto property = [&](const char* name, const auto& get, const char* help) {
+        type.def_property_readonly(name, [get](const ResultObject& self) { return get(self.detection); }, help);
+    };
+    property("scan", [](const D& d) { return ScanObject{d->scan}; }, "The scan.");
+    property("mask", [](const D& d) { return gridArray(*d->mask, d); }, "uint8, lines x beams: 255 = edge. No copy, read only.");
+    property("classes", [](const D& d) -> py::object { return d->classes ? gridArray(*d->classes, d) : py::object(py::none()); },
+             "uint8, lines x beams: 0 none, 1 jump, 2 convex, 3 concave, 4 border. None where the method tells no classes apart. "
+             "No copy, read only.");
+    property("edges", [](const D& d) { return vectorArray(*d->edges, d); },
+             "uint32, ascending: index line * beams + beam of every edge cell. No copy, read only.");
+    property("gray", [](const D& d) -> py::object { return d->gray ? gridArray(d->gray->levels, d) : py::object(py::none()); },
+             "uint8, lines x beams: gray levels, 0 where there is no range. No copy, read only.");
+    property("settings", [](const D& d) { return objectOf(settingsToJson(d->settings)); }, "Every parameter's value, by its key.");
+    property("threshold", [](const D& d) { return std::string(sweptParameter(d->settings.method).key); },
+             "Key of the parameter that `strength` is in units of.");
+    property("times_ms", [](const D& d) { return timesOf(*d); }, "Milliseconds of each stage.");
+    property("mask_sha256", [](const D& d) { return maskSha256(*d->mask); }, "SHA-256 of the bytes of `mask`, as the command line prints it.");
+    // clang-format on
+    type.def_property_readonly("strength", &strengthOf,
+                               "float64, lines x beams: the highest value of the parameter `threshold` at which the cell is an edge; "
+                               "negative: at none, infinite: at all. Worked out when first asked for. No copy, read only.");
+    type.def(
+        "report", [](const ResultObject& self) { return objectOf(detectReport(*self.detection, 0.0)); },
+        "The JSON of `edgescan-cli detect --json` as a dict.");
+    type.def("__repr__", [](const ResultObject& self) { return textOf(*self.detection); });
+}
+
+} // namespace
+
+void bindDetect(py::module_& module) {
+    bindResult(module);
+    module.def("detect", &detect);
+    module.def("save_scan", &saveScanObject);
+    module.def("save_result", &saveResult);
+    module.def("evaluate_result", &evaluateResult);
+    module.def("evaluate_mask", &evaluateArray, py::arg("mask"), py::arg("truth"), py::arg("ranges").none(true), py::arg("tolerance"));
+    module.def("read_mask", [](const std::string& path) {
+        const auto mask = std::make_shared<const Grid<std::uint8_t>>(taken(readPng8(path)));
+        return gridArray(*mask, mask);
+    });
+}
+
+} // namespace edgescan::python

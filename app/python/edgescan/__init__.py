@@ -1,0 +1,253 @@
+"""Edges of rocks in laser range scans.
+
+>>> import edgescan
+>>> bell = edgescan.simulate(seed=7, lines=120, beams=161, truth=True)
+>>> result = edgescan.detect(bell.scan, jump=40, min_length=8)
+>>> result.mask.shape, str(result.mask.dtype)
+((120, 161), 'uint8')
+>>> result.scan.xyz()[result.mask > 0].shape[1]   # the edge points, metres
+3
+>>> 0 < edgescan.evaluate(result, bell)["fixed"]["all"]["f"] < 1
+True
+
+Arrays are lines x beams: cell (line, beam) is one pixel, one measurement, one point. They look into the scan without a copy and cannot be
+written to. Ranges are millimetres, points metres, angles degrees. What is refused raises edgescan.Error with the sentence that the command
+line prints. Names of flags have _ where the command line has -.
+"""
+import difflib as _difflib
+import inspect as _inspect
+import numbers as _numbers
+import os as _os
+
+from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulation, Sweep, __version__
+from . import _edgescan
+
+__all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "connect", "detect", "evaluate", "open",
+           "parameters", "presets", "replay", "rocks", "save", "simulate"]
+
+
+def parameters():
+    """The table of parameters: a list of dicts with key, label, unit, help, minimum, maximum, default, automatic, choices, several.
+
+    Each key is a keyword of detect() and evaluate(), with _ for -.
+    """
+    return _edgescan.parameters()
+
+
+def presets():
+    """Names of the built-in presets."""
+    return _edgescan.presets()
+
+
+def _name(key):
+    return key.replace("-", "_")
+
+
+def _typed(value):
+    """A value as it is typed on the command line."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
+        return "on" if value else "off"
+    if isinstance(value, _numbers.Integral):
+        return str(int(value))
+    if isinstance(value, _numbers.Real):
+        return repr(float(value))
+    if isinstance(value, _os.PathLike):
+        return _os.fspath(value)
+    return ",".join(_typed(each) for each in value)
+
+
+def _all_typed(given, rows):
+    """The keywords that were given, as texts by key. TypeError for one that no row has."""
+    keys = {_name(row["key"]): row["key"] for row in rows}
+    for name in given:
+        if name not in keys:
+            near = _difflib.get_close_matches(name, keys, 1)
+            raise TypeError(f"there is no keyword {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+    return {keys[name]: _typed(value) for name, value in given.items() if value is not None}
+
+
+def _help(row):
+    """One line of a docstring: the keyword, its help and its limits."""
+    if row.get("choices"):
+        values = ("any of " if row.get("several") else "") + "|".join(row["choices"])
+    elif "minimum" in row:
+        unit = row.get("unit", "")
+        values = (unit + ", " if unit else "") + f"{row['minimum']:g} to {row['maximum']:g}" + (" or auto" if row.get("automatic") else "")
+    else:
+        values = ""
+    if "default" in row:
+        values += ("; " if values else "") + f"default {row['default']}"
+    return f"    {_name(row['key'])}: {row.get('help', '')}" + (f" [{values}]" if values else "")
+
+
+def _keywords(*tables):
+    """Gives a function's signature and docstring the rows of these tables."""
+
+    def add(function):
+        shown = [p for p in _inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
+        for title, rows in tables:
+            shown += [_inspect.Parameter(_name(row["key"]), _inspect.Parameter.KEYWORD_ONLY, default=None) for row in rows]
+            function.__doc__ += f"\n    {title}\n\n" + "\n".join(_help(row) for row in rows) + "\n"
+        function.__signature__ = _inspect.Signature(shown)
+        return function
+
+    return add
+
+
+_READING = _edgescan.reading_options()
+_PARAMETERS = _edgescan.parameters()
+_CHOICES = [dict(row, kind="switch") for row in _edgescan.writing_choices()]
+_ROCKS = _edgescan.rock_parameters()
+_NUMBERS = [dict(row, default=f"{row['default']:g}") for row in _edgescan.simulation_numbers()]
+
+
+@_keywords(("Reading, as the flags of the command line:", _READING))
+def open(path, **reading):
+    """Opens any readable file as a Scan. Its content decides what it is.
+
+    >>> scan = edgescan.open(path)
+    >>> scan.range_mm.shape == scan.state.shape == (scan.lines, scan.beams)
+    True
+    """
+    return _edgescan.open(_os.fspath(path), _all_typed(reading, _READING))
+
+
+@_keywords(("Parameters, as the sliders of the viewer and the flags of the command line:", _PARAMETERS))
+def detect(scan, *, preset=None, **parameters):
+    """Finds the edges of a Scan; the same mask bit by bit as `edgescan-cli detect`. Returns a Result.
+
+    preset: name of a built-in preset, or a preset file; the parameters that are given come on top of it.
+
+    Other Python threads run meanwhile. OpenCV's thread pool is off in this process from the first call on.
+
+    >>> result = edgescan.detect(scan, method="canny", lower=10)
+    >>> bool(((result.strength >= 10) == (result.mask > 0)).all())
+    True
+    """
+    return _edgescan.detect(scan, _all_typed(parameters, _PARAMETERS), "" if preset is None else _os.fspath(preset))
+
+
+@_keywords(("Parameters of rocks:", _ROCKS))
+def rocks(result, *, region=None, **parameters):
+    """Rocks from a Result's edges: a Rocks with labels and a row per region. Candidates, geometry only, from one viewpoint.
+
+    region: cells (line, beam), two opposite corners or a polygon; what lies mostly outside counts as nothing. A Result of another method
+    than EdgeScan+ gives the rocks of EdgeScan+ with the same settings.
+
+    >>> found = edgescan.rocks(result, min_cells=60)
+    >>> found.count == found.labels.max() == len([row for row in found.table if row["kind"] == "rock"])
+    True
+    >>> found.at(2.0).settings["level"] == 2   # coarser, at once
+    True
+    """
+    keys = {_name(row["key"]): row["key"] for row in _ROCKS}
+    _all_typed(parameters, _ROCKS)
+    if region is not None and not isinstance(region, str):
+        region = " ".join(f"{int(line)},{int(beam)}" for line, beam in region)
+    return _edgescan.rocks(result, {keys[name]: float(value) for name, value in parameters.items() if value is not None}, region or "")
+
+
+@_keywords(("Choices of single formats, True or False:", _CHOICES))
+def save(what, path, content=None, *, frame="auto", ascii=False, include_attached=False, operator="", role="", **choices):
+    """Writes a Scan or a Result, with its record inside and beside it; what was there before stays if that fails.
+
+    content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
+    state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
+    frame: 'mine', 'local', 'scanner' or 'auto' (the usual one). ascii: PCD and PLY as text. include_attached: of a cloud that was
+    projected also the points behind the nearest of their cell. operator, role: who exports, for the record.
+
+    Returns the number of points or cells written. The file that the scan was opened from is never written over.
+
+    >>> edgescan.save(result, folder / "edges.pcd") == len(result.edges)
+    True
+    """
+    path = _os.fspath(path)
+    typed = dict(_all_typed(choices, _CHOICES), frame=frame, operator=operator, role=role, ascii=_typed(bool(ascii)))
+    typed["include-attached"] = _typed(bool(include_attached))
+    if isinstance(what, Scan):
+        if content not in (None, "scan"):
+            raise TypeError("a Scan is written whole; detect() first for anything else")
+        return _edgescan.save_scan(what, path, typed)
+    return _edgescan.save_result(what, path, content or ("mask" if path.lower().endswith(".png") else "edges"), typed)
+
+
+def replay(path, *, every=1, speed=0, pose="", calibration=""):
+    """Plays a recording through the path that live telegrams take: an iterator of Sweep.
+
+    A Sweep comes behind every `every` lines, and each sweep once more when it is finished. speed: 1 = as it was recorded, 0 = as fast as
+    it goes. pose, calibration: files that give the scan its place; the recording may hold its own.
+
+    >>> for sweep in edgescan.replay(recording, every=50):
+    ...     edges = edgescan.detect(sweep.scan).mask
+    >>> sweep.finished, sweep.complete
+    (True, True)
+    """
+    return Replay(_os.fspath(path), every, speed, _os.fspath(pose), _os.fspath(calibration))
+
+
+def connect(address, *, record="", expected_lines=0, axis="spin", first_line=0.0, line_step=0.18, ticks_per_degree=None):
+    """Connects to an LMS5xx: an iterator of Sweep, the newest state whenever a line came, and each sweep once more when it is finished.
+
+    address: HOST or HOST:PORT. Nothing but reads and a subscription is sent to it. record: new recording (.mcap) of every telegram.
+    expected_lines: of a whole sweep, 0 = not known. axis: mounting of the stepper, 'spin' or 'sweep'. first_line, line_step: stepper angles,
+    degrees. ticks_per_degree: encoder counts, where there is an encoder.
+
+    The session ends with stop(), or at the end of a with block. A lost connection is made again by itself; next(timeout=SECONDS) raises
+    edgescan.Error where nothing comes.
+
+    >>> with edgescan.connect(address, expected_lines=40) as scanner:
+    ...     for sweep in scanner:
+    ...         if sweep.finished:
+    ...             break
+    >>> sweep.scan.lines
+    40
+    """
+    return _edgescan.connect(address, _os.fspath(record), expected_lines, axis, first_line, line_step, ticks_per_degree)
+
+
+@_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
+def simulate(*, seed=1, scene="hangup", axis="sweep", profile="high", hole=None, surface=None, footprint=True, mixed_pixels=True,
+             echo_loss=True, truth=False, **numbers):
+    """A synthetic draw-bell sweep of an LMS511: a Simulation with scan and, where asked for, truth. Same seed, same bytes.
+
+    scene: hangup, pile, empty, wall, staircase or rescan. axis: mounting of the stepper, 'sweep' or 'spin'. profile: beam divergence 'high'
+    (resolution, 4.6 mrad) or 'standard' (11 mrad). hole: 'none', 'round' or 'square' holes in the wall. surface: Scan of a surface seen from
+    above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off.
+
+    >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
+    (90, 96)
+    """
+    keys = {_name(row["key"]): row["key"] for row in _NUMBERS}
+    _all_typed(numbers, _NUMBERS)
+    words = {"scene": scene, "axis": axis, "profile": profile, "footprint": _typed(bool(footprint)),
+             "mixed-pixels": _typed(bool(mixed_pixels)), "echo-loss": _typed(bool(echo_loss)), "truth": _typed(bool(truth))}
+    if hole is not None:
+        words["hole"] = hole
+    return _edgescan.simulate(seed, {keys[name]: float(value) for name, value in numbers.items() if value is not None}, words, surface)
+
+
+@_keywords(("Parameters of detect(), where a Scan is given:", _PARAMETERS))
+def evaluate(found, truth, *, ranges=None, tolerance=2.0, preset=None, **parameters):
+    """Scores edges against ground truth; returns the figures of `edgescan-cli evaluate --json` as a dict.
+
+    found: a Result, a Scan to run detect() on, an array of lines x beams (not 0 = edge), or a mask's .png. truth: folder that
+    `edgescan-cli simulate --truth` wrote, or a Simulation. ranges: Scan that a mask was made from, for the 3D error. tolerance: how far a
+    detection may lie from a true edge, cells.
+
+    >>> figures = edgescan.evaluate(result.mask, bell, ranges=bell.scan)
+    >>> sorted(figures)
+    ['fixed', 'rocks', 'tolerance']
+    """
+    if isinstance(found, Scan):
+        found = detect(found, preset=preset, **parameters)
+    elif preset is not None or parameters:
+        raise TypeError("what is found already takes no parameters; give a Scan")
+    if not isinstance(truth, Simulation):
+        truth = _os.fspath(truth)
+    if isinstance(found, Result):
+        return _edgescan.evaluate_result(found, truth, tolerance)
+    if isinstance(found, (str, _os.PathLike)):
+        found = _edgescan.read_mask(_os.fspath(found))
+    return _edgescan.evaluate_mask(found, truth, ranges, tolerance)

@@ -1,0 +1,85 @@
+// What the files of the Python module share: errors as exceptions, arrays that look into C++ memory, and JSON as Python objects.
+#pragma once
+
+#include "core/base/grid.h"
+#include "core/base/result.h"
+#include "core/scan/placement.h"
+#include "core/scan/scan.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace edgescan::python {
+
+namespace py = pybind11;
+
+using ScanPtr = std::shared_ptr<const Scan>;
+/// What Python calls Scan, a Scan.
+struct ScanObject {
+    ScanPtr scan;
+};
+/// What was given by keyword, as it would be typed on the command line.
+using Typed = std::map<std::string, std::string>;
+
+/// An Error on its way to Python, where it is edgescan.Error.
+struct Refused {
+    Error error;
+};
+
+/// The value, or Refused.
+template <class T>
+T taken(Result<T> result) {
+    if (!result) throw Refused{result.error()};
+    return std::move(*result);
+}
+
+/// Runs `work` without the interpreter's lock.
+template <class Work>
+auto unlocked(Work work) {
+    const py::gil_scoped_release released;
+    return work();
+}
+
+/// For long work that runs without the lock: false once a signal's handler raised (Ctrl+C), so that the work ends.
+[[nodiscard]] bool noSignal();
+/// After such work: raises what the handler raised.
+void raiseSignal();
+
+/// lines x beams, read only, without a copy: the array keeps `owner` alive.
+template <class T, class Owner>
+py::array gridArray(const Grid<T>& grid, const std::shared_ptr<Owner>& owner) {
+    using Number = typename std::conditional_t<std::is_enum_v<T>, std::underlying_type<T>, std::common_type<T>>::type;
+    const py::capsule keeper(new std::shared_ptr<Owner>(owner), [](void* kept) { delete static_cast<std::shared_ptr<Owner>*>(kept); });
+    py::array_t<Number> array({grid.lines, grid.beams}, reinterpret_cast<const Number*>(grid.cells.data()), keeper);
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
+/// A vector in the same way.
+template <class T, class Owner>
+py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>& owner) {
+    const py::capsule keeper(new std::shared_ptr<Owner>(owner), [](void* kept) { delete static_cast<std::shared_ptr<Owner>*>(kept); });
+    py::array_t<T> array(static_cast<py::ssize_t>(values.size()), values.data(), keeper);
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
+[[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
+
+void bindScan(py::module_& module);
+void bindTables(py::module_& module);
+void bindDetect(py::module_& module);
+void bindRocks(py::module_& module);
+void bindSweeps(py::module_& module);
+void bindSimulate(py::module_& module);
+
+} // namespace edgescan::python

@@ -1,0 +1,23 @@
+// A detection in Python.
+#pragma once
+
+#include "app/python/module.h"
+
+#include "core/gray/threshold_map.h"
+#include "core/method/detection.h"
+
+#include <mutex>
+
+namespace edgescan::python {
+
+struct ResultObject {
+    std::shared_ptr<const Detection> detection;
+    /// Worked out when it is first asked for.
+    struct Strength {
+        std::once_flag once;
+        ThresholdMap map;
+    };
+    std::shared_ptr<Strength> strength = std::make_shared<Strength>();
+};
+
+} // namespace edgescan::python

@@ -1,0 +1,116 @@
+// Rocks in Python: labels and a row per region. Pieces are worked out once per result, so another level costs little.
+#include "app/python/result.h"
+
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/rocks/rock_map.h"
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::python {
+namespace {
+
+/// What does not depend on the settings.
+struct Pieces {
+    RockLeaves leaves;
+    MergeTree tree;
+};
+
+struct RocksObject {
+    std::shared_ptr<const Pieces> pieces;
+    std::shared_ptr<const RockMap> map;
+    std::shared_ptr<const Grid<std::uint32_t>> labels, regions;
+};
+
+RockSettings settingsOf(const std::map<std::string, double>& numbers, const std::string& region) {
+    RockSettings settings;
+    for (const RockParameter& parameter : rockParameters()) {
+        const auto given = numbers.find(parameter.key);
+        if (given == numbers.end()) continue;
+        const double value = given->second;
+        if (!NumberLimits{parameter.minimum, parameter.maximum}.hold(value))
+            throw Refused{
+                {shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum),
+                 parameter.key, "give a value within these limits"}};
+        parameter.set(settings, value);
+        if (parameter.get(settings) != value)
+            throw Refused{{shortestText(value) + " is not a whole number", parameter.key, "give a whole number"}};
+    }
+    if (!region.empty()) settings.region = taken(parseRegion(region));
+    return settings;
+}
+
+RocksObject at(std::shared_ptr<const Pieces> pieces, const RockSettings& settings) {
+    auto map = std::make_shared<const RockMap>(rocksAt(pieces->leaves, pieces->tree, settings));
+    auto labels = std::make_shared<const Grid<std::uint32_t>>(rockLabels(pieces->leaves, *map));
+    auto regions = std::make_shared<const Grid<std::uint32_t>>(regionLabels(pieces->leaves, *map));
+    return {std::move(pieces), std::move(map), std::move(labels), std::move(regions)};
+}
+
+RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
+    const RockSettings settings = settingsOf(numbers, region);
+    return unlocked([&] {
+        auto pieces = std::make_shared<Pieces>();
+        pieces->leaves = rockLeaves(rockInputs(*result.detection));
+        pieces->tree = mergeTree(pieces->leaves.count(), pieces->leaves.borders);
+        return at(std::move(pieces), settings);
+    });
+}
+
+py::list tableOf(const RockMap& map) {
+    py::list rows;
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        const RockRegion& region = map.regions[n];
+        const Eigen::Vector3d centre = region.sums.sumM / static_cast<double>(region.sums.cells); // NaN of a region without a measured cell
+        rows.append(py::dict(py::arg("label") = n, py::arg("kind") = regionKindName(region.kind), py::arg("cells") = region.sums.cells,
+                             py::arg("area_m2") = region.sums.areaM2, py::arg("long_m") = region.longM, py::arg("x_m") = centre.x(),
+                             py::arg("y_m") = centre.y(), py::arg("z_m") = centre.z(), py::arg("evidence") = region.evidence,
+                             py::arg("confidence") = region.confidence));
+    }
+    return rows;
+}
+
+} // namespace
+
+void bindRocks(py::module_& module) {
+    py::class_<RocksObject> type(module, "Rocks", "Candidates for rocks at one level: geometry only, from one viewpoint.");
+    const auto property = [&](const char* name, const auto& get, const char* help) {
+        type.def_property_readonly(
+            name, [get](const RocksObject& self) { return get(self); }, help);
+    };
+    property(
+        "count", [](const RocksObject& r) { return r.map->rocks; }, "Number of rocks.");
+    property(
+        "labels", [](const RocksObject& r) { return gridArray(*r.labels, r.labels); },
+        "uint32, lines x beams: 0 none, then the rocks 1 to count, the largest visible area first. No copy, read only.");
+    property(
+        "regions", [](const RocksObject& r) { return gridArray(*r.regions, r.regions); },
+        "uint32, lines x beams: 0 none, else the label of a row of `table`, whatever its kind. No copy, read only.");
+    property(
+        "table", [](const RocksObject& r) { return tableOf(*r.map); },
+        "A dict per region, rocks first: label, kind (rock, not_rock, fines, outside), cells (measured, without spikes), area_m2 (seen, "
+        "across the beams), long_m (4 "
+        "standard deviations along its longest axis), x_m, y_m, z_m (mean, metres from the sensor), evidence, confidence.");
+    property(
+        "settings", [](const RocksObject& r) { return objectOf(rockSettingsToJson(r.map->settings)); }, "What it was made with.");
+    type.def(
+        "at",
+        [](const RocksObject& self, double level) {
+            RockSettings settings = self.map->settings;
+            const RockSettings checked = settingsOf({{"level", level}}, "");
+            settings.level = checked.level;
+            return unlocked([&] { return at(self.pieces, settings); });
+        },
+        py::arg("level"), "The same at another level, without working out the pieces again.");
+    module.def("rocks", &rocks);
+    module.def("rock_parameters", [] {
+        py::list rows;
+        const RockSettings usual;
+        for (const RockParameter& p : rockParameters())
+            rows.append(py::dict(py::arg("key") = p.key, py::arg("help") = p.help, py::arg("unit") = p.unit, py::arg("minimum") = p.minimum,
+                                 py::arg("maximum") = p.maximum, py::arg("default") = shortestText(p.get(usual))));
+        return rows;
+    });
+}
+
+} // namespace edgescan::python

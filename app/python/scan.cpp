@@ -1,0 +1,120 @@
+// Scans in Python: opening them, and their cells as arrays.
+#include "app/python/module.h"
+
+#include "core/georef/placed_points.h"
+#include "core/io/open_as_asked.h"
+#include "core/report/report.h"
+#include "core/scan/cartesian.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace edgescan::python {
+namespace {
+
+ScanObject openFile(const std::string& path, const Typed& typed) {
+    ReadingOptions options;
+    for (const ReadingOption& option : readingOptionTable()) {
+        const auto text = typed.find(option.key);
+        if (text == typed.end()) continue;
+        taken(checked(option, text->second));
+        option.set(options, text->second);
+    }
+    options.progress = [](const char*, double) { return noSignal(); };
+    Result<Scan> scan = unlocked([&] { return openAsAsked(path, options); });
+    raiseSignal();
+    return {std::make_shared<const Scan>(taken(std::move(scan)))};
+}
+
+CoordinateFrame frameOf(const Scan& scan, const std::string& name) {
+    const CoordinateFrame frame = name == "local"  ? CoordinateFrame::MineLocal
+                                  : name == "mine" ? CoordinateFrame::Mine
+                                                   : CoordinateFrame::Scanner;
+    if (frame == CoordinateFrame::Scanner && name != "scanner")
+        throw Refused{{"\"" + name + "\" names no frame", "frame", "use scanner, local or mine"}};
+    if (frame != CoordinateFrame::Scanner && scan.placement == nullptr)
+        throw Refused{{"the scan has no place in the mine", scan.path, "open it with pose and calibration"}};
+    return frame;
+}
+
+py::array_t<double> pointsOf(const ScanPtr& scan, const std::string& name) {
+    const CoordinateFrame frame = frameOf(*scan, name);
+    py::array_t<double> array({scan->lines(), scan->beams(), 3});
+    double* at = array.mutable_data();
+    unlocked([&] {
+        const CartesianTables tables(*scan);
+        std::optional<PlacedPoints> placed;
+        if (frame != CoordinateFrame::Scanner) placed.emplace(*scan);
+        for (int line = 0; line < scan->lines(); ++line) {
+            for (int beam = 0; beam < scan->beams(); ++beam) {
+                const Eigen::Vector3d own = tables.point(line, beam);
+                const Eigen::Vector3d point = placed ? placed->inFrame(frame, line, beam, own) : own;
+                at = std::copy_n(point.data(), 3, at);
+            }
+        }
+        return Done{};
+    });
+    return array;
+}
+
+py::object anglesOf(const ScanPtr& scan, std::vector<double> PolarGeometry::*member) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan->geometry);
+    if (polar == nullptr) return py::none();
+    return vectorArray(polar->*member, scan);
+}
+
+py::object axisOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return py::none();
+    return py::str(polar->axis == Axis::Spin ? "spin" : "sweep");
+}
+
+py::object originOf(const Scan& scan) {
+    if (scan.placement == nullptr) return py::none();
+    return py::array_t<double>(3, scan.placement->originEnhM.data());
+}
+
+std::string textOf(const Scan& scan) {
+    return "<edgescan.Scan " + scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams>";
+}
+
+} // namespace
+
+void bindScan(py::module_& module) {
+    py::class_<ScanObject> type(module, "Scan", "A sweep as measured: lines x beams cells, each with a range and a state.");
+    // clang-format off
+    const auto property = [&](const char* name, const auto& get, const char* help) {
+        type.def_property_readonly(name, [get](const ScanObject& self) { return get(self.scan); }, help);
+    };
+    property("lines", [](const ScanPtr& s) { return s->lines(); }, "Number of lines: rows of the arrays.");
+    property("beams", [](const ScanPtr& s) { return s->beams(); }, "Number of beams: columns of the arrays.");
+    property("range_mm", [](const ScanPtr& s) { return gridArray(s->rangeMm, s); },
+             "float32, lines x beams, mm. A range only where state is 0. No copy, read only.");
+    property("state", [](const ScanPtr& s) { return gridArray(s->state, s); },
+             "uint8, lines x beams: 0 valid, 1 no return, 2 device status, 3 outside the window, 4 masked, 5 lost. No copy, read only.");
+    property("beam_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::beamDeg); },
+             "float64, beams: angle of each beam in the fan, degrees. None where the scan holds points without angles.");
+    property("line_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::lineDeg); },
+             "float64, lines: angle of the stepper at each line, degrees. None as for beam_deg.");
+    property("axis", [](const ScanPtr& s) { return axisOf(*s); }, "What the stepper turns about, 'spin' or 'sweep'. None as for beam_deg.");
+    property("origin", [](const ScanPtr& s) { return originOf(*s); },
+             "float64, 3: Easting, Northing, Elevation of the local zero, m. None without a place in the mine.");
+    property("name", [](const ScanPtr& s) { return s->name; }, "Short name.");
+    property("path", [](const ScanPtr& s) { return s->path; }, "File it was opened from; empty when made in memory.");
+    property("format", [](const ScanPtr& s) { return s->format; }, "What the file was recognised as.");
+    property("sha256", [](const ScanPtr& s) { return s->sha256; }, "Of the file's bytes, lower-case hex.");
+    property("warnings", [](const ScanPtr& s) { return s->warnings; }, "Sentences about what was assumed, repaired or lost on reading.");
+    // clang-format on
+    type.def(
+        "xyz", [](const ScanObject& self, const std::string& frame) { return pointsOf(self.scan, frame); }, py::arg("frame") = "scanner",
+        "float64, lines x beams x 3, m: the point of every cell, NaN where the cell has no range.\n\n"
+        "frame: 'scanner', 'local' (east, north, up from `origin`) or 'mine' (Easting, Northing, Elevation).");
+    type.def(
+        "info", [](const ScanObject& self) { return objectOf(infoReport(*self.scan)); }, "The JSON of `edgescan-cli info` as a dict.");
+    type.def("__repr__", [](const ScanObject& self) { return textOf(*self.scan); });
+    module.def("open", &openFile);
+}
+
+} // namespace edgescan::python

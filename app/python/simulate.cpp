@@ -1,0 +1,121 @@
+// The simulator in Python.
+#include "app/python/simulation.h"
+
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/scan/cartesian.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace edgescan::python {
+namespace {
+
+/// The place of a word among those that a setting takes.
+std::size_t wordOf(const std::string& key, const std::string& text, const std::vector<std::string>& words) {
+    const auto found = std::ranges::find(words, text);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+    throw Refused{{"\"" + text + "\" is none of its values", key, "use one of " + all}};
+}
+
+void setNumber(SimulationSettings& settings, const SimulationNumber& number, double value) {
+    if (!number.limits.hold(value))
+        throw Refused{{shortestText(value) + " is out of reason", number.key,
+                       "give " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)}};
+    number.set(settings, value);
+    if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", number.key, "give a whole number"}};
+}
+
+void setWord(SimulationSettings& s, const std::string& key, const std::string& text) {
+    const auto on = [&] { return wordOf(key, text, {"off", "on"}) == 1; };
+    if (key == "scene")
+        s.scene = text;
+    else if (key == "axis")
+        s.axis = wordOf(key, text, {"spin", "sweep"}) == 0 ? Axis::Spin : Axis::Sweep;
+    else if (key == "profile")
+        s.profile = wordOf(key, text, {"high", "standard"}) == 0 ? DeviceProfile::HighResolution : DeviceProfile::Standard;
+    else if (key == "hole")
+        s.hole = std::array{WallHole::None, WallHole::Round, WallHole::Square}[wordOf(key, text, {"none", "round", "square"})];
+    else if (key == "footprint")
+        s.footprint = on();
+    else if (key == "mixed-pixels")
+        s.mixedPixels = on();
+    else if (key == "echo-loss")
+        s.echoLoss = on();
+    else if (key == "truth")
+        s.truth = on();
+    else
+        throw Refused{{"the simulation has no such setting", key, "see help(edgescan.simulate)"}};
+}
+
+SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& numbers, const Typed& words, const ScanObject* surface) {
+    SimulationObject object;
+    SimulationSettings& settings = object.settings;
+    settings.seed = seed;
+    for (const SimulationNumber& number : simulationNumbers()) {
+        if (const auto given = numbers.find(number.key); given != numbers.end()) setNumber(settings, number, given->second);
+    }
+    for (const auto& [key, text] : words) setWord(settings, key, text);
+    // As on the command line: who asks for holes wants round ones unless he says otherwise.
+    if (!words.contains("hole") && (numbers.contains("holes") || numbers.contains("hole-size"))) settings.hole = WallHole::Round;
+    Result<Simulation> made = unlocked([&] {
+        if (surface != nullptr) {
+            const CartesianTables tables(*surface->scan);
+            for (std::size_t k = 0; k < surface->scan->cells(); ++k) {
+                if (surface->scan->state[k] == CellState::Valid) settings.surface.emplace_back(tables.point(k).cast<float>());
+            }
+            for (const AttachedPoint& point : surface->scan->attached) settings.surface.emplace_back(point.pointM.cast<float>());
+            settings.surfaceFile = surface->scan->path;
+        }
+        return simulate(settings, [](double) { return noSignal(); });
+    });
+    raiseSignal();
+    object.simulation = std::make_shared<const Simulation>(taken(std::move(made)));
+    object.scan = ScanPtr(object.simulation, &object.simulation->scan);
+    return object;
+}
+
+/// The truth's grids as arrays, by the names of the files that the command line writes.
+py::object truthArrays(const SimulationObject& object) {
+    if (!object.simulation->truth) return py::none();
+    const auto set = unlocked([&] { return std::make_shared<const TruthSet>(taken(truthOf(object))); });
+    const SimulationTruth& truth = *object.simulation->truth;
+    py::dict arrays;
+    arrays["edge_class"] = gridArray(set->edges.edgeClass, set);
+    arrays["ignore"] = gridArray(set->edges.ignore, set);
+    arrays["object"] = gridArray(truth.object, object.simulation);
+    arrays["face"] = gridArray(truth.face, object.simulation);
+    arrays["clean_mm"] = gridArray(truth.cleanMm, object.simulation);
+    return arrays;
+}
+
+} // namespace
+
+Result<TruthSet> truthOf(const SimulationObject& object) {
+    if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
+    return truthSetOf(*object.simulation);
+}
+
+void bindSimulate(py::module_& module) {
+    py::class_<SimulationObject>(module, "Simulation", "A simulated scan, and its ground truth where it was asked for.")
+        .def_property_readonly(
+            "scan", [](const SimulationObject& self) { return ScanObject{self.scan}; }, "The scan.")
+        .def_property_readonly("truth", &truthArrays,
+                               "None, or a dict of arrays of lines x beams, read only: edge_class (uint8: 0 none, 1 occluding, 2 contact, "
+                               "3 crease, 4 void), ignore (uint8: 255 = not scored), object (uint16: 0 none, 1 wall, 2... rocks), face "
+                               "(uint16), clean_mm (float32, mm: ranges without noise).")
+        .def(
+            "save_truth",
+            [](const SimulationObject& self, const std::string& folder) {
+                unlocked([&] {
+                    if (!self.simulation->truth) taken(truthOf(self));
+                    return taken(writeTruth(*self.simulation, self.settings, folder));
+                });
+            },
+            py::arg("folder"), "Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does.");
+    module.def("simulate", &make, py::arg("seed"), py::arg("numbers"), py::arg("words"), py::arg("surface").none(true));
+}
+
+} // namespace edgescan::python

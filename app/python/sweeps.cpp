@@ -1,0 +1,275 @@
+// Growing sweeps in Python: recordings played and scanners connected to, as iterators.
+#include "app/python/module.h"
+
+#include "app/shared/host_port.h"
+#include "core/io/open_scan.h"
+#include "core/live/live_feed.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace edgescan::python {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A sweep as it was at one moment.
+struct SweepObject {
+    ScanPtr scan;
+    SweepProgress progress;
+    bool finished = false; ///< all lines that were expected came, or the next sweep began
+};
+
+/// Sleeps without the lock until then, or until Ctrl+C raises.
+void sleepUntil(Clock::time_point end) {
+    constexpr auto kPiece = std::chrono::milliseconds(100);
+    while (Clock::now() < end) {
+        unlocked([&] {
+            std::this_thread::sleep_until(std::min(end, Clock::now() + kPiece));
+            return Done{};
+        });
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+}
+
+/// Plays a recording: a sweep behind every `every` lines, and each sweep once more when it is finished.
+class ReplayObject {
+public:
+    ReplayObject(const std::string& path, int every, double speed, const std::string& pose, const std::string& calibration)
+        : path_(path), every_(every), speed_(speed) {
+        if (every < 1) throw Refused{{std::to_string(every) + " lines are no step", "every", "give 1 or more"}};
+        if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
+        options_.pose = pose;
+        options_.calibration = calibration;
+        replay_.emplace(unlocked([&] { return Replay(taken(Recording::open(path)), options_); }));
+        if (replay_->lines() == 0)
+            throw Refused{
+                {"this recording holds no scan telegram" + replay_->recording().whatWasLeftOut(), path, "choose another recording"}};
+        started_ = Clock::now();
+    }
+
+    SweepObject next() {
+        while (true) {
+            if (!waiting_.empty()) {
+                SweepObject sweep = std::move(waiting_.front());
+                waiting_.pop_front();
+                return sweep;
+            }
+            if (replay_->atEnd()) throw py::stop_iteration();
+            if (speed_ > 0 && replay_->position() > 0 && replay_->position() < replay_->lines()) sleepUntil(due());
+            unlocked([&] {
+                step();
+                return Done{};
+            });
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        }
+    }
+
+private:
+    [[nodiscard]] Clock::time_point due() const {
+        const double ns = static_cast<double>(replay_->timeNs(replay_->position()) - replay_->timeNs(0)) / speed_;
+        return started_ + std::chrono::nanoseconds(static_cast<std::int64_t>(std::max(0.0, ns)));
+    }
+    void step() {
+        const int before = replay_->position();
+        replay_->step();
+        SweepAssembler& assembler = replay_->feed().assembler();
+        for (FinishedSweep& sweep : assembler.takeFinished()) add(sweep.scan, std::move(sweep.progress), true);
+        if (replay_->position() == before || replay_->position() % every_ != 0 || replay_->atEnd()) return;
+        if (const auto scan = replay_->snapshot()) add(scan, replay_->progress(), false);
+    }
+    void add(const ScanPtr& scan, SweepProgress progress, bool finished) {
+        Scan described = taken(describedSweep(*scan, replay_->recording(), path_, options_));
+        waiting_.push_back({std::make_shared<const Scan>(std::move(described)), std::move(progress), finished});
+    }
+
+    const std::string path_;
+    const int every_;
+    const double speed_;
+    ReadingOptions options_;
+    std::optional<Replay> replay_;
+    std::deque<SweepObject> waiting_;
+    Clock::time_point started_;
+};
+
+/// A scanner: the newest state of the sweep whenever it changed, and each finished sweep.
+class ConnectionObject {
+public:
+    ConnectionObject(const std::string& address, const SweepSettings& sweep, const std::string& record) : address_(address) {
+        const cli::HostPort typed = taken(cli::hostPort(address));
+        SessionSettings scanner;
+        scanner.host = typed.host;
+        scanner.port = typed.port;
+        feed_ = std::make_unique<LiveFeed>(scanner, sweep, [this] {
+            {
+                const std::lock_guard lock(mutex_);
+                changed_ = true;
+            }
+            wake_.notify_all();
+        });
+        if (!record.empty()) {
+            taken(unlocked([&] { return feed_->startRecording(record); }));
+            recording_ = true;
+        }
+    }
+    ~ConnectionObject() {
+        const py::gil_scoped_release released;
+        feed_.reset();
+    }
+    ConnectionObject(const ConnectionObject&) = delete;
+    ConnectionObject& operator=(const ConnectionObject&) = delete;
+
+    SweepObject next(std::optional<double> timeout) {
+        const auto end = timeout ? Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*timeout))
+                                 : Clock::time_point::max();
+        while (true) {
+            if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
+            if (stopped_) throw py::stop_iteration();
+            if (Clock::now() >= end) {
+                const SessionState state = feed_->status().session;
+                throw Refused{
+                    {state.sentence.empty() ? "no line was received" : state.sentence, address_, "check cable, address and port"}};
+            }
+            unlocked([&] { return wait(end); });
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        }
+    }
+
+    void stop() {
+        const Result<RecordingState> closed = unlocked([&]() -> Result<RecordingState> {
+            feed_->stop();
+            return recording_ ? feed_->stopRecording() : Result<RecordingState>(RecordingState{});
+        });
+        stopped_ = true;
+        recording_ = false;
+        taken(closed);
+    }
+
+    [[nodiscard]] py::dict status() const {
+        const LiveStatus status = unlocked([&] { return feed_->status(); });
+        py::dict dict;
+        dict["phase"] = sessionPhaseName(status.session.phase);
+        dict["sentence"] = status.session.sentence;
+        dict["scanner"] = status.scanner ? py::object(py::str(status.scanner->words())) : py::object(py::none());
+        dict["lines"] = status.lines;
+        dict["undecodable"] = status.undecodable;
+        dict["reconnects"] = status.statistics.reconnects;
+        dict["sweep"] = status.sweep.text();
+        dict["recording"] = status.recording.has_value();
+        return dict;
+    }
+
+private:
+    std::optional<SweepObject> newest() {
+        for (FinishedSweep& sweep : feed_->takeFinished()) {
+            const bool told = sweep.progress.number == told_.number && sweep.progress.received == told_.received;
+            if (!told) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
+        }
+        SweepObject object;
+        if (!finished_.empty()) {
+            object = std::move(finished_.front());
+            finished_.pop_front();
+        } else {
+            SweepSoFar sweep = feed_->sweep();
+            if (!sweep.scan || sweep.scan == shown_) return std::nullopt;
+            // The feed ends a sweep when the next one begins; where all lines are there, nobody needs to wait for that.
+            const bool whole = !sweep.progress.growing;
+            if (whole && sweep.progress.number == told_.number && sweep.progress.received == told_.received) return std::nullopt;
+            object = {std::move(sweep.scan), std::move(sweep.progress), whole};
+        }
+        shown_ = object.scan;
+        if (object.finished) told_ = {object.progress.number, object.progress.received};
+        return object;
+    }
+    Done wait(Clock::time_point end) {
+        std::unique_lock lock(mutex_);
+        wake_.wait_until(lock, std::min(end, Clock::now() + std::chrono::milliseconds(100)), [&] { return changed_; });
+        changed_ = false;
+        return {};
+    }
+
+    std::string address_;
+    std::mutex mutex_; // of changed_
+    std::condition_variable wake_;
+    bool changed_ = false;
+    bool recording_ = false, stopped_ = false;
+    std::deque<SweepObject> finished_;
+    ScanPtr shown_;
+    struct {
+        int number = -1, received = 0;
+    } told_;                         // of the last finished sweep
+    std::unique_ptr<LiveFeed> feed_; // last: its thread uses the above
+};
+
+std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines, const std::string& axis,
+                                          double firstLine, double lineStep, std::optional<double> ticksPerDegree) {
+    if (axis != "spin" && axis != "sweep") throw Refused{{"\"" + axis + "\" is no axis", "axis", "use spin or sweep"}};
+    if (expectedLines < 0 || expectedLines > 20000)
+        throw Refused{{std::to_string(expectedLines) + " lines are out of reason", "expected_lines", "give 0 to 20000"}};
+    if (!physical::kBeamDeg.hold(firstLine) || !NumberLimits{-90, 90}.hold(lineStep))
+        throw Refused{{"the line angles are out of reason", "first_line, line_step", "give degrees, -360 to 360 and -90 to 90"}};
+    SweepSettings sweep;
+    sweep.expectedLines = expectedLines;
+    sweep.axis = axis == "spin" ? Axis::Spin : Axis::Sweep;
+    sweep.firstLineDeg = firstLine;
+    sweep.degPerLine = lineStep;
+    sweep.ticksPerDeg = ticksPerDegree;
+    return std::make_unique<ConnectionObject>(address, sweep, record);
+}
+
+void bindSweep(py::module_& module) {
+    py::class_<SweepObject> type(module, "Sweep", "A sweep as it was at one moment while its lines arrived.");
+    const auto property = [&](const char* name, const auto& get, const char* help) {
+        type.def_property_readonly(
+            name, [get](const SweepObject& self) { return get(self); }, help);
+    };
+    using S = SweepObject;
+    property(
+        "scan", [](const S& s) { return ScanObject{s.scan}; }, "The lines so far as a scan.");
+    property(
+        "finished", [](const S& s) { return s.finished; }, "All lines that were expected came, or the next sweep began.");
+    property(
+        "number", [](const S& s) { return s.progress.number; }, "Of this sweep since the start, from 0.");
+    property(
+        "lines", [](const S& s) { return s.progress.lines; }, "Lines so far, lost ones included.");
+    property(
+        "received", [](const S& s) { return s.progress.received; }, "Lines of which nothing is missing.");
+    property(
+        "expected", [](const S& s) { return s.progress.expected; }, "Lines of the whole sweep; 0: not known.");
+    property(
+        "lost", [](const S& s) { return s.progress.lost; }, "Rows of which something is missing, ascending.");
+    property(
+        "complete", [](const S& s) { return s.progress.complete(); }, "Nothing is missing, and all lines expected are there.");
+    property(
+        "time_ns", [](const S& s) { return s.progress.newestNs; }, "Host time of the newest line, ns; only differences mean something.");
+    type.def("__repr__",
+             [](const S& s) { return "<edgescan.Sweep " + std::to_string(s.progress.number) + ": " + s.progress.text() + ">"; });
+}
+
+} // namespace
+
+void bindSweeps(py::module_& module) {
+    bindSweep(module);
+    py::class_<ReplayObject>(module, "Replay", "Iterator over a recording.")
+        .def(py::init<const std::string&, int, double, const std::string&, const std::string&>())
+        .def("__iter__", [](py::object self) { return self; })
+        .def("__next__", &ReplayObject::next);
+    py::class_<ConnectionObject>(module, "Connection",
+                                 "A scanner: iterator over its growing sweep, and context manager that ends the session.")
+        .def("__iter__", [](py::object self) { return self; })
+        .def("__next__", [](ConnectionObject& self) { return self.next(std::nullopt); })
+        .def("next", &ConnectionObject::next, py::arg("timeout") = py::none(),
+             "The next change; Error where none comes within `timeout` seconds, which says what the session waits for.")
+        .def("__enter__", [](py::object self) { return self; })
+        .def("__exit__", [](ConnectionObject& self, const py::args&) { self.stop(); })
+        .def("stop", &ConnectionObject::stop, "Ends the session and closes the recording.")
+        .def_property_readonly("status", &ConnectionObject::status,
+                               "A dict: phase, sentence, scanner, lines, undecodable, reconnects, sweep, recording.");
+    module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis"),
+               py::arg("first_line"), py::arg("line_step"), py::arg("ticks_per_degree").none(true));
+}
+
+} // namespace edgescan::python

@@ -1,0 +1,89 @@
+// The tables of the core as Python sees them: parameters, reading options, numbers of the simulation. Keywords and their help come from
+// here.
+#include "app/python/module.h"
+
+#include "core/base/number_text.h"
+#include "core/formats/formats.h"
+#include "core/points/writing_choices.h"
+#include "core/scan/reading_options.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "core/sim/simulate.h"
+
+namespace edgescan::python {
+namespace {
+
+py::dict rowOf(const Parameter& p) {
+    py::list choices;
+    for (const Choice& choice : p.choices) choices.append(choice.name);
+    py::dict row;
+    row["key"] = p.key;
+    row["label"] = p.label;
+    row["unit"] = p.unit;
+    row["help"] = p.help;
+    row["minimum"] = p.minimum;
+    row["maximum"] = p.maximum;
+    row["default"] = formatValue(p, p.get(Settings{}));
+    row["automatic"] = p.automatic != nullptr;
+    row["choices"] = choices;
+    row["several"] = p.several;
+    return row;
+}
+
+py::dict rowOf(const ReadingOption& option) {
+    using Kind = ReadingOption::Kind;
+    py::dict row;
+    row["key"] = option.key;
+    row["help"] = option.help;
+    row["kind"] = option.kind == Kind::Number         ? "number"
+                  : option.kind == Kind::ThreeNumbers ? "three numbers"
+                  : option.kind == Kind::Whole        ? "whole"
+                  : option.kind == Kind::Word         ? "word"
+                  : option.kind == Kind::Switch       ? "switch"
+                                                      : "path";
+    row["choices"] = option.words;
+    if (option.limit != nullptr) {
+        row["minimum"] = option.limit->limits.least;
+        row["maximum"] = option.limit->limits.most;
+        row["unit"] = option.limit->unit;
+    }
+    return row;
+}
+
+} // namespace
+
+void bindTables(py::module_& module) {
+    module.def("parameters", [] {
+        py::list rows;
+        for (const Parameter& p : edgescan::parameters()) rows.append(rowOf(p));
+        return rows;
+    });
+    module.def("presets", [] {
+        std::vector<std::string> names;
+        for (const Preset& preset : builtInPresets()) names.push_back(preset.name);
+        return names;
+    });
+    module.def("reading_options", [] {
+        py::list rows;
+        for (const ReadingOption& option : readingOptionTable()) {
+            if ((option.uses & ReadingOption::kFlag) != 0) rows.append(rowOf(option));
+        }
+        return rows;
+    });
+    module.def("writing_choices", [] {
+        py::list rows;
+        for (const WritingChoice& choice : kWritingChoices)
+            rows.append(py::dict(py::arg("key") = choice.key, py::arg("help") = choice.help));
+        return rows;
+    });
+    module.def("simulation_numbers", [] {
+        py::list rows;
+        const SimulationSettings usual;
+        for (const SimulationNumber& number : simulationNumbers())
+            rows.append(py::dict(py::arg("key") = number.key, py::arg("minimum") = number.limits.least,
+                                 py::arg("maximum") = number.limits.most, py::arg("default") = number.get(usual)));
+        return rows;
+    });
+}
+
+} // namespace edgescan::python

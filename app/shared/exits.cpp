@@ -1,0 +1,73 @@
+// stdout and stderr.
+#include "app/shared/exits.h"
+
+#include "core/base/foreign_text.h"
+#include "core/report/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+namespace edgescan::cli {
+namespace {
+
+std::string programName = "edgescan-cli";
+std::atomic<bool> progressLineOpen{false}; // a sentence starts on a line of its own
+
+std::string repeated(const std::string& what) {
+    return "this was not foreseen (" + what + "); run it again with less at once, and report it with what you typed if it stays.";
+}
+
+} // namespace
+
+void setProgramName(const std::string& name) { programName = name; }
+
+void complain(const std::string& sentence) {
+    if (progressLineOpen.exchange(false)) std::cerr << '\n';
+    std::cerr << programName << ": " << printable(sentence, 4 * kMostShown) << '\n';
+}
+
+void complain(const Error& error) { complain(error.sentence()); }
+
+void say(const std::string& text) { std::cout << printableLines(text) << '\n' << std::flush; }
+
+void say(const nlohmann::ordered_json& report, bool indented) { std::cout << reportText(report, indented) << '\n' << std::flush; }
+
+bool everythingWasSaid() {
+    std::cout.flush();
+    return std::cout.good();
+}
+
+void tellProgress(const std::string& text, bool last) {
+    constexpr std::size_t kWidth = 78;
+    std::string line = printable(text, kWidth);
+    line.resize(std::max(line.size(), kWidth), ' ');
+    std::cerr << '\r' << line << (last ? "\n" : "") << std::flush;
+    progressLineOpen = !last;
+}
+
+int guarded(const std::function<int()>& work, int failed) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        complain("there is not enough memory for this; close other programs or use a smaller scan.");
+    } catch (const std::length_error&) {
+        complain("this needs more memory than any computer has; use a smaller scan.");
+    } catch (const std::filesystem::filesystem_error& error) {
+        complain(
+            Error{"the folder or file cannot be used (" + error.code().message() + ")", error.path1().string(), "check it and its rights"});
+    } catch (const std::system_error& error) {
+        complain("the system refused what was needed (" + error.code().message() + "); close other programs and try again.");
+    } catch (const std::exception& error) {
+        complain(repeated(error.what()));
+    }
+    return failed;
+}
+
+} // namespace edgescan::cli

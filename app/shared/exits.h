@@ -1,0 +1,35 @@
+// The way out of a program: what is said on stdout and stderr. Nothing else in app/ writes there (tests/cli/exits_test.cpp), so that no
+// text of a file or name can reach a terminal as it is.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <string>
+
+namespace edgescan::cli {
+
+/// What stands before each sentence on stderr; "edgescan-cli" unless it is said.
+void setProgramName(const std::string& name);
+
+/// "edgescan-cli: SENTENCE" on stderr.
+void complain(const Error& error);
+void complain(const std::string& sentence);
+
+/// Results on stdout: lines of our own, in which what comes from outside is made printable.
+void say(const std::string& text);
+/// A report as one line of JSON, or indented.
+void say(const nlohmann::ordered_json& report, bool indented);
+
+/// False when what was said on stdout so far did not get there.
+[[nodiscard]] bool everythingWasSaid();
+
+/// A line on stderr that is written over by the next one, or left at its end when it is the `last`.
+void tellProgress(const std::string& text, bool last = false);
+
+/// What `work` gives; `failed` and a sentence where an exception ends it: no memory, or something that no message was written for.
+int guarded(const std::function<int()>& work, int failed);
+
+} // namespace edgescan::cli

@@ -1,0 +1,44 @@
+// From flags and a calibration to the settings of a sweep.
+#include "app/shared/mounting.h"
+
+#include "app/shared/numbers.h"
+#include "core/georef/calibration.h"
+
+#include <cmath>
+
+namespace edgescan::cli {
+
+void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group) {
+    addNumber(command, "--expected-lines", mounting.expectedLines, {0, 20000}, "Lines of a whole sweep; 0 = not known").group(group);
+    addNumber(command, "--ticks-per-degree", mounting.ticksPerDeg, {-1e9, 1e9}, "Encoder counts per degree, where there is an encoder")
+        .group(group);
+    command.add_flag("--standing", mounting.standing, "The stepper stands while a line is measured; else it turns on meanwhile")
+        ->group(group);
+}
+
+Result<SweepSettings> sweepOf(const Mounting& mounting) {
+    SweepSettings sweep = assumedSweep();
+    if (!mounting.calibration.empty()) {
+        const auto calibration = openCalibration(mounting.calibration);
+        if (!calibration) return calibration.error();
+        sweep.axis = std::abs(calibration->axis.z()) >= std::abs(calibration->axis.x()) ? Axis::Spin : Axis::Sweep;
+        sweep.degPerLine = calibration->degPerStep; // its first angle and direction come in with the place
+        sweep.indexDeg = calibration->mirrorIndexDeg;
+        sweep.axisAssumed = sweep.stepAssumed = false;
+    }
+    if (mounting.axis) {
+        sweep.axis = *mounting.axis;
+        sweep.axisAssumed = false;
+    }
+    if (mounting.lineStepDeg) {
+        sweep.degPerLine = mounting.lineStepDeg;
+        sweep.stepAssumed = false;
+    }
+    sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
+    sweep.ticksPerDeg = mounting.ticksPerDeg;
+    sweep.expectedLines = mounting.expectedLines;
+    sweep.continuous = !mounting.standing;
+    return sweep;
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,18 @@
+// Numbers as typed.
+#include "app/shared/numbers.h"
+
+namespace edgescan::cli {
+
+std::string limitsText(NumberLimits limits, bool whole) {
+    return std::string(whole ? "a whole number" : "a number") + " from " + shortestText(limits.least) + " to " + shortestText(limits.most);
+}
+
+std::string rangeName(NumberLimits limits) { return "NUMBER " + shortestText(limits.least) + ".." + shortestText(limits.most); }
+
+double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole) {
+    const std::optional<double> value = numberOf(text);
+    if (value && limits.hold(*value) && (!whole || *value == std::floor(*value))) return *value;
+    throw CLI::ValidationError(flag, "\"" + text + "\" is not " + limitsText(limits, whole));
+}
+
+} // namespace edgescan::cli
