@@ -1,6 +1,8 @@
 // Labels and the gray of a stale picture.
 #include "ui/base/marks.h"
 
+#include <algorithm>
+
 namespace edgescan::ui {
 
 void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
@@ -9,6 +11,23 @@ void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, c
     painter.setBrush(QColor(0, 0, 0, 150));
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(QColor(235, 235, 235));
+    painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+}
+
+QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text) {
+    constexpr int kBeside = 14; // px
+    QRect box = metrics.boundingRect(QRect(0, 0, place.width() - 12, place.height()), Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
+    box.moveTopLeft(at + QPoint(kBeside, kBeside));
+    if (box.bottom() > place.bottom()) box.moveBottom(at.y() - kBeside);
+    box.moveLeft(std::max(place.left(), std::min(box.left(), place.right() - box.width())));
+    return box;
+}
+
+void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QString& text) {
+    const QRect box = tipBox(painter.fontMetrics(), place, at, text);
+    painter.setPen(Qt::black);
+    painter.setBrush(QColor(255, 255, 255, 235));
+    painter.drawRect(box);
     painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
 }
 

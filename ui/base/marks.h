@@ -18,6 +18,11 @@ void strokeTwice(QPainter& painter, const QPen& dark, const QPen& light, Draw dr
 /// A short text on a dark ground, somewhere in `place`.
 void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text);
 
+/// A short text on a white ground beside a point, so that all of it lies in `place`.
+void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QString& text);
+/// The ground that drawTipAt() covers.
+[[nodiscard]] QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text);
+
 /// Gray over `place`, and why in large letters. Nothing where `why` is empty.
 void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why);
 

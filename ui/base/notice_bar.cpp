@@ -1,6 +1,8 @@
 // The bar above the views.
 #include "ui/base/notice_bar.h"
 
+#include "ui/base/shown_text.h"
+
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QFileInfo>
@@ -46,7 +48,7 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     const char* colour = kind == Kind::Error ? "#7a1f1f" : kind == Kind::Warning ? "#6b4e00" : "#1f4a2c";
     sign_->setText(kind == Kind::Error ? tr("Error") : kind == Kind::Warning ? tr("Note") : tr("Done"));
     setStyleSheet(QString("#notice-bar { background: %1; } #notice-bar QLabel { color: white; }").arg(colour));
-    text_->setText(text);
+    text_->setText(shownText(text));
     action_->hide();
     onAction_ = {};
     show();

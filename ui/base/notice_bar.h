@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "ui/base/shown_text.h"
 
 #include <QFrame>
 
@@ -20,7 +21,7 @@ public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
     void showNotice(Kind kind, const QString& text);
-    void tell(const Error& error) { showNotice(Kind::Error, QString::fromStdString(error.sentence())); }
+    void tell(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
     /// That a file was written, what is in it ("12 points", may be empty), and a button that opens its folder.
     void tellSaved(const QString& path, const QString& content = {});
     /// A button beside the text, until the next notice.

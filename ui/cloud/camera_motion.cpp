@@ -212,4 +212,31 @@ Vector3d underCursor(const CameraPose& pose, double ndcX, double ndcY, double de
     return pose.position + pose.forward() * depth + pose.right() * (ndcX * half * widthByHeight) + pose.up * (ndcY * half);
 }
 
+double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx) {
+    constexpr std::size_t kSample = 400;
+    constexpr double kLeast = 1.0, kMost = 7.0; // pixels
+    constexpr double kClosed = 1.15;            // of the spacing: a surface that is seen a little from the side is closed as well
+    if (cloud.stepRad <= 0.0 || viewHeightPx <= 0) return kLeast;
+    std::vector<double> pixels;
+    const Vector3d forward = pose.forward();
+    const double perMetre = 0.5 * viewHeightPx / pose.halfHeight(); // at the focus
+    const auto& some = cloud.drawOrder.front();
+    const std::size_t every = std::max<std::size_t>(1, some.size() / kSample);
+    for (std::size_t n = 0; n < some.size(); n += every) {
+        const Eigen::Vector3f point = cloud.point(some[n]);
+        const double spacing = cloud.stepRad * static_cast<double>((point - cloud.sensor).norm());
+        const double depth = forward.dot(point.cast<double>() - pose.position);
+        if (depth <= 0.0) continue;
+        const double wide = pose.parallel ? perMetre : perMetre * pose.distance() / depth;
+        // What lies beside the picture says nothing of it.
+        const Vector3d off = point.cast<double>() - pose.position - depth * forward;
+        if (off.norm() * wide > viewHeightPx) continue;
+        pixels.push_back(spacing * wide);
+    }
+    if (pixels.empty()) return kLeast;
+    const auto middle = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 2);
+    std::nth_element(pixels.begin(), middle, pixels.end());
+    return std::clamp(kClosed * *middle, kLeast, kMost);
+}
+
 } // namespace edgescan::ui

@@ -47,6 +47,10 @@ struct CameraPose {
 /// 99 % of the points, as far as a flat picture can hold them. Row 0 on top where the geometry allows it.
 [[nodiscard]] CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight);
 
+/// How far apart neighbouring points are on a screen of this height, pixels, from 1 to 7: the middle one of a sample, by the angle between
+/// beams and lines as the sensor sees them. 0 where that is not known.
+[[nodiscard]] double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx);
+
 struct ClipRange {
     double nearM = 0.1;
     double farM = 100.0;

@@ -122,6 +122,29 @@ Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sa
     return box;
 }
 
+/// The larger of the two angles to the neighbours in line and beam: points as large as it close the surface both ways.
+double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
+    constexpr std::size_t kEnough = 2000;
+    std::vector<double> steps;
+    const auto angle = [&](std::size_t a, std::size_t b) {
+        const Vector3d from = (cloud.point(a) - cloud.sensor).cast<double>();
+        const Vector3d to = (cloud.point(b) - cloud.sensor).cast<double>();
+        return std::atan2(from.cross(to).norm(), from.dot(to));
+    };
+    const auto beams = static_cast<std::size_t>(cloud.beams);
+    const std::size_t every = std::max<std::size_t>(1, sample.size() / kEnough);
+    for (std::size_t n = 0; n < sample.size(); n += every) {
+        const std::size_t k = sample[n];
+        const bool beside = (k + 1) % beams != 0 && cloud.drawable(k + 1);
+        const bool below = cloud.drawable(k + beams);
+        if (beside || below) steps.push_back(std::max(beside ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
+    }
+    if (steps.empty()) return 0.0;
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
 Vector3d meanDirection(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
     Vector3d sum = Vector3d::Zero();
     for (const std::uint32_t k : sample) {
@@ -195,6 +218,7 @@ std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     fillTiles(*out);
     const std::vector<std::uint32_t> sample = sampleCells(*out);
     out->mainBounds = boxOfMost(*out, sample);
+    out->stepRad = middleStep(*out, sample);
     fillFrames(scan, tables, sample, *out);
     return out;
 }

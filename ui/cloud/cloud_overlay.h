@@ -16,10 +16,14 @@ struct OverlayMarks {
     bool hidden = false;         ///< the point lies behind others: dashed
     QString centreText;          ///< why the view is empty
     QString note;                ///< top left
+    QString tip;                 ///< beside the ring
+    QString caption;             ///< top right
     QString stale;               ///< greys the picture and says why; empty = none
 
     bool operator==(const OverlayMarks&) const = default;
-    [[nodiscard]] bool empty() const { return !ring && !ray && centreText.isEmpty() && note.isEmpty() && stale.isEmpty(); }
+    [[nodiscard]] bool empty() const {
+        return !ring && !ray && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty();
+    }
 };
 
 class CloudOverlay : public QWidget {

@@ -21,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <qopengl.h>
 
@@ -34,8 +35,7 @@ namespace {
 // lie on, still behind rock that is really nearer.
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
-constexpr double kEdgeLarger = 2.0; // times the size of a point
-constexpr double kAmbient = 0.5;    // of the cloud's colour where the surface is seen edge-on: still lighter than the background
+constexpr double kAmbient = 0.5; // of the cloud's colour where the surface is seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
@@ -104,7 +104,8 @@ void CloudScene::Layer::setCells(vtkPoints* points, std::span<const std::uint32_
     data->SetVerts(verts);
 }
 
-CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapper>::New()) {
+CloudScene::CloudScene(vtkRenderWindow* window)
+    : halo_(vtkSmartPointer<HaloMapper>::New()), outlineHalo_(vtkSmartPointer<HaloMapper>::New()) {
     window->SetMultiSamples(0);
     window->AddRenderer(renderer_);
     // The culler would walk through all points for their bounds; the clip range is ours.
@@ -117,12 +118,17 @@ CloudScene::CloudScene(vtkRenderWindow* window) : halo_(vtkSmartPointer<HaloMapp
     for (Layer& part : parts_) {
         part.actor->GetProperty()->SetAmbient(kAmbient);
         part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
         renderer_->AddActor(part.actor);
     }
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
+    renderer_->AddActor(outlineHalo_.actor);
+    renderer_->AddActor(outline_.actor);
     setColour(halo_.actor, kHalo);
+    setColour(outlineHalo_.actor, kHalo);
+    setColour(outline_.actor, Qt::white);
 
     focusSphere_->SetThetaResolution(32);
     focusSphere_->SetPhiResolution(24);
@@ -144,6 +150,8 @@ CloudScene::~CloudScene() = default;
 
 void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     setEdges({});
+    setFaces(nullptr);
+    setOutline(nullptr);
     uploaded_.fill(false);
     points_ = nullptr;
     if (cloud) {
@@ -169,25 +177,54 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     cloud_ = std::move(cloud); // only now may the floats of the cloud before go
 }
 
-void CloudScene::setEdges(EdgeCells cells) {
+// Leaves out what is not drawable; the layer is left with the cells as they are then, which must outlive their use.
+void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
     const auto drawable = [this](std::uint32_t k) { return cloud_->drawable(k); };
-    const auto set = [&](Layer& layer, EdgeCells::Indices& indices) {
-        if (indices && cloud_ && !std::all_of(indices->begin(), indices->end(), drawable)) {
-            auto kept = std::make_shared<std::vector<std::uint32_t>>();
-            std::copy_if(indices->begin(), indices->end(), std::back_inserter(*kept), drawable);
-            indices = std::move(kept);
-        }
-        if (indices && (!cloud_ || indices->empty())) indices = nullptr;
-        if (indices) {
-            layer.setCells(points_, *indices);
-        } else {
-            layer.setCells(nullptr, {}); // never the floats of a cloud that goes
-        }
-    };
-    set(edge_, cells.all);
+    if (cells && cloud_ && !std::all_of(cells->begin(), cells->end(), drawable)) {
+        auto kept = std::make_shared<std::vector<std::uint32_t>>();
+        std::copy_if(cells->begin(), cells->end(), std::back_inserter(*kept), drawable);
+        cells = std::move(kept);
+    }
+    if (cells && (!cloud_ || cells->empty())) cells = nullptr;
+    if (cells) {
+        layer.setCells(points_, *cells);
+    } else {
+        layer.setCells(nullptr, {}); // never the floats of a cloud that goes
+    }
+}
+
+void CloudScene::setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours) {
+    vtkSmartPointer<vtkUnsignedCharArray> bytes;
+    if (colours && cloud_ && colours->size() == cloud_->cells()) {
+        bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        bytes->SetNumberOfComponents(4); // with three VTK would make a copy for each part
+        auto* first = const_cast<std::uint32_t*>(colours->data());
+        bytes->SetArray(reinterpret_cast<unsigned char*>(first), static_cast<vtkIdType>(4 * colours->size()), 1);
+    } else {
+        colours = nullptr;
+    }
+    for (Layer& part : parts_) {
+        part.data->GetPointData()->SetScalars(bytes);
+        part.mapper->SetColorModeToDirectScalars();
+        part.mapper->SetScalarVisibility(bytes != nullptr);
+    }
+    faces_ = std::move(colours); // only now may the colours before go
+}
+
+void CloudScene::setOutline(EdgeCells::Indices cells) {
+    setLayer(outline_, cells);
+    EdgeCells::Indices halo = cells;
+    setLayer(outlineHalo_, halo);
+    outline_.actor->SetVisibility(cells != nullptr);
+    outlineHalo_.actor->SetVisibility(cells != nullptr);
+    outlined_ = std::move(cells);
+}
+
+void CloudScene::setEdges(EdgeCells cells) {
+    setLayer(edge_, cells.all);
     EdgeCells::Indices halo = cells.all;
-    set(halo_, halo);
-    for (std::size_t n = 0; n < classes_.size(); ++n) set(classes_[n], cells.byClass[n]);
+    setLayer(halo_, halo);
+    for (std::size_t n = 0; n < classes_.size(); ++n) setLayer(classes_[n], cells.byClass[n]);
     edges_ = std::move(cells);
     showEdgeLayers();
 }
@@ -210,14 +247,15 @@ void CloudScene::setLook(const CloudLook& look) {
         part.actor->GetProperty()->SetLighting(look.shaded);
     }
     pointSize_ = look.pointSize;
-    const std::array<QColor, kEdgeClasses> classColours{look.edge, kConvexColour, kConcaveColour, kBorderColour};
-    setColour(edge_.actor, look.edge);
-    edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
+    setColour(edge_.actor, look.edge.front());
+    edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     for (std::size_t n = 0; n < classes_.size(); ++n) {
-        setColour(classes_[n].actor, classColours[n]);
-        classes_[n].actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger));
+        setColour(classes_[n].actor, look.edge[n]);
+        classes_[n].actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     }
-    halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + kEdgeLarger + 2.0 * look.halo));
+    halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
+    outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
+    outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
     edgesShown_ = look.edges;
     byClass_ = look.byClass;
     showEdgeLayers();
@@ -235,6 +273,8 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     pullNearer(edge_.actor, pose, kEdgeNearer);
     for (Layer& layer : classes_) pullNearer(layer.actor, pose, kEdgeNearer);
     pullNearer(halo_.actor, pose, kHaloNearer);
+    pullNearer(outline_.actor, pose, kEdgeNearer);
+    pullNearer(outlineHalo_.actor, pose, kHaloNearer);
 }
 
 bool CloudScene::setParts(const Parts& parts) {

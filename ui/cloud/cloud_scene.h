@@ -29,11 +29,13 @@ class vtkSphereSource;
 namespace edgescan::ui {
 
 struct CloudLook {
-    QColor background, cloud, edge;
+    QColor background, cloud;
+    EdgeColours edge = kUsualColours;
     double pointSize = 2.0; ///< device pixels
+    double edgeSize = 4.0;  ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
-    bool byClass = false; ///< convex and concave edges in colours of their own
+    bool byClass = false; ///< each class in its own colour
     bool shaded = true;   ///< false: every point of the cloud has its full colour
 };
 
@@ -46,6 +48,10 @@ public:
     void setCloud(std::shared_ptr<const CloudGeometry> cloud);
     /// Cells that are not drawable are left out.
     void setEdges(EdgeCells cells);
+    /// By cell, four bytes: red, green, blue, 255. Instead of the one colour of the cloud; null, or of another number of cells: none.
+    void setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours);
+    /// Drawn white over everything. Cells that are not drawable are left out.
+    void setOutline(EdgeCells::Indices cells);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
     /// What is drawn of the drawing order: parts first .. last.
@@ -73,6 +79,7 @@ private:
     };
 
     void showEdgeLayers();
+    void setLayer(Layer& layer, EdgeCells::Indices& cells);
 
     vtkNew<vtkRenderer> renderer_;
     std::shared_ptr<const CloudGeometry> cloud_; // owns the floats that VTK draws
@@ -81,7 +88,9 @@ private:
     vtkSmartPointer<vtkFloatArray> normals_;
     std::array<Layer, kCloudParts> parts_;
     std::array<bool, kCloudParts> uploaded_{};
-    Layer halo_, edge_;
+    std::shared_ptr<const std::vector<std::uint32_t>> faces_;
+    EdgeCells::Indices outlined_;
+    Layer halo_, edge_, outlineHalo_, outline_;
     std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;

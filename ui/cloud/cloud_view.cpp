@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -20,8 +21,13 @@ using Eigen::Vector3d;
 constexpr double kGuessMsPerPoint = 2.5e-4; // llvmpipe on a busy machine; only until frames are measured
 constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full when nothing came for so long
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
+constexpr double kLargestPoint = 12.0;      // px
+constexpr double kFactorPerStep = 1.25;     // of a size that follows the spacing
 const QColor kCloudDimmed(121, 121, 121);   // dark enough for edges in front of it
 const QColor kCloudBright(230, 230, 230);
+
+// Wide enough for a line of single cells to be seen, not so wide that two lines run into one.
+double edgeSizeFor(double pointSize) { return std::max(2.5, 1.25 * pointSize); }
 
 } // namespace
 
@@ -55,6 +61,8 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     scan_ = std::move(scan);
     cloud_ = std::move(geometry);
     edges_ = {};
+    outline_ = nullptr;
+    if (std::exchange(faces_, nullptr)) applyColours();
     marked_ = std::nullopt;
     pointAt(std::nullopt);
     scene_->setCloud(cloud_);
@@ -90,6 +98,38 @@ void CloudView::setEdges(EdgeCells cells) {
     requestFrame();
 }
 
+void CloudView::setFaces(std::shared_ptr<const CellIndices> colours) {
+    if (colours == faces_) return;
+    faces_ = std::move(colours);
+    scene_->setFaces(faces_);
+    restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // as for edges
+    applyColours();
+}
+
+void CloudView::setEdgesOverFaces(bool on) {
+    edgesOverFaces_ = on;
+    applyColours();
+}
+
+void CloudView::setOutline(std::shared_ptr<const CellIndices> cells) {
+    if (cells == outline_) return;
+    outline_ = std::move(cells);
+    scene_->setOutline(outline_);
+    requestFrame();
+}
+
+void CloudView::setTip(const QString& text) {
+    if (text == tip_) return;
+    tip_ = text;
+    updateOverlay();
+}
+
+void CloudView::setCaption(const QString& text) {
+    if (text == caption_) return;
+    caption_ = text;
+    updateOverlay();
+}
+
 void CloudView::requestFrame() {
     nextPart_ = 0; // from the beginning
     framePending_ = true;
@@ -104,9 +144,9 @@ void CloudView::moved(int restMs) {
 void CloudView::applyCamera() {
     static const CloudGeometry nothing;
     scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_));
+    followSpacing();
     updateOverlay();
     requestFrame();
-    emit cameraChanged();
 }
 
 void CloudView::applyColours() {
@@ -114,10 +154,11 @@ void CloudView::applyColours() {
     look.background = background_;
     look.shaded = shaded_;
     look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
-    look.edge = edgeColour_;
+    look.edge = edgeColours_;
     look.pointSize = std::round(pointSize_ * devicePixelRatioF());
-    look.halo = std::round(devicePixelRatioF());
-    look.edges = edgesVisible_;
+    look.edgeSize = std::round(edgeSizeFor(pointSize_) * devicePixelRatioF());
+    look.halo = std::floor(devicePixelRatioF());
+    look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_);
     look.byClass = byClass_;
     scene_->setLook(look);
     requestFrame();
@@ -131,6 +172,7 @@ void CloudView::initializeGL() {
 void CloudView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
     overlay_->setGeometry(rect());
+    followSpacing();
     updateOverlay();
     applyColours(); // the device pixel ratio may have changed
 }
@@ -212,6 +254,8 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 void CloudView::updateOverlay() {
     OverlayMarks marks;
     marks.stale = stale_;
+    marks.tip = tip_;
+    marks.caption = caption_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {
@@ -340,11 +384,35 @@ void CloudView::setShaded(bool on) {
 }
 
 void CloudView::setPointSize(double pixels) {
-    const double size = std::clamp(pixels, 1.0, 12.0);
+    sizeFollows_ = false;
+    usePointSize(pixels);
+}
+
+void CloudView::usePointSize(double pixels) {
+    const double size = std::clamp(pixels, 1.0, kLargestPoint);
     if (size == pointSize_) return;
     pointSize_ = size;
     applyColours();
     emit pointSizeChanged(size);
+}
+
+void CloudView::setPointSizeFollows(bool on) {
+    sizeFollows_ = on;
+    sizeFactor_ = 1.0;
+    followSpacing();
+}
+
+void CloudView::changePointSize(int steps) {
+    if (!sizeFollows_) return setPointSize(pointSize_ + steps);
+    // A step that no pixel shows is none: the factor stays where the sizes are.
+    sizeFactor_ = std::clamp(sizeFactor_ * std::pow(kFactorPerStep, steps), 1.0 / 8, 8.0);
+    followSpacing();
+}
+
+void CloudView::followSpacing() {
+    if (!sizeFollows_ || !cloud_ || cloud_->validCount == 0) return;
+    const double pixels = spacingOnScreen(*cloud_, pose_, height());
+    usePointSize(std::clamp(pixels * sizeFactor_, 1.0, kLargestPoint));
 }
 
 void CloudView::setBackground(const QColor& colour) {
@@ -352,8 +420,8 @@ void CloudView::setBackground(const QColor& colour) {
     applyColours();
 }
 
-void CloudView::setEdgeColour(const QColor& colour) {
-    edgeColour_ = colour;
+void CloudView::setEdgeColours(const EdgeColours& colours) {
+    edgeColours_ = colours;
     applyColours();
 }
 

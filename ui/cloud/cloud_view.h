@@ -51,6 +51,14 @@ public:
     /// Cells k = line * beams + beam, ascending. Replaces an index list only; the same pointer again costs nothing.
     void setEdges(EdgeCells cells);
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
+    /// A colour for each point, instead of the cloud's gray (CloudScene::setFaces). While there are some, edges are drawn only where
+    /// setEdgesOverFaces() asks for them.
+    void setFaces(std::shared_ptr<const CellIndices> colours);
+    [[nodiscard]] const std::shared_ptr<const CellIndices>& faces() const { return faces_; }
+    void setEdgesOverFaces(bool on);
+    /// Cells along an outline, drawn white; null: none.
+    void setOutline(std::shared_ptr<const CellIndices> cells);
+    [[nodiscard]] const std::shared_ptr<const CellIndices>& outline() const { return outline_; }
     [[nodiscard]] const std::shared_ptr<const Scan>& scan() const { return scan_; }
     [[nodiscard]] const std::shared_ptr<const CloudGeometry>& geometryOfCloud() const { return cloud_; }
 
@@ -59,7 +67,7 @@ public:
     [[nodiscard]] bool shaded() const { return shaded_; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
     [[nodiscard]] QColor background() const { return background_; }
-    [[nodiscard]] QColor edgeColour() const { return edgeColour_; }
+    [[nodiscard]] const EdgeColours& edgeColours() const { return edgeColours_; }
     [[nodiscard]] bool edgesByClass() const { return byClass_; }
     [[nodiscard]] MousePreset mousePreset() const { return mousePreset_; }
     [[nodiscard]] bool isParallel() const { return pose_.parallel; }
@@ -77,6 +85,12 @@ public:
     void setNote(const QString& note);
     /// Greys the picture and says why across it: it is older than it seems. Empty = none.
     void setStale(const QString& why);
+    /// A short text beside the marked cell. Empty = none.
+    void setTip(const QString& text);
+    [[nodiscard]] const QString& tip() const { return tip_; }
+    /// What holds for everything that is shown, in the upper right corner. Empty = nothing.
+    void setCaption(const QString& text);
+    [[nodiscard]] const QString& caption() const { return caption_; }
     [[nodiscard]] const QString& stale() const { return stale_; }
 
     /// Point drawn under a widget position, within 8 px.
@@ -113,10 +127,14 @@ public slots:
     void setEdgesVisible(bool on);
     void setCloudDimmed(bool on);     ///< off = the cloud stays bright while edges are on
     void setShaded(bool on);          ///< off = the cloud is one flat gray
-    void setPointSize(double pixels); ///< 1 .. 12
+    void setPointSize(double pixels); ///< 1 .. 12; from then on it stays
+    /// On: the size follows the spacing of the points and the zoom, so that a surface is closed and a crowd no blob.
+    void setPointSizeFollows(bool on);
+    void largerPoints() { changePointSize(+1); }
+    void smallerPoints() { changePointSize(-1); }
     void setBackground(const QColor& colour);
-    void setEdgeColour(const QColor& colour); ///< (0,255,0), or kColourBlindEdge
-    void setEdgesByClass(bool on);            ///< convex and concave edges in colours of their own
+    void setEdgeColours(const edgescan::ui::EdgeColours& colours);
+    void setEdgesByClass(bool on); ///< each class in its own colour
     void setMousePreset(edgescan::ui::MousePreset preset) { mousePreset_ = preset; }
     void setWheelReversed(bool on) { wheelReversed_ = on; }
 
@@ -129,7 +147,6 @@ signals:
     void frameDrawn(double ms);
     void pointSizeChanged(double pixels);
     void parallelChanged(bool on);
-    void cameraChanged();
 
 protected:
     bool event(QEvent* event) override;
@@ -151,6 +168,9 @@ private:
     void moved(int restMs = kRestMs); // the camera is under way: coarse picture now, full one after a pause
     void applyCamera();
     void applyColours();
+    void changePointSize(int steps);
+    void usePointSize(double pixels);
+    void followSpacing();
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
     void drag(QPointF at);
@@ -169,15 +189,20 @@ private:
     std::shared_ptr<const Scan> scan_;
     std::shared_ptr<const CloudGeometry> cloud_;
     EdgeCells edges_;
+    std::shared_ptr<const CellIndices> faces_, outline_;
+    bool edgesOverFaces_ = false;
 
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
     double nearShare_ = 0.0, farShare_ = 0.0;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;
-    QColor background_{48, 48, 48}, edgeColour_{0, 255, 0};
+    bool sizeFollows_ = false;
+    double sizeFactor_ = 1.0; // where it follows: what the operator multiplied it by
+    QColor background_{48, 48, 48};
+    EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
-    QString note_, stale_;
+    QString note_, stale_, tip_, caption_;
 
     DragAction drag_ = DragAction::None;
     Press press_;
@@ -194,7 +219,5 @@ private:
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
     int framesDrawn_ = 0;
 };
-
-inline const QColor kColourBlindEdge{240, 228, 66};
 
 } // namespace edgescan::ui

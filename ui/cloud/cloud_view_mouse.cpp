@@ -131,7 +131,7 @@ void CloudView::wheelEvent(QWheelEvent* event) {
     if (steps == 0.0) return;
     const WheelAction action = wheelAction(event->modifiers());
     if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -steps : steps);
-    if (action == WheelAction::PointSize) setPointSize(pointSize_ + (steps > 0.0 ? 1.0 : -1.0));
+    if (action == WheelAction::PointSize) changePointSize(steps > 0.0 ? 1 : -1);
     if (action == WheelAction::NearClip) wheelClip(nearShare_, steps);
     if (action == WheelAction::FarClip) wheelClip(farShare_, -steps);
 }

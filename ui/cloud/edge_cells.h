@@ -1,6 +1,8 @@
 // The edge cells of a frame, and the same by class for methods that tell classes apart.
 #pragma once
 
+#include "core/points/edge_colours.h"
+
 #include <QColor>
 
 #include <array>
@@ -19,10 +21,14 @@ struct EdgeCells {
     bool operator==(const EdgeCells&) const = default;
 };
 
-/// Colours of the other classes beside that of a jump, which has the colour of every edge. Each has a contrast of 3 : 1 and
-/// more to the cloud's gray.
-inline const QColor kConvexColour{0, 255, 255};
-inline const QColor kConcaveColour{255, 205, 255};
-inline const QColor kBorderColour{255, 215, 150};
+/// By class; the first one is also the colour of every edge where classes are not told apart.
+using EdgeColours = std::array<QColor, kEdgeClasses>;
+
+inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, colour.blue}; }
+/// As files have them.
+inline const EdgeColours kUsualColours{colourOf(kEdgeColours[1]), colourOf(kEdgeColours[2]), colourOf(kEdgeColours[3]),
+                                       colourOf(kEdgeColours[4])};
+/// Told apart by those who see no difference between red and green: along yellow, white and blue. 3 : 1 and more to the cloud's gray, too.
+inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190)};
 
 } // namespace edgescan::ui

@@ -28,7 +28,7 @@ GlCheck checkGl() {
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
     const QSurfaceFormat got = context.format();
     context.doneCurrent();
-    const QString renderer = name == nullptr ? QString() : QString::fromLatin1(name);
+    const QString renderer = name == nullptr ? QString() : QString(QLatin1String(name));
     if (qMakePair(got.majorVersion(), got.minorVersion()) < qMakePair(3, 2)) {
         return {false, renderer,
                 text("The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).")

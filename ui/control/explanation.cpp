@@ -3,6 +3,7 @@
 
 #include "core/explain/why.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
 #include "ui/dialogs/why_card.h"
 #include "ui/image/image_view.h"
 
@@ -10,44 +11,40 @@
 
 namespace edgescan::ui {
 
-Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& notice) : views_(views), notice_(notice) {
-    for (ImageView* view : {&views.gray(), &views.edges()}) {
-        connect(view, &ImageView::menuWanted, this, [this](int line, int beam, const QPoint& position) {
-            const auto cell = views_.cellAt(line, beam);
-            if (!cell) return;
-            QMenu menu;
-            menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
-                views_.pin(cell);
-                explain(*cell);
-            });
-            menu.exec(position);
+Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& notice)
+    : views_(views), notice_(notice),
+      worker_(
+          this,
+          [](const Question& question) {
+              const Detection& detection = *question.picture->detection;
+              return Answer{question.picture, std::make_shared<const Why>(whyCell(detection, question.cell))};
+          },
+          [this](const Answer& answer) { tell(answer); },
+          [this](const QString& what) {
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("Why could not be worked out (%1).").arg(what));
+          }) {
+    connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
+            views_.pin(cell);
+            explain(cell);
         });
-    }
+    });
     // The chain belongs to the picture that it was asked of.
     connect(&session, &Session::pictureReady, this, &Explanation::forgetTrail);
 }
 
 void Explanation::explain(std::size_t cell) {
-    const std::shared_ptr<const Picture> picture = views_.shown();
-    if (!picture || answering_ != nullptr) return; // the answer to the last question comes first
-    answering_ = new BackgroundJob(
-        [this, picture, cell](const BackgroundJob::Progress&) -> std::function<void()> {
-            const auto why = std::make_shared<const Why>(whyCell(*picture->detection, cell));
-            return [this, picture, why] { tell(picture, *why); };
-        },
-        this);
-    connect(answering_, &BackgroundJob::ended, this, [this] {
-        answering_->deleteLater();
-        answering_ = nullptr;
-    });
+    if (const std::shared_ptr<const Picture> picture = views_.shown()) worker_.post({picture, cell});
 }
 
-void Explanation::tell(const std::shared_ptr<const Picture>& picture, const Why& why) {
+void Explanation::tell(const Answer& answer) {
+    const auto& [picture, given] = answer;
+    const Why& why = *given;
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
     }
-    QString text = QString::fromStdString(whyText(why, picture->detection->settings));
+    QString text = shownText(whyText(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
     card_->tell(text);

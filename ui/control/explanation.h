@@ -2,6 +2,9 @@
 #pragma once
 
 #include "ui/control/linked_views.h"
+#include "ui/session/newest.h"
+
+#include <memory>
 
 namespace edgescan {
 struct Why;
@@ -26,13 +29,21 @@ public:
     [[nodiscard]] const WhyCard* card() const { return card_; }
 
 private:
-    void tell(const std::shared_ptr<const Picture>& picture, const Why& why);
+    struct Question {
+        std::shared_ptr<const Picture> picture;
+        std::size_t cell = 0;
+    };
+    struct Answer {
+        std::shared_ptr<const Picture> picture;
+        std::shared_ptr<const Why> why;
+    };
+    void tell(const Answer& answer);
     void showTrail(const Why& why);
 
     LinkedViews& views_;
     NoticeBar& notice_;
-    WhyCard* card_ = nullptr;            // child of the window
-    BackgroundJob* answering_ = nullptr; // child
+    WhyCard* card_ = nullptr; // child of the window
+    Newest<Question, Answer> worker_;
 };
 
 } // namespace edgescan::ui

@@ -3,8 +3,13 @@
 
 #include "core/base/whole_file.h"
 #include "core/georef/placed_points.h"
+#include "core/io/grid_beside.h"
 #include "core/settings/command_text.h"
+#include "core/settings/method_traits.h"
+#include "core/settings/parameters.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
 #include "ui/control/file_filters.h"
 #include "ui/control/files.h"
 #include "ui/dialogs/export_dialog.h"
@@ -14,8 +19,8 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QDate>
+#include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStandardPaths>
@@ -32,13 +37,29 @@ struct ContentNames {
     const char* tail;   // of the file's name
     const char* things; // what is counted
 };
-constexpr std::array<ContentNames, 5> kNames{{{ExportContent::EdgeCloud, "edges", "edge points"},
-                                              {ExportContent::FullCloud, "cloud", "points"},
-                                              {ExportContent::EdgeImage, "edge-map", "cells"},
-                                              {ExportContent::GrayImage, "gray", "cells"},
-                                              {ExportContent::RangeImage, "range", "cells"}}};
+constexpr std::array<ContentNames, 10> kNames{{{ExportContent::EdgeCloud, "edges", "edge points"},
+                                               {ExportContent::FullCloud, "cloud", "points"},
+                                               {ExportContent::EdgeImage, "edge-map", "cells"},
+                                               {ExportContent::GrayImage, "gray", "cells"},
+                                               {ExportContent::RangeImage, "range", "cells"},
+                                               {ExportContent::RockLabels, "rocks", "cells"},
+                                               {ExportContent::RockTable, "rocks", "rocks"},
+                                               {ExportContent::RockReport, "rocks", "rocks"},
+                                               {ExportContent::RockOutlines, "rocks", "rocks"},
+                                               {ExportContent::RockHulls, "hulls", "rocks"}}};
 
 const ContentNames& namesOf(ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
+
+// "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
+QString exportName(const Detection& detection, ExportContent content, CoordinateFrame frame) {
+    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
+    const Settings& settings = detection.settings;
+    const Parameter& swept = sweptParameter(settings.method);
+    const bool ofEdges = content != ExportContent::RangeImage && content != ExportContent::GrayImage;
+    if (ofEdges) parts << traitsOf(settings.method).key << swept.key + exactText(formatValue(swept, swept.get(settings)));
+    parts << QDate::currentDate().toString(Qt::ISODate);
+    return parts.join('_') + (isCloud(content) ? frameTail(frame) : "");
+}
 
 } // namespace
 
@@ -64,28 +85,21 @@ void Exports::ask(ExportContent wanted) {
     ExportDialog dialog(detection, wanted, notice_.window());
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = isCloud(dialog.content());
-    const QString extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
-    const QString name = QString("%1_%2_L%3_K%4_%5%6%7")
-                             .arg(QString::fromStdString(detection->scan->name).replace(' ', '-'), namesOf(dialog.content()).tail)
-                             .arg(detection->settings.lower)
-                             .arg(detection->settings.kernel)
-                             .arg(QDate::currentDate().toString(Qt::ISODate), cloud ? frameTail(dialog.options().frame) : "", extension);
-    QStringList filters;
-    QString usual;
+    SaveQuestion question;
+    question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
+    question.extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
+    const QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
+    question.place = QDir(memory_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
     if (!cloud)
-        filters << tr("PNG picture (*.png)");
+        question.filters << tr("PNG picture (*.png)");
     else
         for (const Format& each : formats()) {
-            if (each.write == nullptr) continue;
-            filters << filterOf(each, each.writes);
-            if (each.writes.front() == extension) usual = filters.back();
+            if (each.write != nullptr) question.filters << filterOf(each, each.writes);
         }
-    const QString title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
-    const QString place = QDir(memory_.folder(cloud ? "exports" : "images")).filePath(name);
-    QString path = QFileDialog::getSaveFileName(notice_.window(), title, place, filters.join(";;"), &usual);
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += extension;
-    session_.save(dialog.content(), path, dialog.options());
+    // The record beside the file is replaced with it.
+    question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
+    const QString path = askWhereToSave(notice_.window(), question);
+    if (!path.isEmpty()) session_.save(dialog.content(), path, dialog.options());
 }
 
 void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
@@ -95,10 +109,11 @@ void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
 }
 
 void Exports::askScreenshot(const QImage& image) {
-    QString path = QFileDialog::getSaveFileName(notice_.window(), tr("Save screenshot"),
-                                                QDir(memory_.folder("images")).filePath("edgescan.png"), tr("PNG picture (*.png)"));
+    const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
+    const QString path = askWhereToSave(
+        notice_.window(),
+        {tr("Save screenshot"), QDir(memory_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += ".png";
     memory_.keepFolder("images", path);
     if (const Result<Done> written = savePng(image, path); !written)
         notice_.tell(written.error());
@@ -109,12 +124,12 @@ void Exports::askScreenshot(const QImage& image) {
 void Exports::copyCommand() {
     if (!session_.picture() || session_.picture()->detection->scan->path.empty()) return;
     const Detection& detection = *session_.picture()->detection;
-    const QString path = QFileInfo(QString::fromStdString(detection.scan->path)).absoluteFilePath();
+    const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
     // Beside this program where it is not on the PATH.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
-    QGuiApplication::clipboard()->setText(QString::fromStdString(
-        detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
+    QGuiApplication::clipboard()->setText(
+        exactText(detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
     notice_.showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

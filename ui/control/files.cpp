@@ -4,12 +4,15 @@
 #include "core/georef/placed_points.h"
 #include "core/straighten/straighten_scan.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
 #include "ui/control/file_filters.h"
+#include "ui/dialogs/reading_dialog.h"
 #include "ui/session/memory.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QUndoStack>
 
 #include <algorithm>
 
@@ -25,13 +28,42 @@ QString openFilters() {
         filters << filterOf(format, format.reads);
     }
     filters.removeAll(QString());
+    all << "*.gz"; // any of them
     return QObject::tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + QObject::tr("All files (*)");
 }
 
 } // namespace
 
-Files::Files(Session& session, NoticeBar& notice, Memory& memory) : session_(session), notice_(notice), memory_(memory) {
+/// How a file is read. Once another file is on the screen there is nothing to take back: the step gives way to the one before it.
+class ReadingChange : public QUndoCommand {
+public:
+    ReadingChange(Files& files, QUndoStack& stack, const QString& what, const ReadingOptions& after)
+        : QUndoCommand(what), files_(files), stack_(stack), path_(files.path_), before_(files.options_), after_(after) {}
+
+    void undo() override { use(before_, &QUndoStack::undo); }
+    void redo() override { use(after_, &QUndoStack::redo); }
+
+private:
+    void use(const ReadingOptions& options, void (QUndoStack::*next)()) {
+        if (files_.readAs(path_, options)) return;
+        setObsolete(true);
+        QMetaObject::invokeMethod(
+            &stack_, [stack = &stack_, next] { (stack->*next)(); }, Qt::QueuedConnection);
+    }
+
+    Files& files_;
+    QUndoStack& stack_;
+    QString path_;
+    ReadingOptions before_, after_;
+};
+
+Files::Files(Session& session, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : session_(session), notice_(notice), memory_(memory), undo_(undo) {
     connect(&session_, &Session::opened, this, &Files::noteOpened);
+    // What was refused or given up leaves what is on the screen as it was read.
+    connect(&session_, &Session::workEnded, this, [this] {
+        if (!session_.opening()) setOptions(shownOptions_);
+    });
     connect(&session_, &Session::streamChanged, this, &Files::tellWarnings);
 }
 
@@ -78,20 +110,39 @@ void Files::straighten(bool wanted) {
                            tr("There is no file on the screen whose beams could be straightened: open one first."));
         return;
     }
-    options_.straighten = wanted;
-    emit straightened(wanted);
+    ReadingOptions options = options_;
+    options.straighten = wanted;
+    readAgain(options, wanted ? tr("Straighten Beams") : tr("Beams as Recorded"));
+}
+
+void Files::readAgain(const ReadingOptions& options, const QString& what) { undo_.push(new ReadingChange(*this, undo_, what, options)); }
+
+bool Files::readAs(const QString& path, const ReadingOptions& options) {
+    if (path != path_) return false;
+    setOptions(options);
     reload();
+    return true;
+}
+
+void Files::askReading() {
+    if (path_.isEmpty())
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("There is no file on the screen that could be read in another way: open one first."));
+    ReadingDialog dialog(options_, notice_.window());
+    if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), tr("How the Scan Is Read"));
 }
 
 void Files::leave() {
     series_.clear();
     path_.clear();
+    shownOptions_ = {};
     setOptions({});
     notice_.hide();
 }
 
 void Files::noteOpened(const QString& path) {
     path_ = path;
+    shownOptions_ = options_;
     notice_.hide();
     if (path.isEmpty()) return;
     memory_.keepRecentFile(path);
@@ -102,8 +153,8 @@ void Files::tellWarnings() {
     const Picture& picture = *session_.picture();
     const Scan& scan = *picture.detection->scan;
     QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << QString::fromStdString(warning);
-    for (const std::string& warning : placeWarnings(scan)) warnings << QString::fromStdString(warning);
+    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
+    for (const std::string& warning : placeWarnings(scan)) warnings << shownText(warning);
     // Of a live scan the health strip tells.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
@@ -115,8 +166,8 @@ void Files::fillRecent(QMenu& menu) {
     menu.clear();
     const QStringList files = memory_.recentFiles();
     for (const QString& path : files) {
-        QAction* action =
-            menu.addAction(QFileInfo(path).fileName() + "  -  " + QFileInfo(path).path(), this, [this, path] { open({path}); });
+        QAction* action = menu.addAction(shownName(QFileInfo(path).fileName() + "  -  " + QFileInfo(path).path()).replace('&', "&&"), this,
+                                         [this, path] { open({path}); });
         action->setEnabled(QFileInfo::exists(path));
     }
     if (files.isEmpty()) menu.addAction(tr("No file yet"))->setEnabled(false);

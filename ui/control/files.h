@@ -7,6 +7,7 @@
 #include <QStringList>
 
 class QMenu;
+class QUndoStack;
 
 namespace edgescan::ui {
 
@@ -17,7 +18,7 @@ class NoticeBar;
 class Files : public QObject {
     Q_OBJECT
 public:
-    Files(Session& session, NoticeBar& notice, Memory& memory);
+    Files(Session& session, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     /// Opens the first; the others follow with step().
     void open(const QStringList& paths, const ReadingOptions& options = {});
@@ -27,6 +28,10 @@ public:
     void step(int files);
     /// Opens the file on the screen again, with the angles of interlaced beams and slipped lines corrected, or as they were recorded.
     void straighten(bool wanted);
+    /// Opens it again with these, as one step of undo named `what`.
+    void readAgain(const ReadingOptions& options, const QString& what);
+    /// Asks for mounting, angles, pose and all else that a file may not know of itself, or has wrong.
+    void askReading();
     void fillRecent(QMenu& menu);
     /// What is on the screen comes from no file any more.
     void leave();
@@ -40,6 +45,9 @@ signals:
     void straightened(bool on);
 
 private:
+    friend class ReadingChange;
+    /// False: another file is on the screen by now.
+    bool readAs(const QString& path, const ReadingOptions& options);
     void setOptions(const ReadingOptions& options);
     void noteOpened(const QString& path);
     void tellWarnings();
@@ -47,8 +55,10 @@ private:
     Session& session_;
     NoticeBar& notice_;
     Memory& memory_;
-    QString path_; // on the screen; empty: the demo or a scanner
-    ReadingOptions options_;
+    QString path_;                // on the screen; empty: the demo or a scanner
+    ReadingOptions options_;      // of what is on the screen, or about to be
+    ReadingOptions shownOptions_; // of what is on the screen
+    QUndoStack& undo_;
     QStringList series_;
     int place_ = 0;
 };

@@ -11,23 +11,11 @@
 #include <cmath>
 
 namespace edgescan::ui {
-namespace {
-
-constexpr double kUsualPointSize = 2.0;
-constexpr double kLargestPointSize = 5.0;
-
-// So large that a sparse scan is a surface and not a haze.
-double pointSizeFor(const CloudView& view, const CloudGeometry& cloud) {
-    const double pixels =
-        static_cast<double>(view.width()) * view.height() / static_cast<double>(std::max<std::size_t>(1, cloud.validCount));
-    return std::clamp(std::round(std::sqrt(pixels)), kUsualPointSize, kLargestPointSize);
-}
-
-} // namespace
 
 LinkedViews::LinkedViews(const Session& session, ImageView& gray, ImageView& edges, CloudView& cloud)
     : session_(session), images_{&gray, &edges}, cloud_(cloud) {
     for (ImageView* view : images_) view->setNote(tr("Open a scan: Ctrl+O, or drop a file here"));
+    cloud_.setPointSizeFollows(true);
     linkImages();
     linkCloud();
     connect(&session_, &Session::pictureReady, this, &LinkedViews::show);
@@ -42,7 +30,10 @@ void LinkedViews::linkImages() {
         connect(view, &ImageView::clicked, this, [this](int line, int beam) {
             if (const auto cell = cellAt(line, beam)) pin(cell);
         });
-        connect(view, &ImageView::cleared, this, [this] { pin(std::nullopt); });
+        connect(view, &ImageView::cleared, this, &LinkedViews::letGo);
+        connect(view, &ImageView::menuWanted, this,
+                [this](int line, int beam, const QPoint& position) { showCellMenu(position, cellAt(line, beam)); });
+        connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeDisplayLevels);
     }
 }
@@ -52,15 +43,59 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { pin(static_cast<std::size_t>(cell)); });
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
-        QMenu menu;
-        if (cell >= 0) menu.addAction(tr("Fly to this point"), this, [this, cell] { cloud_.flyTo(cell); });
-        menu.addAction(tr("View from scanner"), &cloud_, &CloudView::viewFromScanner);
-        menu.addAction(tr("Fit"), &cloud_, &CloudView::zoomToFit);
-        menu.exec(position);
+        showCellMenu(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
     connect(&cloud_, &CloudView::drawnFractionChanged, this, [this](double fraction) {
         emit cloudRemark(fraction >= 1.0 ? QString() : tr("%1 % of the points drawn").arg(std::lround(fraction * 100)));
     });
+}
+
+// The same in every view: what can be done with a cell does not depend on where it is seen.
+void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t> cell) {
+    QMenu menu;
+    menu.setObjectName("cell-menu");
+    if (cell) {
+        emit cellMenuOpens(menu, *cell);
+        if (pinned_ == cell)
+            menu.addAction(tr("&Let go of this cell"), this, [this] { pin(std::nullopt); });
+        else
+            menu.addAction(tr("&Pin this cell"), this, [this, cell] { pin(cell); });
+        QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
+        fly->setEnabled(shown_ && shown_->cloud->drawable(*cell));
+        menu.addSeparator();
+    }
+    menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
+    menu.addAction(tr("F&it"), &cloud_, &CloudView::zoomToFit);
+    menu.exec(position);
+}
+
+/// All three views come close to what the box holds; it stays drawn until Esc.
+void LinkedViews::lookAtBox(const QRect& cells) {
+    if (!shown_) return;
+    const Scan& scan = *shown_->detection->scan;
+    const QRect inside = cells.intersected(QRect(0, 0, scan.beams(), scan.lines()));
+    if (inside.isEmpty()) return;
+    for (ImageView* view : images_) view->setBox(inside);
+    std::vector<std::uint32_t> held;
+    std::size_t edges = 0;
+    double nearest = 0.0, farthest = 0.0;
+    for (int line = inside.top(); line <= inside.bottom(); ++line) {
+        for (int beam = inside.left(); beam <= inside.right(); ++beam) {
+            const std::size_t k = scan.rangeMm.index(line, beam);
+            edges += (*shown_->detection->mask)[k] != 0 ? 1 : 0;
+            if (scan.state[k] != CellState::Valid) continue;
+            const double range = static_cast<double>(scan.rangeMm[k]) / 1000.0;
+            nearest = held.empty() ? range : std::min(nearest, range);
+            farthest = held.empty() ? range : std::max(farthest, range);
+            held.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    gray().viewPort()->fitTo(QRectF(inside));
+    if (!held.empty()) cloud_.zoomToCells(held);
+    QString words =
+        tr("box of %1 × %2 cells: %3 points, %4 edge cells").arg(inside.height()).arg(inside.width()).arg(held.size()).arg(edges);
+    if (!held.empty()) words += tr(", ranges %1 to %2 m").arg(nearest, 0, 'f', 2).arg(farthest, 0, 'f', 2);
+    emit boxed(words);
 }
 
 void LinkedViews::show() {
@@ -83,8 +118,8 @@ void LinkedViews::show() {
 
 void LinkedViews::showEdgeMap() {
     if (!shown_) return;
-    const bool coloured = cloud_.edgesByClass() && shown_->detection->classes;
-    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_.edgeColour())) : shown_->edges,
+    const bool coloured = byClass_ && shown_->detection->classes;
+    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_.edgeColours())) : shown_->edges,
                      Shrink::KeepBrightest);
 }
 
@@ -100,9 +135,11 @@ void LinkedViews::showNewScan() {
         viewPort.fit();
     }
     cloud_.setCloud(shown_->detection->scan, shown_->cloud);
-    cloud_.setPointSize(pointSizeFor(cloud_, *shown_->cloud));
     noteFit();
-    for (ImageView* view : images_) view->setNote(QString());
+    for (ImageView* view : images_) {
+        view->setNote(QString());
+        view->setBox(std::nullopt);
+    }
 }
 
 /// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
@@ -116,14 +153,11 @@ void LinkedViews::showMoreLines(const Picture& last) {
     const bool untouched = cloud_.camera() == fittedCamera_;
     const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown_->source.growth.growing;
     cloud_.setCloud(shown_->detection->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
-    if (!doubled) return;
-    if (cloud_.pointSize() == fittedPointSize_) cloud_.setPointSize(pointSizeFor(cloud_, *shown_->cloud));
-    if (untouched) noteFit();
+    if (doubled && untouched) noteFit();
 }
 
 void LinkedViews::noteFit() {
     fittedCamera_ = cloud_.camera();
-    fittedPointSize_ = cloud_.pointSize();
     fittedLines_ = shown_->detection->scan->lines();
 }
 
@@ -140,8 +174,8 @@ QPoint LinkedViews::placeOf(std::size_t cell) const {
 void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
     if (!shown_) return;
     hovered_ = cell;
-    for (ImageView* view : images_) view->setMarkedCell(cell && view != from ? std::optional(placeOf(*cell)) : std::nullopt);
     const auto mark = marked();
+    for (ImageView* view : images_) view->setMarkedCell(mark && (pinned_ || view != from) ? std::optional(placeOf(*mark)) : std::nullopt);
     cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
     emit probed(mark ? std::optional(probeCell(*shown_->detection, *mark)) : std::nullopt);
 }
@@ -150,6 +184,12 @@ void LinkedViews::pin(std::optional<std::size_t> cell) {
     pinned_ = cell;
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);
+}
+
+void LinkedViews::letGo() {
+    pin(std::nullopt);
+    for (ImageView* view : images_) view->setBox(std::nullopt);
+    emit boxed(QString());
 }
 
 void LinkedViews::flyToHovered() {
@@ -172,17 +212,25 @@ void LinkedViews::setStale(const QString& why) {
 
 void LinkedViews::setOverlay(bool on) {
     overlay_ = on;
-    gray().setOverlay(on && shown_ ? shown_->overlay : nullptr, 1.0);
+    if (!on || !shown_) return gray().setOverlay(nullptr, 1.0);
+    const bool asMade = !byClass_ && cloud_.edgeColours() == kUsualColours;
+    gray().setOverlay(
+        asMade ? shown_->overlay
+               : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, cloud_.edgeColours(), byClass_, shown_->gray->height())),
+        1.0);
 }
 
 void LinkedViews::setEdgesByClass(bool on) {
+    byClass_ = on;
     cloud_.setEdgesByClass(on);
     showEdgeMap();
+    setOverlay(overlay_);
 }
 
-void LinkedViews::setEdgeColour(const QColor& colour) {
-    cloud_.setEdgeColour(colour);
+void LinkedViews::setEdgeColours(const EdgeColours& colours) {
+    cloud_.setEdgeColours(colours);
     showEdgeMap();
+    setOverlay(overlay_);
 }
 
 void LinkedViews::setTrueAngles(bool on) {

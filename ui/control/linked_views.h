@@ -10,6 +10,8 @@
 #include <array>
 #include <optional>
 
+class QMenu;
+
 namespace edgescan::ui {
 
 class CloudView;
@@ -28,11 +30,14 @@ public:
     [[nodiscard]] ImageView& edges() { return *images_[1]; }
     [[nodiscard]] CloudView& cloud() { return cloud_; }
 
-    /// The cell that the mouse points at, else the one that was clicked.
-    [[nodiscard]] std::optional<std::size_t> marked() const { return hovered_ ? hovered_ : pinned_; }
+    /// The cell that was clicked, until it is let go; else the one that the mouse points at.
+    [[nodiscard]] std::optional<std::size_t> marked() const { return pinned_ ? pinned_ : hovered_; }
+    [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
     /// The cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
+    /// Of the cell and of the box.
+    void letGo();
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
     /// x = beam, y = line.
@@ -42,7 +47,7 @@ public:
     void setStale(const QString& why);
     void setOverlay(bool on);
     void setEdgesByClass(bool on);
-    void setEdgeColour(const QColor& colour);
+    void setEdgeColours(const EdgeColours& colours);
     /// Pixels as wide and high as the angles between beams and lines are; else square.
     void setTrueAngles(bool on);
     void resetView();
@@ -52,10 +57,16 @@ signals:
     /// Small text beside a view's title.
     void grayRemark(const QString& text);
     void cloudRemark(const QString& text);
+    /// The menu of a cell is about to be shown, in whichever view: room for what belongs to others.
+    void cellMenuOpens(QMenu& menu, std::size_t cell);
+    /// What lies inside the box that was dragged over an image, in words.
+    void boxed(const QString& words);
 
 private:
     void linkImages();
     void linkCloud();
+    void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
+    void lookAtBox(const QRect& cells);
     void show();
     void showEdgeMap();
     void showNewScan();
@@ -73,10 +84,10 @@ private:
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> pinned_;
     CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
-    double fittedPointSize_ = 0.0;
     int fittedLines_ = 0;
     DisplayLevels levels_;
     bool overlay_ = false;
+    bool byClass_ = false;
     bool trueAngles_ = false;
 };
 

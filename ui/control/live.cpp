@@ -1,7 +1,10 @@
 // What a live scanner and a recording do to the window.
 #include "ui/control/live.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/live/live_panel.h"
@@ -20,14 +23,14 @@ namespace edgescan::ui {
 namespace {
 
 SweepSettings rememberedSweep(const Memory& memory) {
-    const auto json = nlohmann::json::parse(memory.text("live/sweep").toStdString(), nullptr, false);
+    const auto json = parseJson(memory.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
     SweepMetadata metadata;
-    if (json.is_object()) {
-        for (const auto& [key, value] : json.items()) {
+    if (json && json->is_object()) {
+        for (const auto& [key, value] : json->items()) {
             if (value.is_string()) metadata[key] = value.get<std::string>();
         }
     }
-    return settingsOf(metadata).settings;
+    return settingsOf(metadata).settings; // what is not remembered is assumed
 }
 
 } // namespace
@@ -43,6 +46,9 @@ Live::Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& 
     connectScanner();
     connect(&session_, &Session::opened, this, &Live::loadTimeline);
     connect(&session_, &Session::pictureReady, this, &Live::tellSweepEnded);
+    connect(&session_, &Session::streamChanged, this, [this] {
+        if (scanner_.connected()) showHealth();
+    });
     connect(&timeline_, &Timeline::arrived, this, &Live::showReplayed);
     connect(&timeline_, &Timeline::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
 }
@@ -58,6 +64,7 @@ void Live::connectPanel() {
     connect(&panel_, &LivePanel::disconnectWanted, &scanner_, &ScannerLink::hangUp);
     connect(&panel_, &LivePanel::recordWanted, this, &Live::record);
     connect(&panel_, &LivePanel::keepWanted, this, &Live::keepLastMinute);
+    connect(&panel_, &LivePanel::sweepWanted, this, &Live::useSweep);
     connect(&panel_, &LivePanel::followWanted, this, [this](bool on) {
         scanner_.follow(on);
         panel_.setFollowing(scanner_.following());
@@ -79,7 +86,7 @@ void Live::connectTo(const QString& host, int port, const SweepSettings& sweep) 
     panel_.show();
     memory_.keep("live/host", host);
     memory_.keep("live/port", QString::number(port));
-    memory_.keep("live/sweep", QString::fromStdString(nlohmann::json(metadataOf(sweep)).dump()));
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
     timeline_.clear();
     files_.leave();
     SessionSettings scanner;
@@ -88,14 +95,31 @@ void Live::connectTo(const QString& host, int port, const SweepSettings& sweep) 
     scanner_.connectTo(scanner, sweep);
 }
 
+void Live::useSweep() {
+    const SweepSettings sweep = panel_.sweep();
+    const std::optional<int> gone = scanner_.useSweep(sweep);
+    if (!gone) return;
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
+    QStringList remarks;
+    if (*gone > 0) remarks << tr("The first %1 lines of this sweep came too long ago to be put into their new places.").arg(*gone);
+    if (scanner_.recording())
+        remarks << tr(
+            "The recording that is being written says the old mounting and steps: put it right with Scan > How the Scan Is Read when it "
+            "is opened, or begin another one.");
+    if (!remarks.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, remarks.join('\n'));
+}
+
 void Live::showHealth() {
-    panel_.showHealth(scanner_.health());
-    views_.setStale(scanner_.showsStale() ? QString::fromStdString(scanner_.health().badge) : QString());
-    // A strip that says LIVE beside a picture that stands still would be misleading.
+    // LIVE beside a picture that stands still, or comes from elsewhere, would be misleading.
     const auto& shown = session_.picture();
-    const bool held = scanner_.connected() && !scanner_.following() && shown && shown->source.stream == scanner_.stream();
+    const bool own = !shown || shown->source.stream == scanner_.stream();
+    const bool held = scanner_.connected() && !scanner_.following() && shown && own;
+    panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
+                                         : held ? HealthStrip::Picture::Held
+                                                : HealthStrip::Picture::Follows);
+    views_.setStale(scanner_.showsStale() ? shownText(scanner_.health().badge) : QString());
     const QString note =
-        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(QString::fromStdString(shown->detection->scan->name))
+        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(shownName(exactText(shown->detection->scan->name), 60))
              : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }
@@ -108,8 +132,8 @@ void Live::tellSweepEnded() {
     if (growing || !grew || stream != scanner_.stream()) return;
     const Scan& scan = *picture.detection->scan;
     QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << QString::fromStdString(warning);
-    const QString name = QString::fromStdString(scan.name);
+    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
+    const QString name = shownText(scan.name);
     if (warnings.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(scan.lines()));
     else

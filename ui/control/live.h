@@ -35,6 +35,7 @@ public:
 
 private:
     void connectPanel();
+    void useSweep();
     void connectScanner();
     void showHealth();
     void showReplayed(const ReplayedSweep& at);

@@ -4,6 +4,8 @@
 #include "core/base/whole_file.h"
 #include "core/settings/parameters.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/session/edge_counts.h"
 #include "ui/session/memory.h"
@@ -22,8 +24,7 @@ QString describe(const Settings& before, const Settings& after) {
     for (const Parameter& p : parameters()) {
         const std::string from = formatValue(p, p.get(before));
         const std::string to = formatValue(p, p.get(after));
-        if (from != to)
-            return QObject::tr("%1 %2 to %3").arg(QString::fromUtf8(p.label), QString::fromStdString(from), QString::fromStdString(to));
+        if (from != to) return QObject::tr("%1 %2 to %3").arg(QString::fromUtf8(p.label), shownText(from), shownText(to));
     }
     return QObject::tr("settings");
 }
@@ -53,8 +54,8 @@ private:
 
 } // namespace
 
-Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory)
-    : session_(session), panel_(panel), notice_(notice), memory_(memory), counts_(new EdgeCounts(this)) {
+Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : session_(session), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounts(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
     connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
@@ -102,7 +103,7 @@ void Tuning::change(const Settings& settings, bool dragging) {
 
 void Tuning::usePreset(const Preset& preset) {
     panel_.setPreset(preset);
-    memory_.keep("edges/preset", QString::fromStdString(preset.path.empty() ? preset.name : preset.path));
+    memory_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
     change(preset.settings, false);
     panel_.show(session_.settings());
 }
@@ -110,6 +111,12 @@ void Tuning::usePreset(const Preset& preset) {
 void Tuning::useSettings(const Settings& settings) {
     session_.setSettings(settings);
     panel_.show(session_.settings());
+}
+
+void Tuning::turn(const char* key, double value) {
+    Settings settings = session_.settings();
+    findParameter(key)->set(settings, value);
+    change(settings, false);
 }
 
 void Tuning::startWith(const Preset& preset, const Settings& settings) {
@@ -131,10 +138,13 @@ void Tuning::askOpenPreset() {
 }
 
 void Tuning::askSavePreset() {
-    QString path =
-        QFileDialog::getSaveFileName(panel_.window(), tr("Save preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
+    SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
+    // Scans have this extension too.
+    question.keeps = [](const QString& there) {
+        return findPreset(there.toStdString()) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+    };
+    const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += ".json";
     memory_.keepFolder("presets", path);
     const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings(), path.toStdString()};
     if (const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset)); written)

@@ -19,10 +19,12 @@ class NoticeBar;
 class Tuning : public QObject {
     Q_OBJECT
 public:
-    Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory);
+    Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
+    /// One parameter of the table, as if its row of the panel had been turned.
+    void turn(const char* key, double value);
     /// As the command line wants it: this start only, nothing of it is remembered until somebody changes a setting.
     void startWith(const Preset& preset, const Settings& settings);
     void askOpenPreset();
@@ -42,7 +44,7 @@ private:
     EdgesPanel& panel_;
     NoticeBar& notice_;
     Memory& memory_;
-    QUndoStack undo_;
+    QUndoStack& undo_;
     EdgeCounts* counts_; // child
     int drag_ = 1;       // number of the drag, for undo
     bool starting_ = false;

@@ -3,10 +3,12 @@
 
 #include "core/georef/placed_points.h"
 #include "core/io/save_scan.h"
+#include "ui/base/shown_text.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLocale>
@@ -32,6 +34,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
     column->addWidget(contentBox());
     coordinatesGroup_ = coordinatesBox();
     column->addWidget(coordinatesGroup_);
+    writingGroup_ = writingBox();
+    column->addWidget(writingGroup_);
     const std::size_t hidden = detection_->scan->attached.size();
     attached_->setObjectName("attached");
     attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
@@ -85,10 +89,30 @@ QGroupBox* ExportDialog::coordinatesBox() {
     coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
-        auto* reason = new QLabel(tr("No mine grid: %1. Open it with --pose and --calibration.").arg(QString::fromStdString(what)));
+        auto* reason = new QLabel(tr("No mine grid: %1. Open it with --pose and --calibration.").arg(shownText(what)));
         reason->setObjectName("reason");
         reason->setWordWrap(true);
         column->addWidget(reason);
+    }
+    return box;
+}
+
+QGroupBox* ExportDialog::writingBox() {
+    auto* box = new QGroupBox(tr("For the program that will read it"));
+    auto* grid = new QGridLayout(box);
+    grid->setColumnStretch(1, 1);
+    for (const WritingChoice& choice : kWritingChoices) {
+        auto* mark = new QCheckBox;
+        mark->setObjectName(choice.key);
+        auto* words = new QLabel(QString::fromUtf8(choice.help));
+        words->setWordWrap(true);
+        words->setMinimumWidth(360);
+        words->setBuddy(mark);
+        mark->setAccessibleName(words->text());
+        const int row = grid->rowCount();
+        grid->addWidget(mark, row, 0, Qt::AlignTop);
+        grid->addWidget(words, row, 1);
+        choices_.push_back(mark);
     }
     return box;
 }
@@ -114,6 +138,8 @@ ExportOptions ExportDialog::options() const {
     ExportOptions options;
     options.frame = static_cast<CoordinateFrame>(coordinates_->checkedId());
     options.includeAttached = isCloud(content()) && attached_->isChecked();
+    for (std::size_t n = 0; n < choices_.size(); ++n)
+        options.choices.*kWritingChoices[n].member = isCloud(content()) && choices_[n]->isChecked();
     return options;
 }
 
@@ -123,6 +149,7 @@ void ExportDialog::follow() {
     if (contents_->checkedId() < 0) return;
     const bool cloud = isCloud(content());
     coordinatesGroup_->setEnabled(cloud);
+    writingGroup_->setEnabled(cloud);
     attached_->setEnabled(cloud);
     count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
 }

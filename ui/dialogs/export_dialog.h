@@ -7,6 +7,7 @@
 #include <QDialog>
 
 #include <memory>
+#include <vector>
 
 class QButtonGroup;
 class QCheckBox;
@@ -30,6 +31,7 @@ public:
 private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
+    [[nodiscard]] QGroupBox* writingBox();
     [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached) const;
     void follow();
 
@@ -37,6 +39,8 @@ private:
     QButtonGroup* contents_;
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;
+    QGroupBox* writingGroup_ = nullptr;
+    std::vector<QCheckBox*> choices_; // by kWritingChoices
     QCheckBox* attached_;
     QLabel* count_;
     QDialogButtonBox* buttons_;

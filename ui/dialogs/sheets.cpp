@@ -3,6 +3,7 @@
 
 #include "core/base/version.h"
 #include "core/report/report.h"
+#include "ui/base/shown_text.h"
 
 #include <QAction>
 #include <QDialog>
@@ -53,15 +54,19 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
 
 void showScanProperties(QWidget* parent, const Scan& scan) {
     auto* browser = new QTextBrowser;
-    browser->setPlainText(QString::fromStdString(infoReport(scan).dump(2)));
+    browser->setPlainText(exactText(reportText(infoReport(scan), true)));
     showSheet(parent, words("Scan"), browser, {640, 600});
 }
 
 void showAbout(QWidget* parent) {
-    QMessageBox::about(parent, words("About EdgeScan"),
-                       words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
-                             "What it shows is geometry from one viewpoint; it is no judgement of any rock.<br><br>Licence: BSD-3-Clause")
-                           .arg(version()));
+    QMessageBox box(parent);
+    box.setWindowTitle(words("About EdgeScan"));
+    box.setTextFormat(Qt::RichText);
+    box.setText(words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
+                      "What it shows is geometry from one viewpoint; it is no judgement of any rock.<br><br>Licence: BSD-3-Clause")
+                    .arg(version()));
+    box.setStandardButtons(QMessageBox::Ok);
+    box.exec();
 }
 
 } // namespace edgescan::ui

@@ -14,6 +14,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kRing = 7.0;      // radius, px
+constexpr double kFaded = 0.45;    // opacity of faces that belong to an older picture
 const QColor kTrail(86, 180, 233); // told from edges by its frames as well
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
@@ -57,6 +58,27 @@ void ImageView::setOverlay(std::shared_ptr<const QImage> image, double opacity, 
     if (same && opacity == overlayOpacity_) return;
     if (!same) overlay_ = Pyramid(std::move(image), shrink);
     overlayOpacity_ = std::clamp(opacity, 0.0, 1.0);
+    update();
+}
+
+void ImageView::setFaces(std::shared_ptr<const QImage> faces, bool faded) {
+    const bool same = faces == faces_.image();
+    if (same && faded == facesFaded_) return;
+    if (!same) faces_ = Pyramid(std::move(faces), Shrink::Average);
+    facesFaded_ = faded;
+    update();
+}
+
+void ImageView::setOutline(std::vector<QLine> sides) {
+    if (sides == outline_) return;
+    outline_ = std::move(sides);
+    update();
+}
+
+void ImageView::setTip(const QPoint& cell, const QString& text) {
+    if (cell == tipCell_ && text == tip_) return;
+    tipCell_ = cell;
+    tip_ = text;
     update();
 }
 
@@ -107,7 +129,18 @@ void ImageView::setBackground(const QColor& colour) {
 
 void ImageView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    if (isVisible()) viewPort_->setViewSize(this, size());
+}
+
+void ImageView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
     viewPort_->setViewSize(this, size());
+}
+
+// What nobody sees does not limit how large the picture is in the views that are seen.
+void ImageView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    viewPort_->forgetView(this);
 }
 
 std::optional<QPoint> ImageView::cellAt(QPointF pixel) const {
@@ -126,6 +159,11 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), background_);
     drawPyramid(painter, picture_);
+    if (!faces_.empty()) {
+        painter.setOpacity(facesFaded_ ? kFaded : 1.0);
+        drawPyramid(painter, faces_);
+        painter.setOpacity(1.0);
+    }
     if (!overlay_.empty() && overlayOpacity_ > 0.0) {
         painter.setOpacity(overlayOpacity_);
         drawPyramid(painter, overlay_);
@@ -134,6 +172,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     drawMarks(painter);
     drawStaleOverlay(painter, rect(), stale_);
     drawTexts(painter);
+    drawTip(painter);
 }
 
 void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
@@ -179,9 +218,25 @@ void ImageView::drawTrail(QPainter& painter) const {
     if (trail_.strongest) drawRing(painter, viewPort_->toPixel(QPointF(*trail_.strongest) + QPointF(0.5, 0.5), size()));
 }
 
+void ImageView::drawOutline(QPainter& painter) const {
+    QVector<QLineF> sides;
+    for (const QLine& side : outline_)
+        sides << QLineF(viewPort_->toPixel(QPointF(side.p1()), size()), viewPort_->toPixel(QPointF(side.p2()), size()));
+    painter.setRenderHint(QPainter::Antialiasing, false); // outlines have thousands of sides
+    strokeTwice(painter, dark(4.0), QPen(Qt::white, 2.0), [&] { painter.drawLines(sides); });
+    painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void ImageView::drawTip(QPainter& painter) const {
+    if (tip_.isEmpty()) return;
+    const QPoint at = viewPort_->toPixel(QPointF(tipCell_) + QPointF(0.5, 0.5), size()).toPoint();
+    drawTipAt(painter, rect(), at, tip_);
+}
+
 void ImageView::drawMarks(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
+    if (!outline_.empty()) drawOutline(painter);
     if (!trail_.cells.empty()) drawTrail(painter);
     painter.setBrush(Qt::NoBrush);
     if (crosshair_) {

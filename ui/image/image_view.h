@@ -6,6 +6,7 @@
 #include "ui/image/viewport.h"
 
 #include <QColor>
+#include <QLine>
 #include <QPoint>
 #include <QRect>
 #include <QString>
@@ -40,6 +41,17 @@ public:
     void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
     /// Drawn over the image with this opacity (edges over gray); usually ARGB with transparent background.
     void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::KeepBrightest);
+    /// Drawn between the two: coloured faces, transparent where there are none. `faded`: they belong to an older picture.
+    void setFaces(std::shared_ptr<const QImage> faces, bool faded = false);
+    /// Stays until another one, or an empty one, is set: sides of cells, ends as corners of cells (x = beam, y = line).
+    void setOutline(std::vector<QLine> sides);
+    /// A short text beside a cell. Empty = none.
+    void setTip(const QPoint& cell, const QString& text);
+    [[nodiscard]] const std::shared_ptr<const QImage>& faces() const { return faces_.image(); }
+    [[nodiscard]] bool facesFaded() const { return facesFaded_; }
+    [[nodiscard]] const std::vector<QLine>& outline() const { return outline_; }
+    [[nodiscard]] const QString& tip() const { return tip_; }
+    [[nodiscard]] const QString& title() const { return title_; }
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return picture_.image(); }
     [[nodiscard]] const std::shared_ptr<const QImage>& overlay() const { return overlay_.image(); }
 
@@ -88,6 +100,8 @@ protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -102,6 +116,8 @@ private:
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
     void drawMarks(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
+    void drawOutline(QPainter& painter) const;
+    void drawTip(QPainter& painter) const;
     void drawTexts(QPainter& painter) const;
     void pointAt(std::optional<QPoint> cell);
     void pinch(const QPinchGesture& gesture);
@@ -112,6 +128,11 @@ private:
     Pyramid picture_;
     Pyramid overlay_;
     double overlayOpacity_ = 1.0;
+    Pyramid faces_;
+    bool facesFaded_ = false;
+    std::vector<QLine> outline_;
+    QPoint tipCell_;
+    QString tip_;
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
     EdgeTrail trail_;

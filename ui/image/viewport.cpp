@@ -41,6 +41,14 @@ void ViewPort::fit() {
     emit changed();
 }
 
+void ViewPort::fitTo(const QRectF& cells) {
+    centre_ = cells.center();
+    zoom_ = fittingZoom(cells.size());
+    fitted_ = false;
+    keepInReach();
+    emit changed();
+}
+
 void ViewPort::refit() {
     centre_ = QPointF(0.5 * imageSize_.width(), 0.5 * imageSize_.height());
     zoom_ = fittingZoom(imageSize_);

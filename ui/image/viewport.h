@@ -36,6 +36,8 @@ public:
     void setSquarePixels() { setAspect(1.0); }
 
     void fit();
+    /// These cells as large as they can be.
+    void fitTo(const QRectF& cells);
     /// Makes the cells a factor larger; `cell` stays at the same place on the screen.
     void zoomAt(QPointF cell, double factor);
     /// Moves the picture by so many (device-independent) pixels.

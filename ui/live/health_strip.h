@@ -17,7 +17,9 @@ class HealthStrip : public QWidget {
 public:
     explicit HealthStrip(QWidget* parent = nullptr);
 
-    void showHealth(const LiveHealth& health);
+    /// What the picture on the screen has to do with the scanner.
+    enum class Picture { Follows, Held, Other };
+    void showHealth(const LiveHealth& health, Picture picture = Picture::Follows);
     [[nodiscard]] const LiveHealth& shown() const { return shown_; }
     [[nodiscard]] StateBadge& badge() { return *badge_; }
 
@@ -27,6 +29,7 @@ private:
     QLabel* lines_;
     QLabel* lost_;
     QLabel* noReturn_;
+    StateBadge* remark_;
     StateBadge* window_;
     StateBadge* device_;
     QLabel* pose_;

@@ -1,6 +1,7 @@
 // The panel of a live scanner.
 #include "ui/live/live_panel.h"
 
+#include "ui/base/shown_text.h"
 #include "ui/live/sweep_form.h"
 
 #include <QHBoxLayout>
@@ -41,14 +42,7 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setObjectName("live-port");
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
-    sweepButton_->setText(tr("Sweep…"));
-    sweepButton_->setToolTip(tr("Lines of a sweep, step per line, mounting; takes effect when connecting"));
-    sweepButton_->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(sweepButton_);
-    auto* form = new QWidgetAction(menu);
-    form->setDefaultWidget(sweep_);
-    menu->addAction(form);
-    sweepButton_->setMenu(menu);
+    addSweepMenu();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
     scanner_->setObjectName("live-scanner");
     scanner_->setTextFormat(Qt::PlainText);
@@ -74,7 +68,26 @@ LivePanel::LivePanel(QWidget* parent)
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordWanted);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepWanted);
     connect(follow_, &QPushButton::clicked, this, &LivePanel::followWanted);
+    // A click leaves the focus where it was: Space is to play and pause, and must not press again a button that means something else by
+    // then.
+    for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
     setConnected(false);
+}
+
+void LivePanel::addSweepMenu() {
+    sweepButton_->setObjectName("live-sweep");
+    sweepButton_->setText(tr("Sweep…"));
+    sweepButton_->setToolTip(tr("Lines of a sweep, step per line, mounting"));
+    sweepButton_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(sweepButton_);
+    auto* form = new QWidgetAction(menu);
+    form->setDefaultWidget(sweep_);
+    menu->addAction(form);
+    sweepButton_->setMenu(menu);
+    // One change for all that was typed.
+    connect(menu, &QMenu::aboutToHide, this, [this] {
+        if (connected_) emit sweepWanted();
+    });
 }
 
 void LivePanel::setAddress(const QString& host, int port) {
@@ -96,8 +109,9 @@ void LivePanel::askAddress() {
 
 void LivePanel::setConnected(bool connected) {
     connected_ = connected;
+    connect_->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
-    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_, sweepButton_}) each->setEnabled(!connected);
+    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     if (!connected) setRecording(false);
     strip_->setVisible(connected || !strip_->shown().badge.empty());
@@ -113,10 +127,10 @@ void LivePanel::setFollowing(bool following) {
     follow_->setText(following ? tr("Following") : tr("Held: follow"));
 }
 
-void LivePanel::showHealth(const LiveHealth& health) {
-    strip_->showHealth(health);
+void LivePanel::showHealth(const LiveHealth& health, HealthStrip::Picture picture) {
+    strip_->showHealth(health, picture);
     strip_->show();
-    const QString scanner = QString::fromStdString(health.scanner);
+    const QString scanner = shownText(health.scanner);
     if (scanner_->text() == scanner) return;
     scanner_->setText(scanner);
     scanner_->setToolTip(scanner);

@@ -33,7 +33,7 @@ public:
     void setConnected(bool connected);
     void setRecording(bool recording);
     void setFollowing(bool following);
-    void showHealth(const LiveHealth& health);
+    void showHealth(const LiveHealth& health, HealthStrip::Picture picture);
 
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
@@ -44,8 +44,12 @@ signals:
     void recordWanted(bool on);
     void keepWanted();
     void followWanted(bool on);
+    /// Mounting or steps were typed while the scanner is connected.
+    void sweepWanted();
 
 private:
+    void addSweepMenu();
+
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;

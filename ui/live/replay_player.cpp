@@ -1,6 +1,9 @@
 // Playing a recording off the GUI thread.
 #include "ui/live/replay_player.h"
 
+#include "core/scan/given_angles.h"
+#include "ui/base/shown_text.h"
+
 #include <QMetaObject>
 
 #include <algorithm>
@@ -22,7 +25,7 @@ ReplayPlayer::ReplayPlayer(const std::filesystem::path& path, const ReadingOptio
         } catch (const std::bad_alloc&) {
             const Error error{"there is not enough memory to play this recording", path.string(), "close other programs"};
             QMetaObject::invokeMethod(
-                this, [this, text = QString::fromStdString(error.sentence())] { emit refused(text); }, Qt::QueuedConnection);
+                this, [this, text = shownText(error.sentence())] { emit refused(text); }, Qt::QueuedConnection);
         }
     });
 }
@@ -53,10 +56,10 @@ void ReplayPlayer::work(const std::filesystem::path& path) {
     const auto recording = Recording::open(path);
     if (!recording) {
         QMetaObject::invokeMethod(
-            this, [this, text = QString::fromStdString(recording.error().sentence())] { emit refused(text); }, Qt::QueuedConnection);
+            this, [this, text = shownText(recording.error().sentence())] { emit refused(text); }, Qt::QueuedConnection);
         return;
     }
-    Replay replay(*recording);
+    Replay replay(*recording, options_);
     const RecordingContents contents = survey(replay);
     QMetaObject::invokeMethod(
         this, [this, contents] { emit loaded(contents); }, Qt::QueuedConnection);
@@ -109,7 +112,10 @@ ReplayedSweep ReplayPlayer::at(Replay& replay, int line) {
     ReplayedSweep there{replay.position(), {replay.snapshot(), replay.progress()}};
     if (there.sweep.scan) {
         auto scan = describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);
-        if (scan) there.sweep.scan = std::make_shared<const Scan>(std::move(*scan));
+        if (scan) {
+            useGivenAngles(*scan, options_);
+            there.sweep.scan = std::make_shared<const Scan>(std::move(*scan));
+        }
     }
     return there;
 }

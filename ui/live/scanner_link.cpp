@@ -1,7 +1,8 @@
 // A live scanner on the GUI thread.
 #include "ui/live/scanner_link.h"
 
-#include "ui/session/background_job.h"
+#include "ui/base/shown_text.h"
+#include "ui/session/in_background.h"
 
 #include <algorithm>
 
@@ -30,12 +31,8 @@ ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), s
 
 ScannerLink::~ScannerLink() = default;
 
-/// `work` runs on a thread of its own and returns what is to be done here.
-template <class Work>
-void ScannerLink::inBackground(Work work) {
-    auto* job = new BackgroundJob([work](const BackgroundJob::Progress&) { return work(); }, this);
-    connect(job, &BackgroundJob::crashed, this, &ScannerLink::failed);
-    connect(job, &BackgroundJob::ended, job, &QObject::deleteLater);
+void ScannerLink::runAside(std::function<std::function<void()>()> work) {
+    inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });
 }
 
 void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
@@ -55,6 +52,17 @@ void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings&
     tick();
 }
 
+std::optional<int> ScannerLink::useSweep(const SweepSettings& sweep) {
+    const std::optional<int> gone = feed_ ? feed_->useSweep(sweep) : std::nullopt;
+    if (!gone) return gone;
+    heldNumber_ = -1; // sweeps are counted anew
+    finished_.reset();
+    posted_ = {};
+    *news_ = true;
+    if (!following_) follow(true);
+    return gone;
+}
+
 void ScannerLink::hangUp() {
     if (!feed_) return;
     timer_.stop();
@@ -67,15 +75,12 @@ void ScannerLink::hangUp() {
     health_.badge = "STOPPED";
     health_.end.clear();
     health_.recording.clear();
-    inBackground([this, feed, shows, stream, recorded] {
+    runAside([this, feed, shows, stream, recorded]() -> std::function<void()> {
         feed->stop();
-        const Result<Done> closed = feed->stopRecording();
+        const Result<RecordingState> closed = feed->stopRecording();
         const SweepSoFar sweep = feed->sweep();
         return [this, closed, sweep, shows, stream, recorded] {
-            if (!closed)
-                emit failed(QString::fromStdString(closed.error().sentence()));
-            else if (!recorded.isEmpty())
-                emit written(recorded);
+            if (!recorded.isEmpty() || !closed) tellRecorded(closed, recorded);
             if (shows && stream == stream_ && sweep.scan) post(sweep, false);
         };
     });
@@ -119,7 +124,7 @@ void ScannerLink::tick() {
 
 void ScannerLink::noticeTroubles(const LiveStatus& status) {
     if (!status.recording || !status.recording->problem || std::exchange(recordingTroubleTold_, true)) return;
-    emit failed(QString::fromStdString(status.recording->problem->sentence()));
+    emit failed(shownText(status.recording->problem->sentence()));
 }
 
 /// The newest of the sweep, when the last picture is out and its time of rest is over.
@@ -155,11 +160,11 @@ void ScannerLink::startRecording(const QString& path) {
     recording_ = true;
     recordingPath_ = path;
     recordingTroubleTold_ = false;
-    inBackground([this, feed = feed_, path] {
+    runAside([this, feed = feed_, path]() -> std::function<void()> {
         const Result<Done> started = feed->startRecording(path.toStdString());
         return [this, started, feed] {
             if (started) return;
-            emit failed(QString::fromStdString(started.error().sentence()));
+            emit failed(shownText(started.error().sentence()));
             if (feed != feed_) return;
             recording_ = false;
             emit recordingChanged(false);
@@ -171,27 +176,30 @@ void ScannerLink::startRecording(const QString& path) {
 void ScannerLink::stopRecording() {
     if (!feed_ || !recording_) return;
     recording_ = false;
-    inBackground([this, feed = feed_, path = recordingPath_] {
-        const Result<Done> closed = feed->stopRecording();
-        return [this, closed, path] {
-            if (closed)
-                emit written(path);
-            else
-                emit failed(QString::fromStdString(closed.error().sentence()));
-        };
+    runAside([this, feed = feed_, path = recordingPath_]() -> std::function<void()> {
+        const Result<RecordingState> closed = feed->stopRecording();
+        return [this, closed, path] { tellRecorded(closed, path); };
     });
     emit recordingChanged(false);
 }
 
+void ScannerLink::tellRecorded(const Result<RecordingState>& closed, const QString& path) {
+    if (!closed) return emit failed(shownText(closed.error().sentence()));
+    if (closed->unsynced() == 0) return emit written(path);
+    emit failed(tr("%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.")
+                    .arg(path)
+                    .arg(closed->unsynced() / 1000 + 1));
+}
+
 void ScannerLink::keepRecent(const QString& path) {
     if (!feed_) return;
-    inBackground([this, feed = feed_, path] {
+    runAside([this, feed = feed_, path]() -> std::function<void()> {
         const Result<Done> kept = feed->keepRecent(path.toStdString());
         return [this, kept, path] {
             if (kept)
                 emit written(path);
             else
-                emit failed(QString::fromStdString(kept.error().sentence()));
+                emit failed(shownText(kept.error().sentence()));
         };
     });
 }

@@ -27,6 +27,9 @@ public:
     void connectTo(const SessionSettings& scanner, const SweepSettings& sweep);
     /// Ends recording and connection; the sweep stays on the screen as it is.
     void hangUp();
+    /// Other mounting or steps from now on, the sweep under way included, but for so many of its lines. Nothing: not connected, or they are
+    /// those in use.
+    std::optional<int> useSweep(const SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] bool recording() const { return recording_; }
 
@@ -61,9 +64,9 @@ private:
     void showSweep();
     void showFinal(const SweepSoFar& sweep);
     void post(const SweepSoFar& sweep, bool growing);
+    void tellRecorded(const Result<RecordingState>& closed, const QString& path);
     void noticeTroubles(const LiveStatus& status);
-    template <class Work>
-    void inBackground(Work work);
+    void runAside(std::function<std::function<void()>()> work); // on a thread of its own; what it returns is called here
 
     Session& session_;
     std::shared_ptr<LiveFeed> feed_;

@@ -30,8 +30,12 @@ void drawShape(QPainter& painter, StateBadge::Sign sign, const QRectF& place) {
     painter.setBrush(sign == StateBadge::Sign::Good ? QBrush(Qt::white) : QBrush(Qt::NoBrush));
     switch (sign) {
     case StateBadge::Sign::Good:
-    case StateBadge::Sign::Waiting:
         painter.drawEllipse(place.adjusted(1, 1, -1, -1));
+        return;
+    case StateBadge::Sign::Waiting:
+        for (const double x : {0.3, 0.7})
+            painter.drawLine(QPointF(place.left() + x * place.width(), place.top() + 1),
+                             QPointF(place.left() + x * place.width(), place.bottom() - 1));
         return;
     case StateBadge::Sign::Doubtful:
         painter.drawPolygon(QPolygonF(QVector<QPointF>{QPointF(place.center().x(), place.top()), place.bottomRight(), place.bottomLeft()}));

@@ -10,7 +10,7 @@ namespace edgescan::ui {
 class StateBadge : public QWidget {
     Q_OBJECT
 public:
-    enum class Sign { Good, Waiting, Doubtful, Failed, Off }; ///< disc, ring, triangle, cross, bar
+    enum class Sign { Good, Waiting, Doubtful, Failed, Off }; ///< disc, two bars, triangle, cross, bar
 
     explicit StateBadge(QWidget* parent = nullptr);
 

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QSpinBox;
@@ -27,6 +28,7 @@ private:
     QDoubleSpinBox* first_;
     QDoubleSpinBox* ticks_;
     QComboBox* axis_;
+    QCheckBox* standing_;
 };
 
 } // namespace edgescan::ui

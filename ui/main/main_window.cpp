@@ -1,16 +1,24 @@
 // Builds the window and lays it out.
 #include "ui/main/main_window.h"
 
+#include "core/georef/placed_points.h"
+#include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/menus.h"
+#include "ui/main/rock_docks.h"
+#include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
+#include "ui/panel/warning_button.h"
+#include "ui/rocks/rock_table.h"
+#include "ui/rocks/rocks_panel.h"
 #include "ui/session/memory.h"
 
 #include <QApplication>
@@ -18,40 +26,96 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
+#include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWideScreen = 1920; // from here on the three views stand in one row
 constexpr int kRememberAfterMs = 300;
+constexpr const char* kByHand = "byHand"; // of a dock: "open" or "folded" where the operator said so
+constexpr int kFoldedBelow = 1100;        // px of the window: the panels are folded unless somebody opens them
+constexpr double kCloudShare = 0.55;      // of the width, at least
+constexpr int kOpenFrame = 2;             // px beside a width that count as the same
+
+// Widths that leave the cloud most of the window and still let images and panel be read.
+int usualImages(int window) {
+    const int wanted = window < kFoldedBelow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
+    return std::clamp(wanted, 140, 560);
+}
+int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), 240, 400); }
+
+// A small screen is filled, a large one not quite.
+QSize usualWindow(const QRect& screen) {
+    constexpr int kSmall = 1600;
+    if (screen.width() <= kSmall) return screen.size();
+    return {std::max(kSmall, static_cast<int>(0.85 * screen.width())), static_cast<int>(0.88 * screen.height())};
+}
+
+// A picture of the window travels without it: what the scan warns of stands below.
+QImage withWarnings(const QImage& window, const QStringList& warnings, const QFont& font) {
+    if (warnings.isEmpty()) return window;
+    constexpr int kMargin = 8;
+    const qreal scale = window.devicePixelRatio();
+    const int width = static_cast<int>(window.width() / scale);
+    const QString text = shownText(QObject::tr("Warnings of this scan:\n") + warnings.join('\n'));
+    const QRect room(kMargin, kMargin, width - 2 * kMargin, 100000);
+    const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere;
+    const QRect needed = QFontMetrics(font).boundingRect(room, flags, text);
+    const int height = static_cast<int>(window.height() / scale);
+    QImage image(static_cast<int>(width * scale), static_cast<int>((height + needed.height() + 2 * kMargin) * scale), window.format());
+    image.setDevicePixelRatio(scale);
+    image.fill(QColor(107, 78, 0));
+    QPainter painter(&image);
+    painter.drawImage(0, 0, window);
+    painter.setFont(font);
+    painter.setPen(Qt::white);
+    painter.drawText(QRect(kMargin, height + kMargin, width - 2 * kMargin, needed.height()), flags, text);
+    return image;
+}
 
 } // namespace
 
 MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory), gray_(new ImageView), edges_(new ImageView(gray_->viewPort())), cloud_(new CloudView),
-      panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), notice_(new NoticeBar), status_(new StatusLine),
-      views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory), exports_(session_, files_, *notice_, memory),
-      tuning_(session_, *panel_, *notice_, memory), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
-      explanation_(session_, views_, *notice_) {
+      panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
+      notice_(new NoticeBar), status_(new StatusLine), warnings_(new WarningButton), legend_(new EdgeLegend), rail_(new DockRail),
+      views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_), exports_(session_, files_, *notice_, memory),
+      tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
+      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
     layOutViews();
+    layOutLegend();
+    addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", panel_);
+    connect(rail_, &DockRail::changedByHand, this, [this](QDockWidget* dock, bool open) {
+        dock->setProperty(kByHand, open ? "open" : "folded");
+        memory_.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
+        arrange();
+    });
+    addRockDocks(*this, rocks_, *rocksPanel_, *rockTable_);
     setStatusBar(status_);
+    status_->addKept(warnings_);
+    connect(warnings_, &QToolButton::clicked, this,
+            [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
     for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     connectSession();
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
-    resize(1600, 950);
     restoreLayout();
     status_->showRenderer(checkGl().renderer);
 }
@@ -76,8 +140,11 @@ void MainWindow::layOutViews() {
     splitter_->addWidget(cloudPane);
     for (QSplitter* splitter : {images_, splitter_}) {
         splitter->setChildrenCollapsible(false);
+        splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
+    splitter_->setStretchFactor(0, 0); // a wider window is for the cloud
+    splitter_->setStretchFactor(1, 1);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -89,11 +156,24 @@ void MainWindow::layOutViews() {
     setCentralWidget(centre);
 }
 
-void MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
+QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
+    dock->setProperty(kByHand, memory_.text("window/" + dock->objectName()));
     dock->setWidget(content);
     addDockWidget(Qt::RightDockWidgetArea, dock);
+    rail_->add(dock);
+    docks_ << dock;
+    return dock;
+}
+
+// Over the cloud, where nothing else stands: more legends go above it.
+void MainWindow::layOutLegend() {
+    auto* over = new QVBoxLayout(cloud_);
+    over->setContentsMargins(8, 8, 8, 8);
+    over->addStretch(1);
+    over->addWidget(legend_, 0, Qt::AlignLeft | Qt::AlignBottom);
+    connect(legend_, &EdgeLegend::classesWanted, this, [this](int classes) { tuning_.turn("classes", classes); });
 }
 
 void MainWindow::connectSession() {
@@ -101,29 +181,66 @@ void MainWindow::connectSession() {
     connect(&session_, &Session::workProgressed, status_, &StatusLine::showProgress);
     connect(&session_, &Session::workEnded, status_, &StatusLine::endWork);
     connect(status_, &StatusLine::cancelWanted, &session_, &Session::cancel);
+    connect(&session_, &Session::settingsChanged, this, [this] { status_->showSettings(session_.settings()); });
+    status_->showSettings(session_.settings());
     connect(&session_, &Session::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&views_, &LinkedViews::probed, status_, &StatusLine::showProbe);
+    connect(&views_, &LinkedViews::boxed, status_, &StatusLine::showBox);
     connect(&session_, &Session::pictureReady, this, [this] {
         const Detection& detection = *session_.picture()->detection;
         status_->showCounts(detection);
         status_->showPlace(*detection.scan);
+        const ScannerLink& scanner = live_.scanner();
+        status_->showTimeOf(*detection.scan, scanner.connected() && session_.picture()->source.stream == scanner.stream());
         status_->showTime(tuning_.updateMs());
+        legend_->showResult(detection);
+        showWarnings();
+        showTitle();
         emit pictureShown(); // the controllers were told before
     });
-    connect(&session_, &Session::streamChanged, this, [this] {
-        setWindowTitle(QString::fromStdString(session_.picture()->detection->scan->name) + files_.placeInSeries() + " - EdgeScan");
-    });
 }
 
-void MainWindow::arrangePanes() {
-    const Qt::Orientation wanted = width() >= kWideScreen ? Qt::Horizontal : Qt::Vertical;
-    if (images_->orientation() == wanted) return;
-    images_->setOrientation(wanted);
-    splitter_->setSizes(usualSizes());
+// Of the picture on the screen: a scanner's sweeps and those of a recording have names of their own.
+void MainWindow::showTitle() {
+    setWindowTitle(shownName(exactText(session_.picture()->detection->scan->name)) + files_.placeInSeries() + " - EdgeScan");
 }
 
-QList<int> MainWindow::usualSizes() const {
-    return images_->orientation() == Qt::Horizontal ? QList<int>{2000, 1000} : QList<int>{1000, 1400};
+void MainWindow::showWarnings() {
+    const Scan& scan = *session_.picture()->detection->scan;
+    QStringList warnings;
+    for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
+        for (const std::string& warning : some) warnings << shownText(warning);
+    }
+    warnings_->showWarnings(warnings);
+}
+
+/// Panels and images as wide as suits the window, the rest for the cloud. What the operator folded, opened or dragged stays.
+void MainWindow::arrange() {
+    if (!isVisible()) return;
+    const int wide = width();
+    for (QDockWidget* dock : docks_) {
+        const QString byHand = dock->property(kByHand).toString();
+        const bool open = byHand.isEmpty() ? wide >= kFoldedBelow : byHand == "open";
+        if (dock->isHidden() == open) dock->setVisible(open);
+    }
+    const auto asArranged = [](int now, int arranged) { return arranged == 0 || std::abs(now - arranged) <= kOpenFrame; };
+    int panel = 0;
+    for (QDockWidget* dock : docks_) {
+        if (dock->isHidden() || dock->isFloating()) continue;
+        const int usual = std::max(usualPanel(wide), dock->minimumSizeHint().width());
+        const bool follows = asArranged(dock->width(), arrangedPanel_);
+        if (follows) resizeDocks({dock}, {arrangedPanel_ = usual}, Qt::Horizontal);
+        panel = std::max(panel, follows ? usual : dock->width()); // its width follows later
+    }
+    if (maximised_ != nullptr) return;
+    const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
+    if (asArranged(images_->width(), arrangedImages_))
+        setImagesWidth(std::min(usualImages(wide), std::max(most, images_->minimumSizeHint().width())));
+}
+
+void MainWindow::setImagesWidth(int width) {
+    arrangedImages_ = width;
+    splitter_->setSizes({width, std::max(1, splitter_->width() - width - splitter_->handleWidth())});
 }
 
 void MainWindow::maximise(Pane* pane) {
@@ -137,29 +254,41 @@ void MainWindow::remember() {
     memory_.keep("window/state", saveState());
     memory_.keep("window/views", splitter_->saveState());
     memory_.keep("window/images", images_->saveState());
+    memory_.keep("window/images-width", QString::number(arrangedImages_));
+    memory_.keep("window/panel-width", QString::number(arrangedPanel_));
 }
 
 void MainWindow::restoreLayout() {
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    resize(usualWindow(screen.adjusted(0, 0, 0, -style()->pixelMetric(QStyle::PM_TitleBarHeight) / 2)));
     restoreGeometry(memory_.bytes("window/geometry"));
     restoreState(memory_.bytes("window/state"));
     images_->restoreState(memory_.bytes("window/images"));
-    if (!splitter_->restoreState(memory_.bytes("window/views"))) splitter_->setSizes({1000, 1400});
-    arrangePanes();
-    // A window on a screen that is gone is pulled back.
-    bool onScreen = false;
-    for (const QScreen* screen : QGuiApplication::screens()) onScreen = onScreen || screen->availableGeometry().intersects(geometry());
-    if (!onScreen) move(QGuiApplication::primaryScreen()->availableGeometry().topLeft());
+    images_->setOrientation(Qt::Vertical); // what was remembered may be of a version that had them side by side
+    splitter_->restoreState(memory_.bytes("window/views"));
+    arrangedImages_ = memory_.text("window/images-width").toInt();
+    arrangedPanel_ = memory_.text("window/panel-width").toInt();
+    // A window on a screen that is gone is pulled back; one of a larger screen is made to fit.
+    const QScreen* at = nullptr;
+    for (const QScreen* each : QGuiApplication::screens()) {
+        if (each->availableGeometry().intersects(geometry())) at = each;
+    }
+    const QRect room = at != nullptr ? at->availableGeometry() : screen;
+    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room.size()));
+    if (at == nullptr) move(room.topLeft());
 }
 
 void MainWindow::resetLayout() {
     if (maximised_ != nullptr) maximise(maximised_);
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        dock->show();
+    for (QDockWidget* dock : docks_) {
+        dock->setProperty(kByHand, QString());
+        memory_.keep("window/" + dock->objectName(), QString());
         dock->setFloating(false);
         addDockWidget(Qt::RightDockWidgetArea, dock);
     }
     images_->setSizes({1000, 1000});
-    splitter_->setSizes(usualSizes());
+    arrangedImages_ = arrangedPanel_ = 0;
+    arrange();
     rememberTimer_.start();
 }
 
@@ -170,13 +299,19 @@ QImage MainWindow::screenshot() {
     // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
     QPainter painter(&image);
     painter.drawImage(QRect(cloud_->mapTo(this, QPoint(0, 0)), cloud_->size()), cloud);
-    return image;
+    painter.end();
+    return withWarnings(image, warnings_->warnings(), font());
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    arrangePanes();
+    arrange();
     rememberTimer_.start();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    arrange();
 }
 
 void MainWindow::moveEvent(QMoveEvent* event) {
@@ -184,7 +319,24 @@ void MainWindow::moveEvent(QMoveEvent* event) {
     rememberTimer_.start();
 }
 
+bool MainWindow::mayClose() {
+    const bool records = live_.scanner().recording();
+    if (!records && !session_.saving()) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
+                    records ? tr("A recording is being written.") : tr("A file is still being written."), QMessageBox::Cancel, this);
+    box.setObjectName("close-question");
+    box.setInformativeText(records ? tr("Closing ends it here; what was recorded so far stays in its file.")
+                                   : tr("Closing waits until it is whole."));
+    QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close"), QMessageBox::DestructiveRole);
+    end->setObjectName("end-and-close");
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == end;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayClose()) return event->ignore();
+    live_.scanner().hangUp();
     remember();
     QMainWindow::closeEvent(event);
 }
@@ -216,7 +368,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     else if (maximised_ != nullptr)
         maximise(maximised_);
     else {
-        views_.pin(std::nullopt);
+        views_.letGo();
         explanation_.forgetTrail();
     }
 }

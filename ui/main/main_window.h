@@ -1,27 +1,36 @@
 // The window: builds views, panels and controllers, and lays them out. What they do is in ui/control.
 #pragma once
 
+#include "ui/base/plain_window.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/live.h"
+#include "ui/control/rocks.h"
 #include "ui/control/tuning.h"
 
 #include <QMainWindow>
 #include <QTimer>
+#include <QUndoStack>
 
 #include <array>
 
+class QDockWidget;
 class QSplitter;
 
 namespace edgescan::ui {
 
+class DockRail;
+class EdgeLegend;
 class EdgesPanel;
 class Memory;
 class NoticeBar;
 class Pane;
+class RocksPanel;
+class RockTable;
 class StatusLine;
+class WarningButton;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -36,12 +45,18 @@ public:
     [[nodiscard]] Tuning& tuning() { return tuning_; }
     [[nodiscard]] Live& live() { return live_; }
     [[nodiscard]] Explanation& explanation() { return explanation_; }
+    [[nodiscard]] Rocks& rocks() { return rocks_; }
+    [[nodiscard]] RocksPanel& rocksPanel() { return *rocksPanel_; }
+    [[nodiscard]] RockTable& rockTable() { return *rockTable_; }
     [[nodiscard]] EdgesPanel& panel() { return *panel_; }
     [[nodiscard]] StatusLine& statusLine() { return *status_; }
     [[nodiscard]] NoticeBar& notice() { return *notice_; }
+    [[nodiscard]] WarningButton& warnings() { return *warnings_; }
+    [[nodiscard]] EdgeLegend& legend() { return *legend_; }
+    [[nodiscard]] QUndoStack& undoStack() { return undo_; }
 
     void resetLayout();
-    /// The whole window as it is, with all points of the cloud drawn.
+    /// The whole window as it is, with all points of the cloud drawn; below it the warnings of the scan, whether they are shown or not.
     [[nodiscard]] QImage screenshot();
 
 signals:
@@ -50,6 +65,7 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void moveEvent(QMoveEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -58,16 +74,22 @@ protected:
 
 private:
     void layOutViews();
-    void addDock(const QString& title, const char* name, QWidget* content);
+    QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
+    void layOutLegend();
     void connectSession();
-    void arrangePanes();
-    [[nodiscard]] QList<int> usualSizes() const;
+    void showWarnings();
+    void showTitle();
+    void arrange();
+    void setImagesWidth(int width);
+    [[nodiscard]] bool mayClose();
     void maximise(Pane* pane);
     void remember();
     void restoreLayout();
 
+    PlainWindow plain_; // before any widget
     Memory& memory_;
     Session session_;
+    QUndoStack undo_;
 
     // Children of the window once they are laid out.
     ImageView* gray_;
@@ -76,8 +98,13 @@ private:
     EdgesPanel* panel_;
     LivePanel* livePanel_;
     Timeline* timeline_;
+    RocksPanel* rocksPanel_;
+    RockTable* rockTable_;
     NoticeBar* notice_;
     StatusLine* status_;
+    WarningButton* warnings_;
+    EdgeLegend* legend_;
+    DockRail* rail_;
 
     // In the order in which they are told of a new picture.
     LinkedViews views_;
@@ -86,12 +113,15 @@ private:
     Tuning tuning_;
     Live live_;
     Explanation explanation_;
+    Rocks rocks_;
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
-    QTimer rememberTimer_; // one writing for a whole drag of window or splitter
+    QList<QDockWidget*> docks_;
+    int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
+    QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
 };
 
 } // namespace edgescan::ui

@@ -2,11 +2,13 @@
 #include "ui/main/menus.h"
 
 #include "core/settings/presets.h"
+#include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/dialogs/sheets.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/main_window.h"
+#include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
 #include "ui/session/memory.h"
@@ -17,6 +19,8 @@
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QMenu>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 namespace {
@@ -59,8 +63,8 @@ Command fileMenu(MainWindow& w) {
 }
 
 Command editMenu(MainWindow& w) {
-    Command undo{.keys = "Ctrl+Z", .made = w.tuning().undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
-    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.tuning().undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
+    Command undo{.keys = "Ctrl+Z", .made = w.undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
+    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
     undo.made->setObjectName(QObject::tr("Undo")); // the texts name the step
     redo.made->setObjectName(QObject::tr("Redo"));
     const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
@@ -94,20 +98,34 @@ Command mouseMenu(MainWindow& w, Memory& memory) {
 std::vector<Command> lookCommands(MainWindow& w) {
     LinkedViews& views = w.views();
     CloudView& cloud = views.cloud();
+    EdgeLegend& legend = w.legend();
     const auto setColourBlind = [&](bool on) {
-        views.setEdgeColour(on ? kColourBlindEdge : QColor(0, 255, 0));
-        w.panel().setJumpColour(cloud.edgeColour());
+        const EdgeColours& colours = on ? kColourBlindColours : kUsualColours;
+        views.setEdgeColours(colours);
+        w.panel().setEdgeColours(colours);
+        legend.showColours(colours);
+    };
+    const auto setByClass = [&](bool on) {
+        views.setEdgesByClass(on);
+        legend.showByClass(on);
+    };
+    const auto setEdges = [&](bool on) {
+        cloud.setEdgesVisible(on);
+        legend.showEdges(on);
+    };
+    const auto followLegend = [&legend](auto signal) {
+        return [&legend, signal](QAction& action) { QObject::connect(&legend, signal, &action, &QAction::setChecked); };
     };
     return {
         linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
                [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
         toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
-        toggle("&Edge Points", "E", "view/edge-points", true, [&cloud](bool on) { cloud.setEdgesVisible(on); }),
+        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesWanted)),
         toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
         toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
         toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setOverlay(on); }),
-        toggle("Edges &by Class", "C", "view/edge-classes", false, [&views](bool on) { views.setEdgesByClass(on); }),
-        toggle("&Colour-Blind Edge Colour", "", "view/colour-blind", false, setColourBlind),
+        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassWanted)),
+        toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
     };
 }
@@ -130,8 +148,9 @@ Command viewMenu(MainWindow& w, Memory& memory) {
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(lookCommands(w));
-    add({kLine, command("Point Size &+", "]", [&cloud] { cloud.setPointSize(cloud.pointSize() + 1); }),
-         command("Point Size &-", "[", [&cloud] { cloud.setPointSize(cloud.pointSize() - 1); }), mouseMenu(w, memory), kLine});
+    add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
+         command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
          command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
@@ -173,6 +192,7 @@ Command scanMenu(MainWindow& w) {
             step("Ten Lines Back", "Shift+Left", -10),
             kLine,
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
+            command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
             command("&Properties…", "", showProperties),
         });
 }
@@ -183,7 +203,7 @@ Command edgesMenu(MainWindow& w) {
     Command presets = submenu("&Presets", {});
     for (const Preset& preset : builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
-                                         [preset](QAction& action) { action.setToolTip(QString::fromStdString(preset.help)); }));
+                                         [preset](QAction& action) { action.setToolTip(shownText(preset.help)); }));
     presets.submenu.push_back(kLine);
     presets.submenu.push_back(command("&Open…", "", [&tuning] { tuning.askOpenPreset(); }));
     presets.submenu.push_back(command("&Save…", "", [&tuning] { tuning.askSavePreset(); }));
@@ -198,7 +218,37 @@ Command edgesMenu(MainWindow& w) {
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(builtInPresets().front()); }),
         });
+}
+
+Command rocksMenu(MainWindow& w) {
+    Rocks& rocks = w.rocks();
+    CloudView& cloud = w.views().cloud();
+    const auto step = [&rocks](double by) {
+        RockSettings settings = rocks.settings();
+        const RockParameter& level = rockParameters().front();
+        level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
+        rocks.useSettings(settings);
+    };
+    const auto follow = [&rocks](auto signal) {
+        return [&rocks, signal](QAction& action) { QObject::connect(&rocks, signal, &action, &QAction::setChecked); };
+    };
+    return submenu("&Rocks", {
+                                 linked(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
+                                        follow(&Rocks::shownChanged)),
+                                 toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
+                                 kLine,
+                                 command("&Finer", ",", [step] { step(-0.5); }),
+                                 command("&Coarser", ".", [step] { step(0.5); }),
+                                 kLine,
+                                 command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
+                                 linked(toggle("S&plit at Next Click", "S", nullptr, false, [&rocks](bool on) { rocks.setSplitting(on); }),
+                                        follow(&Rocks::splittingChanged)),
+                                 command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
+                                 kLine,
+                                 command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
+                             });
 }
 
 } // namespace
@@ -210,6 +260,7 @@ std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
             viewMenu(window, memory),
             scanMenu(window),
             edgesMenu(window),
+            rocksMenu(window),
             submenu("&Help",
                     {command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }

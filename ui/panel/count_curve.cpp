@@ -74,7 +74,7 @@ QString CountCurve::words() const {
     const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];
     QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
     if (curve_->stableTo > curve_->stableFrom)
-        text += tr(" · stable from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
+        text += tr(" · steady from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
     return text;
 }
 

@@ -5,7 +5,7 @@
 #include "core/method/turned.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
-#include "ui/cloud/edge_cells.h"
+#include "ui/base/shown_text.h"
 #include "ui/panel/count_curve.h"
 #include "ui/panel/parameter_row.h"
 
@@ -25,6 +25,8 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" side by side
+constexpr int kNarrowestLabel = 84;
 constexpr double kThesisRatio = 3.0;
 // Sobel 3x3 on 8-bit gray: nothing has a larger |gx| + |gy| (4 x 255 along each axis).
 constexpr double kLargestGradient = 2040.0;
@@ -34,8 +36,10 @@ constexpr double kLargestGradient = 2040.0;
 EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPresets().front()) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(6, 6, 6, 6);
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
+    grid->setColumnMinimumWidth(0, kNarrowestLabel);
     addPresets(*grid);
     for (const Parameter& p : parameters()) {
         if (!p.advanced) addRow(p, *grid);
@@ -55,6 +59,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     auto* advancedGrid = new QGridLayout(advanced_);
     advancedGrid->setContentsMargins(0, 0, 0, 0);
     advancedGrid->setColumnStretch(1, 1);
+    advancedGrid->setColumnMinimumWidth(0, kNarrowestLabel);
     for (const Parameter& p : parameters()) {
         if (p.advanced) addRow(p, *advancedGrid);
     }
@@ -77,7 +82,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    setMinimumWidth(380);
+    setMinimumWidth(kNarrowestPanel);
     setRatioLocked(true);
     show(Settings{});
     showClasses();
@@ -86,9 +91,11 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
 void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_ = new QComboBox;
     presets_->setObjectName("presets");
+    presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    presets_->setMinimumContentsLength(8);
     for (const Preset& preset : builtInPresets()) {
-        presets_->addItem(QString::fromStdString(preset.name));
-        presets_->setItemData(presets_->count() - 1, QString::fromStdString(preset.help), Qt::ToolTipRole);
+        presets_->addItem(shownText(preset.name));
+        presets_->setItemData(presets_->count() - 1, shownText(preset.help), Qt::ToolTipRole);
     }
     connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         const auto builtIn = builtInPresets();
@@ -116,7 +123,7 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     const int row = grid.rowCount();
     grid.addWidget(label, row, 0);
     grid.addWidget(presets_, row, 1, 1, 3);
-    grid.addLayout(buttons, row + 1, 1, 1, 3);
+    grid.addLayout(buttons, row + 1, 0, 1, 4);
 }
 
 void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
@@ -169,13 +176,14 @@ void EdgesPanel::forgetCounts() {
 
 void EdgesPanel::showMeaning() {
     const std::string text = scale_.farMm > scale_.nearMm ? thresholdText(shown_, scale_) : std::string();
-    meaning_->setText(QString::fromStdString(text));
+    meaning_->setText(shownText(text));
     meaning_->setVisible(!text.empty());
 }
 
 void EdgesPanel::addUpper(QGridLayout& grid) {
     upper_ = new QLabel;
     upper_->setObjectName("upper");
+    upper_->setWordWrap(true);
     lock_ = new QToolButton;
     lock_->setObjectName("ratio-lock");
     lock_->setCheckable(true);
@@ -207,12 +215,25 @@ ParameterRow* EdgesPanel::row(const char* key) const {
 }
 
 void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
-    emit edited(turned(shown_, parameter, value, lastGray_), dragging);
+    const Settings settings = turned(shown_, parameter, value, lastGray_);
+    if (settings.method != shown_.method) carried_[settings.method] = {settings.lower, lastGray_.method, lastGray_.lower};
+    emit edited(settings, dragging);
+}
+
+// Of settings with gray levels: those whose threshold somebody chose. One that was only carried over to another method is no choice: back
+// at the method where it was chosen, it is there again to the digit.
+void EdgesPanel::noteThreshold(const Settings& settings) {
+    if (!reads(settings.method, kReadsGray)) return;
+    lastGray_ = settings;
+    const auto carried = carried_.find(settings.method);
+    if (carried == carried_.end() || settings.lower != carried->second.lower) return;
+    lastGray_.method = carried->second.chosenFor;
+    lastGray_.lower = carried->second.chosen;
 }
 
 void EdgesPanel::show(const Settings& settings) {
     shown_ = settings;
-    if (reads(settings.method, kReadsGray)) lastGray_ = settings;
+    noteThreshold(settings);
     if (settings.ratio != kThesisRatio && ratioLocked()) {
         setRatioLocked(false);
     }
@@ -234,16 +255,15 @@ void EdgesPanel::showResult(const Detection& detection) {
     showClasses();
 }
 
-void EdgesPanel::setJumpColour(const QColor& colour) {
-    jumpColour_ = colour;
+void EdgesPanel::setEdgeColours(const EdgeColours& colours) {
+    colours_ = colours;
     showClasses();
 }
 
 void EdgesPanel::showClasses() {
-    const std::array<QColor, kEdgeClasses> colours{jumpColour_, kConvexColour, kConcaveColour, kBorderColour};
-    for (std::size_t n = 0; n < colours.size(); ++n) {
+    for (std::size_t n = 0; n < colours_.size(); ++n) {
         const QString count = QLocale(QLocale::English).toString(static_cast<qulonglong>(classCounts_[n + 1]));
-        row("classes")->mark(n, colours[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());
+        row("classes")->mark(n, colours_[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());
     }
 }
 
@@ -277,7 +297,7 @@ void EdgesPanel::showPresetName() { modified_->setText(modified() ? tr("• modi
 
 void EdgesPanel::setPreset(const Preset& preset) {
     preset_ = preset;
-    const QString name = QString::fromStdString(preset.name);
+    const QString name = shownName(exactText(preset.name), 60);
     int index = presets_->findText(name);
     if (index < 0) {
         presets_->addItem(name);

@@ -4,11 +4,12 @@
 #include "core/gray/threshold_map.h"
 #include "core/method/detection.h"
 #include "core/settings/presets.h"
+#include "ui/cloud/edge_cells.h"
 
-#include <QColor>
 #include <QWidget>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,8 +35,8 @@ public:
     /// How many edges each value of this parameter would give.
     void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
     void forgetCounts();
-    /// The colour that jumps have where classes have colours.
-    void setJumpColour(const QColor& colour);
+    /// The colours of the classes.
+    void setEdgeColours(const EdgeColours& colours);
     /// The picture does not belong to the numbers yet.
     void setBehind(bool behind);
 
@@ -69,6 +70,7 @@ private:
     [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
     void addUpper(QGridLayout& grid);
     void edit(const Parameter& parameter, double value, bool dragging);
+    void noteThreshold(const Settings& settings);
     void showPresetName();
     void showUpper();
     void showInUse();
@@ -77,11 +79,17 @@ private:
 
     Settings shown_;
     Settings lastGray_ = cannySettings(); // the last ones with gray levels: their threshold is carried over to another method
+    struct Carried {
+        double lower = 0.0; // as the change of method gave it
+        Method chosenFor = Method::Canny;
+        double chosen = 0.0;
+    };
+    std::map<Method, Carried> carried_; // the last time that each method was gone to; undo comes back there
     GrayScale scale_;
     Measured measured_;
     std::array<std::size_t, kDepthEdges> classCounts_{}; // by DepthEdge
     bool classesKnown_ = false;
-    QColor jumpColour_{0, 255, 0};
+    EdgeColours colours_ = kUsualColours;
     Preset preset_;
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;

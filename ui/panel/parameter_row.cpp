@@ -1,6 +1,8 @@
 // One row of the panel.
 #include "ui/panel/parameter_row.h"
 
+#include "ui/base/shown_text.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,7 +15,6 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -21,46 +22,20 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kNarrowestNumber = 72, kWidestNumber = 160; // px of a number box
+
 // A slider over more steps than it has pixels would have no fine end: such ranges are bent.
 double bend(const Parameter& p) {
     const double steps = (p.sliderMaximum - p.minimum) / p.step;
     return steps > 1000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;
 }
 
-// A wheel over a slider inside a scroll area does nothing until the slider has the focus.
-class CalmSlider : public QSlider {
-public:
-    using QSlider::QSlider;
-
-protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus())
-            QSlider::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
-
-template <class Box>
-class CalmBox : public Box {
-public:
-    using Box::Box;
-
-protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (Box::hasFocus())
-            Box::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
-
 // A number box into which any text may be typed; one that stands for no value is told of when it is done, not swallowed letter by letter.
-class ReadingBox : public CalmBox<QDoubleSpinBox> {
+class ReadingBox : public QDoubleSpinBox {
 public:
     using Refusal = std::function<void(const Error& why)>;
 
-    explicit ReadingBox(QWidget* parent) : CalmBox(parent) {}
+    explicit ReadingBox(QWidget* parent) : QDoubleSpinBox(parent) {}
     void read(ParameterRow::Reading reading) { reading_ = std::move(reading); }
     void onRefusal(Refusal refusal) { refusal_ = std::move(refusal); }
 
@@ -114,6 +89,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
     const int row = grid.rowCount();
     label_ = new QLabel(QString::fromUtf8(parameter.label), parent);
     label_->setToolTip(limitsText(parameter));
+    label_->setWordWrap(true); // in a narrow dock
     label_->installEventFilter(this);
     grid.addWidget(label_, row, 0);
     if (parameter.choices.empty())
@@ -137,7 +113,7 @@ bool ParameterRow::numericChoices() const { return parameter_.choices.size() > 2
 
 void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     const Parameter& p = parameter_;
-    slider_ = new CalmSlider(Qt::Horizontal, parent);
+    slider_ = new QSlider(Qt::Horizontal, parent);
     slider_->setRange(0, kSliderSteps);
     slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
     auto* box = new ReadingBox(parent);
@@ -151,8 +127,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     });
     box->onRefusal([this](const Error& why) {
         const QString sentence =
-            tr("%1: %2; %3. The value stays as it was.")
-                .arg(QString::fromUtf8(parameter_.label), QString::fromStdString(why.what), QString::fromStdString(why.hint));
+            tr("%1: %2; %3. The value stays as it was.").arg(QString::fromUtf8(parameter_.label), shownText(why.what), shownText(why.hint));
         // The box is still at it.
         QMetaObject::invokeMethod(
             this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);
@@ -164,11 +139,14 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     number_->setSingleStep(p.step);
     number_->setKeyboardTracking(false);
     number_->setAccessibleName(label_->text());
+    number_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    number_->setMaximumWidth(kWidestNumber);
+    number_->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
     if (*p.unit != '\0') number_->setSuffix(QString(" ") + QString::fromUtf8(p.unit));
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
     connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
-    grid.addWidget(number_, row, 2);
+    grid.addWidget(number_, row, 1, 1, p.automatic == nullptr ? 3 : 2);
     if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);
     automatic->setObjectName(QString("auto-") + p.key);
@@ -178,7 +156,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
 }
 
 void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
-    choice_ = new CalmBox<QComboBox>(parent);
+    choice_ = new QComboBox(parent);
     choice_->setObjectName(QString("choice-") + parameter_.key);
     choice_->setToolTip(limitsText(parameter_));
     choice_->setAccessibleName(label_->text());
@@ -188,16 +166,15 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
         if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
+    choice_->setMinimumContentsLength(8);
     if (!numericChoices()) {
-        choice_->setMinimumContentsLength(8);
         grid.addWidget(choice_, row, 1, 1, 3);
         return;
     }
-    slider_ = new CalmSlider(Qt::Horizontal, parent);
+    slider_ = new QSlider(Qt::Horizontal, parent);
     slider_->setRange(0, static_cast<int>(parameter_.choices.size()) - 1);
     slider_->setPageStep(1);
     slider_->setTickPosition(QSlider::TicksBelow);
-    choice_->setMinimumContentsLength(8);
     grid.addWidget(choice_, row, 1, 1, 3);
 }
 
@@ -220,7 +197,7 @@ void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
             tell(set);
         });
     }
-    grid.addWidget(strip, row, 1, 1, 3);
+    grid.addWidget(strip, row + 1, 0, 1, 4);
 }
 
 void ParameterRow::show(double value, double inUse) {

@@ -2,20 +2,29 @@
 #include "ui/panel/status_line.h"
 
 #include "core/depth/depth_settings.h"
+#include "core/scan/acquisition.h"
 #include "core/scan/placement.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "ui/base/shown_text.h"
 
-#include <QHBoxLayout>
+#include <QBoxLayout>
+#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr int kShowWorkAfterMs = 100;
+constexpr int kBetween = 14; // px between two facts
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
@@ -31,29 +40,29 @@ QString rangeText(const Probe& probe) {
 
 } // namespace
 
-QString probeText(const Probe& probe) {
-    QString text = QObject::tr("line %1  beam %2").arg(probe.line).arg(probe.beam);
-    if (!std::isnan(probe.beamDeg)) text += QObject::tr("  at %1° / %2°").arg(number(probe.lineDeg, 3), number(probe.beamDeg, 3));
-    text += "  " + rangeText(probe) + QObject::tr("  gray %1").arg(probe.gray);
-    if (probe.state == CellState::Valid) {
-        text +=
-            QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
-    }
+ProbeWords probeWords(const Probe& probe) {
+    ProbeWords words;
     if (probe.mineM)
-        text +=
-            QObject::tr("  N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
+        words.place =
+            QObject::tr("N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
     else
-        text += QObject::tr("  N –  E –  El –");
-    if (!probe.edge) return text + QObject::tr("  not an edge");
-    return text + (probe.kind == DepthEdge::None ? QObject::tr("  EDGE") : QObject::tr("  EDGE (%1)").arg(edgeClassName(probe.kind)));
+        words.place = QObject::tr("N –  E –  El –");
+    if (probe.state == CellState::Valid)
+        words.place +=
+            QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
+    const QString kind = probe.kind == DepthEdge::None ? QString() : QString(" (%1)").arg(edgeClassName(probe.kind));
+    words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
+    words.cell = QObject::tr("line %1  beam %2").arg(probe.line).arg(probe.beam);
+    if (!std::isnan(probe.beamDeg)) words.cell += QObject::tr("  at %1° / %2°").arg(number(probe.lineDeg, 3), number(probe.beamDeg, 3));
+    words.cell += QObject::tr("  gray %1").arg(probe.gray);
+    return words;
 }
 
 StatusLine::StatusLine(QWidget* parent)
-    : QStatusBar(parent), probe_(new QLabel), place_(new QLabel), counts_(new QLabel), time_(new QLabel), renderer_(new QLabel),
+    : QStatusBar(parent), strip_(new QWidget), way_(new QBoxLayout(QBoxLayout::LeftToRight, strip_)), probe_(new QLabel),
       work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
+    setSizeGripEnabled(false);
     probe_->setObjectName("probe");
-    place_->setObjectName("place");
-    counts_->setObjectName("counts");
     probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     // A long probe must not push the window wider.
     probe_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -71,72 +80,220 @@ StatusLine::StatusLine(QWidget* parent)
     untilWorkIsShown_.setSingleShot(true);
     untilWorkIsShown_.setInterval(kShowWorkAfterMs);
     connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
-    addWidget(work_);
-    addWidget(probe_, 1);
-    for (QLabel* label : {place_, counts_, time_, renderer_}) addPermanentWidget(label);
+
+    auto* left = new QHBoxLayout;
+    left->addWidget(work_);
+    left->addWidget(probe_, 1);
+    facts_ = new QHBoxLayout;
+    facts_->setSpacing(kBetween);
+    way_->setContentsMargins(kBetween / 2, 0, kBetween / 2, 0);
+    way_->setSpacing(0);
+    way_->addLayout(left, 1);
+    way_->addLayout(facts_);
+    strip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what is said follows the width, not the other way round
+    addWidget(strip_, 1);
+    for (const auto& [kind, name] : {std::pair{Fact::Incomplete, "incomplete"},
+                                     {Fact::Place, "place"},
+                                     {Fact::Counts, "counts"},
+                                     {Fact::Recorded, "recorded"},
+                                     {Fact::Box, "box"},
+                                     {Fact::Settings, "settings"},
+                                     {Fact::Time, "time"},
+                                     {Fact::Renderer, "renderer"}}) {
+        auto* label = new QLabel;
+        label->setObjectName(name);
+        // Its words are never squeezed: it is there whole, or not at all.
+        label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+        label->hide();
+        facts_->addWidget(label);
+        told_[static_cast<std::size_t>(kind)].label = label;
+    }
+    told(Fact::Incomplete).label->setStyleSheet("color: #ff8276; font-weight: bold;");
+}
+
+void StatusLine::addKept(QWidget* widget) {
+    kept_.push_back(widget);
+    facts_->insertWidget(0, widget);
+    widget->installEventFilter(this);
+}
+
+void StatusLine::tell(Fact fact, const QString& words, const QString& brief, bool kept) {
+    Told& told = this->told(fact);
+    if (told.words == words && told.brief == brief && told.kept == kept) return;
+    told.words = words;
+    told.brief = brief;
+    told.kept = kept;
+    fit();
+}
+
+/// Left to right in the order of their worth: what does not fit is said in fewer words, then not at all, from the right end on. Where the
+/// cell lies, what it is, what is incomplete or out of spec: these go into a second line before they go.
+void StatusLine::fit() {
+    const int whole = strip_->width() - kBetween - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
+    const QFontMetrics letters(probe_->font());
+    const int left = std::max(letters.horizontalAdvance(probeMain_), longestProbe_) + kBetween;
+    enum Form { Full, Brief, None };
+    std::array<Form, kFacts> forms{};
+    const auto textOf = [&](std::size_t n) { return forms[n] == None ? QString() : forms[n] == Brief ? told_[n].brief : told_[n].words; };
+    const auto width = [&] {
+        int sum = 0;
+        for (const QWidget* widget : kept_) sum += widget->isHidden() ? 0 : widget->sizeHint().width() + kBetween;
+        for (std::size_t n = 0; n < kFacts; ++n) {
+            const QString text = textOf(n);
+            QFont font = told_[n].label->font();
+            if (!text.isEmpty()) sum += QFontMetrics(font).horizontalAdvance(text) + 2 + kBetween;
+        }
+        return sum;
+    };
+    const auto shorten = [&](int room) {
+        for (const Form form : {Brief, None}) {
+            for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
+                if (form == None && told_[n].kept) continue;
+                if (form == Brief && told_[n].brief.isEmpty()) continue;
+                forms[n] = form;
+            }
+        }
+    };
+    shorten(whole - left);
+    const bool two = width() > whole - left;
+    if (two) {
+        forms = {};
+        shorten(whole);
+    }
+    way_->setDirection(two ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    for (std::size_t n = 0; n < kFacts; ++n) {
+        const QString text = textOf(n);
+        told_[n].label->setText(text);
+        told_[n].label->setVisible(!text.isEmpty());
+    }
+    const int room = two ? whole : whole - width();
+    probe_->setText(
+        letters.elidedText(probeMore_.isEmpty() ? probeMain_ : probeMain_ + "  " + probeMore_, Qt::ElideRight, std::max(room, 0)));
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    fit();
+}
+
+bool StatusLine::event(QEvent* event) {
+    const bool done = QStatusBar::event(event);
+    if (event->type() == QEvent::LayoutRequest) fit();
+    return done;
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide || event->type() == QEvent::Resize)
+        QMetaObject::invokeMethod(this, &StatusLine::fit, Qt::QueuedConnection);
+    return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::showProbe(const std::optional<Probe>& probe) {
-    probe_->setText(probe ? probeText(*probe) : QString());
-    probe_->setToolTip(probe_->text()); // in a narrow window the end is cut off
+    const ProbeWords words = probe ? probeWords(*probe) : ProbeWords{};
+    probeMain_ = probe ? words.place + "  " + words.verdict : QString();
+    probeMore_ = words.cell;
+    // What stands at the right must not come and go with the mouse.
+    longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
+    fit();
+    probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
 }
 
 void StatusLine::showPlace(const Scan& scan) {
+    longestProbe_ = 0;
+    const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
+    const bool part = incomplete != scan.warnings.end();
+    const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
+    tell(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
+    QLabel& label = *told(Fact::Place).label;
     if (!scan.placement) {
-        place_->setText(tr("scanner frame"));
-        place_->setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
+        tell(Fact::Place, tr("scanner frame"), {}, false);
+        label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
         return;
     }
     const Placement& place = *scan.placement;
-    QString text = tr("mine grid");
-    if (!place.grid.empty()) text += " " + QString::fromStdString(place.grid);
-    text += tr(" · origin E %1 N %2 El %3")
-                .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
-    if (place.outOfSpec) text += tr(" · OUT OF SPEC");
-    place_->setText(text);
-    QStringList about{tr("Placed by %1").arg(QString::fromStdString(place.source))};
-    for (const std::string& warning : place.warnings) about << QString::fromStdString(warning);
-    place_->setToolTip(about.join("\n"));
+    QString grid = tr("mine grid");
+    if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
+    const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
+    const QString text = grid + tr(" · origin E %1 N %2 El %3")
+                                    .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
+    tell(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
+    QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
+    for (const std::string& warning : place.warnings) about << shownText(warning);
+    label.setToolTip(about.join("\n"));
+}
+
+void StatusLine::showTimeOf(const Scan& scan, bool live) {
+    const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
+    const QString text = live ? QString() : start.empty() ? tr("RECORDED, time not known") : tr("RECORDED %1").arg(shownText(start));
+    tell(Fact::Recorded, text, live || start.empty() ? QString() : tr("RECORDED %1").arg(shownText(start).left(10)), false);
+    told(Fact::Recorded)
+        .label->setToolTip(start.empty() ? tr("The file does not say when it was measured.")
+                                         : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
 
 void StatusLine::showCounts(const Detection& detection) {
     const auto cells = countCells(*detection.scan);
     const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
-    QString text = tr("%1 points · %2 edges · %3 no return")
-                       .arg(count(of(CellState::Valid)), count(detection.edges->size()), count(of(CellState::NoReturn)));
+    const QString edges = tr("%1 edges").arg(count(detection.edges->size()));
+    const QString none = tr("%1 no return").arg(count(of(CellState::NoReturn)));
+    QString text = tr("%1 points").arg(count(of(CellState::Valid))) + " · " + edges + " · " + none;
     if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(count(of(CellState::DeviceStatus)));
     for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
         if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));
     }
-    counts_->setText(text);
+    tell(Fact::Counts, text, edges + " · " + none, false);
+    told(Fact::Counts).label->setToolTip(text);
 }
 
-void StatusLine::showTime(double milliseconds) { time_->setText(tr("%1 ms").arg(number(milliseconds, 1))); }
+void StatusLine::showBox(const QString& words) { tell(Fact::Box, words, {}, false); }
+
+void StatusLine::showSettings(const Settings& settings) {
+    const std::vector<std::string> keys = changedFromDefault(settings);
+    const QString set = QString("%1 %2").arg(QString(kDefaultSet.name)).arg(kDefaultSet.version);
+    QLabel& label = *told(Fact::Settings).label;
+    tell(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
+         keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
+    QStringList about;
+    for (const std::string& key : keys) {
+        const Parameter& p = *findParameter(key);
+        about << tr("%1: %2 instead of %3")
+                     .arg(QString::fromUtf8(p.label), shownText(formatValue(p, p.get(settings))),
+                          shownText(formatValue(p, p.get(Settings{}))));
+    }
+    label.setToolTip(keys.empty() ? tr("All settings are those of the default set.")
+                                  : about.join("\n") + tr("\nCtrl+D restores the default settings."));
+}
+
+void StatusLine::showTime(double milliseconds) { tell(Fact::Time, tr("%1 ms").arg(number(milliseconds, 1)), {}, false); }
 
 void StatusLine::showRenderer(const QString& name) {
-    renderer_->setText(name.section(' ', 0, 0));
-    renderer_->setToolTip(name);
+    tell(Fact::Renderer, name.section(' ', 0, 0), {}, false);
+    told(Fact::Renderer).label->setToolTip(name);
 }
 
 void StatusLine::startWork(const QString& title) {
-    workTitle_ = title;
+    workTitle_ = shownName(title);
     untilWorkIsShown_.start();
 }
 
 void StatusLine::showProgress(const QString& stage, double fraction) {
     if (untilWorkIsShown_.isActive()) return;
-    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + stage);
+    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + shownName(stage));
     bar_->setValue(static_cast<int>(std::lround(fraction * 1000)));
     work_->show();
+    fit();
 }
 
 void StatusLine::endWork() {
     untilWorkIsShown_.stop();
     work_->hide();
+    fit();
 }
 
-QString StatusLine::probeShown() const { return probe_->text(); }
-QString StatusLine::placeShown() const { return place_->text(); }
-QString StatusLine::countsShown() const { return counts_->text(); }
+QString StatusLine::probeShown() const { return probeMore_.isEmpty() ? QString() : probeMain_ + "  " + probeMore_; }
+QString StatusLine::placeShown() const { return told(Fact::Place).words; }
+QString StatusLine::recordedShown() const { return told(Fact::Recorded).words; }
+QString StatusLine::settingsShown() const { return told(Fact::Settings).words; }
+QString StatusLine::countsShown() const { return told(Fact::Counts).words; }
 
 } // namespace edgescan::ui

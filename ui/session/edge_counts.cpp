@@ -12,39 +12,28 @@ constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand
 
 } // namespace
 
-EdgeCounts::EdgeCounts(QObject* parent) : QObject(parent) {
+EdgeCounts::EdgeCounts(QObject* parent)
+    : QObject(parent), worker_(
+                           this,
+                           [](const std::shared_ptr<const Detection>& detection) {
+                               const std::vector<double> thresholds = curveThresholds(sweptParameter(detection->settings.method));
+                               return Counted{detection, edgeCountCurve(thresholdMapOf(*detection), thresholds)};
+                           },
+                           [this](const Counted& counted) {
+                               if (counted.detection != asked_) return; // the newest follows
+                               emit this->counted(QString::fromUtf8(sweptParameter(asked_->settings.method).key), counted.curve);
+                           },
+                           [](const QString&) {}) {
     quiet_.setSingleShot(true);
     quiet_.setInterval(kQuietMs);
-    connect(&quiet_, &QTimer::timeout, this, &EdgeCounts::start);
+    connect(&quiet_, &QTimer::timeout, this, [this] { worker_.post(asked_); });
 }
 
 void EdgeCounts::want(const std::shared_ptr<const Detection>& detection) {
-    if (counted_ && counted_->scan == detection->scan && sameUpTo(Stage::Edges, counted_->settings, detection->settings)) return;
-    counted_.reset();
-    wanted_ = detection;
+    if (asked_ && asked_->scan == detection->scan && sameUpTo(Stage::Edges, asked_->settings, detection->settings)) return;
+    asked_ = detection;
     emit outdated();
     quiet_.start();
-}
-
-void EdgeCounts::start() {
-    if (!wanted_ || job_ != nullptr) return;
-    counted_ = std::move(wanted_);
-    wanted_.reset();
-    const std::shared_ptr<const Detection> detection = counted_;
-    job_ = new BackgroundJob(
-        [this, detection](const BackgroundJob::Progress&) -> std::function<void()> {
-            const Parameter& swept = sweptParameter(detection->settings.method);
-            EdgeCountCurve curve = edgeCountCurve(thresholdMapOf(*detection), curveThresholds(swept));
-            return [this, detection, &swept, curve = std::move(curve)] {
-                if (counted_ == detection) emit counted(QString::fromUtf8(swept.key), curve);
-            };
-        },
-        this);
-    connect(job_, &BackgroundJob::ended, this, [this] {
-        job_->deleteLater();
-        job_ = nullptr;
-        if (wanted_) quiet_.start();
-    });
 }
 
 } // namespace edgescan::ui

@@ -3,7 +3,7 @@
 
 #include "core/gray/threshold_map.h"
 #include "core/method/detection.h"
-#include "ui/session/background_job.h"
+#include "ui/session/newest.h"
 
 #include <QObject>
 #include <QTimer>
@@ -29,12 +29,14 @@ signals:
     void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
 
 private:
-    void start();
+    struct Counted {
+        std::shared_ptr<const Detection> detection;
+        EdgeCountCurve curve;
+    };
 
-    std::shared_ptr<const Detection> wanted_;  // not counted yet
-    std::shared_ptr<const Detection> counted_; // or being counted
-    BackgroundJob* job_ = nullptr;             // child
+    std::shared_ptr<const Detection> asked_; // counted, being counted, or waiting for quiet
     QTimer quiet_;
+    Newest<std::shared_ptr<const Detection>, Counted> worker_;
 };
 
 } // namespace edgescan::ui

@@ -1,7 +1,10 @@
 // What survives a restart and a kill.
 #include "ui/session/memory.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
 #include "core/settings/parameters.h"
+#include "ui/base/shown_text.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -61,12 +64,12 @@ QString Memory::folder(const QString& kind) const { return text("folder/" + kind
 void Memory::keepFolder(const QString& kind, const QString& path) { keep("folder/" + kind, QFileInfo(path).absolutePath()); }
 
 Settings Memory::settings(const Settings& otherwise) const {
-    const nlohmann::json json = nlohmann::json::parse(text("edges/settings").toStdString(), nullptr, false);
-    if (!json.is_object()) return otherwise;
-    const Result<Settings> read = settingsFromJson(json, otherwise, "viewer.ini");
+    const auto json = parseJson(text("edges/settings").toStdString(), "viewer.ini", kSettingsJson);
+    if (!json || !json->is_object()) return otherwise;
+    const Result<Settings> read = settingsFromJson(*json, otherwise, "viewer.ini");
     return read && checkSettings(*read) ? *read : otherwise;
 }
 
-void Memory::keepSettings(const Settings& settings) { keep("edges/settings", QString::fromStdString(settingsToJson(settings).dump())); }
+void Memory::keepSettings(const Settings& settings) { keep("edges/settings", exactText(jsonText(settingsToJson(settings)))); }
 
 } // namespace edgescan::ui

@@ -53,6 +53,12 @@ void paintEdges(QImage& image, const Detection& detection, EdgeColour edgeColour
         reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
 }
 
+std::array<QRgb, kEdgeClasses + 1> byDepthEdge(const EdgeColours& colours, QRgb none) {
+    std::array<QRgb, kEdgeClasses + 1> table{none};
+    for (std::size_t n = 0; n < colours.size(); ++n) table[n + 1] = colours[n].rgba();
+    return table;
+}
+
 EdgeCells edgeCellsOf(const Detection& detection) {
     EdgeCells cells{detection.edges, {}};
     if (!detection.classes) return cells;
@@ -93,20 +99,25 @@ QImage edgePicture(const Detection& detection, int rows) {
     return image;
 }
 
-QImage classPicture(const Picture& picture, const QColor& jump) {
+QImage classPicture(const Picture& picture, const EdgeColours& colours) {
     QImage image = *picture.edges;
     const Detection& detection = *picture.detection;
     if (!detection.classes) return image;
-    const std::array<QRgb, kEdgeClasses + 1> colours{qRgb(255, 255, 255), jump.rgb(), kConvexColour.rgb(), kConcaveColour.rgb(),
-                                                     kBorderColour.rgb()};
-    paintEdges(image, detection, [&](std::size_t k) { return colours[static_cast<std::size_t>((*detection.classes)[k])]; });
+    const auto table = byDepthEdge(colours, qRgb(255, 255, 255));
+    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
     return image;
 }
 
-QImage edgeOverlay(const Detection& detection, const QColor& colour, int rows) {
+QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
     QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    paintEdges(image, detection, [&](std::size_t) { return colour.rgba(); });
+    const QRgb every = colours.front().rgba();
+    if (!byClass || !detection.classes) {
+        paintEdges(image, detection, [&](std::size_t) { return every; });
+        return image;
+    }
+    const auto table = byDepthEdge(colours, every);
+    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
     return image;
 }
 
@@ -123,7 +134,7 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection
         last && last->detection->gray == detection->gray && last->detection->scan == detection->scan && last->gray->height() == rows;
     picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, {}, rows));
     picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
-    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, QColor(0, 255, 0), rows));
+    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));
     picture->edgeCells = edgeCellsOf(*detection);
     return picture;
 }

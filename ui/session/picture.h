@@ -55,8 +55,9 @@ struct Picture {
 [[nodiscard]] QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows);
 [[nodiscard]] QImage edgePicture(const Detection& detection, int rows);
 /// The picture's edge map with the colours of the classes, where the method tells classes apart; else the map as it is.
-[[nodiscard]] QImage classPicture(const Picture& picture, const QColor& jump);
-[[nodiscard]] QImage edgeOverlay(const Detection& detection, const QColor& colour, int rows);
+[[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
+/// Edges on transparent ground; `byClass`: each in the colour of its class, where the method tells classes apart.
+[[nodiscard]] QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows);
 
 /// Images of `detection`; what did not change since `last` (may be null) is taken from it.
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,

@@ -3,13 +3,16 @@
 
 #include "core/georef/placed_points.h"
 #include "core/io/open_as_asked.h"
+#include "core/method/work_memory.h"
 #include "core/report/provenance.h"
+#include "ui/base/shown_text.h"
 #include "ui/session/demo_scan.h"
+#include "ui/session/in_background.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
 
-#include <atomic>
+#include <chrono>
 #include <new>
 #include <utility>
 
@@ -20,46 +23,46 @@ Error outOfMemory(const QString& where) {
     return {"there is not enough memory for this scan", where.toStdString(), "close other programs or open a smaller scan"};
 }
 
-Result<std::shared_ptr<const Scan>> readScan(const std::function<Result<Scan>(const BackgroundJob::Progress&)>& work,
-                                             const BackgroundJob::Progress& progress, const QString& path) {
-    try {
-        Result<Scan> scan = work(progress);
-        if (!scan) return scan.error();
-        return std::make_shared<const Scan>(std::move(*scan));
-    } catch (const std::bad_alloc&) {
-        return outOfMemory(path);
-    }
+QString itFailed(const QString& title, const QString& what) {
+    return Session::tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what);
 }
+
+constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 
 } // namespace
 
 Session::Session(QObject* parent)
-    : QObject(parent), worker_([this](const Asked& asked) { return run(asked); },
-                               [this] {
-                                   // One event at a time: it takes whatever is newest when it arrives.
-                                   if (told_.exchange(true)) return;
-                                   QMetaObject::invokeMethod(
-                                       this, [this] { takePicture(); }, Qt::QueuedConnection);
-                               }) {}
+    : QObject(parent),
+      worker_(
+          this, [this](const Asked& asked) { return run(asked); },
+          [this](std::shared_ptr<const Picture> newest) { takePicture(std::move(newest)); },
+          // The picture before stays on the screen; OpenCV reports a lack of memory in its own words.
+          [this](const QString& what) {
+              emit failed(tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(what));
+          }),
+      opener_(
+          this, [this](const Opening& opening) { return read(opening); }, [this](const Opened& opened) { takeOpened(opened); },
+          [](const QString&) {}) {}
 
-Session::~Session() = default;
+Session::~Session() { cancel(); }
 
 void Session::open(const QString& path, const ReadingOptions& options) {
     const std::string file = path.toStdString();
-    startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const BackgroundJob::Progress& progress) {
+    startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const Progress& progress) {
         ReadingOptions withProgress = options;
         withProgress.progress = progress;
-        return openAsAsked(file, withProgress);
+        auto scan = openAsAsked(file, withProgress);
+        if (!scan) return scan;
+        if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return Result<Scan>(enough.error());
+        return scan;
     });
 }
 
 void Session::openDemo() {
-    startOpening(tr("Making the demo draw-bell"), QString(), [](const BackgroundJob::Progress& progress) { return demoScan(progress); });
+    startOpening(tr("Making the demo draw-bell"), QString(), [](const Progress& progress) { return demoScan(progress); });
 }
 
-void Session::cancel() {
-    if (opening_ != nullptr) opening_->cancel();
-}
+void Session::cancel() { wantedOpening_ = 0; }
 
 std::uint64_t Session::newStream() {
     static std::atomic<std::uint64_t> last{0};
@@ -95,8 +98,11 @@ void Session::save(ExportContent what, const QString& path, const std::optional<
     const auto detection = picture_->detection;
     ExportOptions how = options.value_or(ExportOptions{});
     if (!options) how.frame = usualFrame(*detection->scan);
-    startJob(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, what, detection, path, how](const BackgroundJob::Progress& progress) {
-        progress("writing", 0.0);
+    const QString title = tr("Saving %1").arg(QFileInfo(path).fileName());
+    ++savings_;
+    emit workStarted(title);
+    emit workProgressed(tr("writing"), 0.0);
+    const auto write = [this, what, detection, path, how] {
         Result<std::size_t> written{std::size_t{0}};
         try {
             written = exportWithProvenance(what, *detection, path.toStdString(), how);
@@ -107,43 +113,74 @@ void Session::save(ExportContent what, const QString& path, const std::optional<
             if (written)
                 emit saved(what, path, static_cast<qint64>(*written));
             else
-                emit failed(QString::fromStdString(written.error().sentence()));
+                emit failed(shownText(written.error().sentence()));
         };
-    });
+    };
+    inBackground(
+        this, write, [this, title](const QString& failure) { emit failed(itFailed(title, failure)); },
+        [this] {
+            --savings_;
+            endWork();
+        });
 }
 
-void Session::startOpening(const QString& title, const QString& path, OpenWork work) {
-    // Newest wins: the opening before this one delivers nothing.
-    cancel();
-    opening_ = startJob(title, [this, path, work = std::move(work)](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const Result<std::shared_ptr<const Scan>> scan = readScan(work, progress, path);
-        return [this, scan, path] {
-            if (!scan) {
-                emit failed(QString::fromStdString(scan.error().sentence()));
-                return;
-            }
-            post(*scan, {newStream(), {}});
-            emit opened(path);
-        };
-    });
+void Session::endWork() {
+    if (!working()) emit workEnded();
 }
 
-BackgroundJob* Session::startJob(const QString& title, BackgroundJob::Work work) {
-    auto* job = new BackgroundJob(std::move(work), this);
-    connect(job, &BackgroundJob::progressed, this, [this, job](const QString& stage, double fraction) {
-        if (!job->cancelled()) emit workProgressed(stage, fraction);
-    });
-    connect(job, &BackgroundJob::crashed, this, [this, title](const QString& what) {
-        emit failed(tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what));
-    });
-    connect(job, &BackgroundJob::ended, this, [this, job] {
-        if (opening_ == job) opening_ = nullptr;
-        job->deleteLater();
-        if (--jobs_ == 0) emit workEnded();
-    });
-    ++jobs_;
+void Session::startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read) {
+    wantedOpening_ = ++openings_;
+    opening_ = true;
     emit workStarted(title);
-    return job;
+    opener_.post({openings_, path, std::move(read)});
+}
+
+Session::Opened Session::read(const Opening& opening) {
+    const auto wanted = [this, &opening] { return wantedOpening_ == opening.number; };
+    const Error givenUp{"cancelled", opening.path.toStdString(), ""};
+    if (!wanted()) return {opening.number, opening.path, givenUp, nullptr};
+    std::string lastStage;
+    std::chrono::steady_clock::time_point lastTold;
+    const Progress progress = [&](const char* stage, double fraction) {
+        const auto now = std::chrono::steady_clock::now();
+        if (stage != lastStage || now - lastTold >= kBetweenProgress) {
+            lastStage = stage;
+            lastTold = now;
+            const auto tell = [this, number = opening.number, stage = QString::fromUtf8(stage), fraction] {
+                if (number == wantedOpening_) emit workProgressed(stage, fraction);
+            };
+            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        }
+        return wanted();
+    };
+    const BindInputs inputs;
+    try {
+        Result<Scan> scan = opening.read(progress);
+        if (!scan) return {opening.number, opening.path, scan.error(), nullptr};
+        return {opening.number, opening.path, std::make_shared<const Scan>(std::move(*scan)), inputs.claims()};
+    } catch (const std::bad_alloc&) {
+        return {opening.number, opening.path, outOfMemory(opening.path), nullptr};
+    } catch (const std::exception& failure) {
+        return {opening.number, opening.path,
+                Error{"it could not be opened (" + std::string(failure.what()) + ")", opening.path.toStdString(),
+                      "close other programs or use a smaller scan"},
+                nullptr};
+    }
+}
+
+void Session::takeOpened(const Opened& opened) {
+    if (opened.number != openings_) return; // the newest follows
+    opening_ = false;
+    if (opened.number == wantedOpening_) {
+        if (opened.scan) {
+            inputs_ = opened.inputs;
+            post(*opened.scan, {newStream(), {}});
+            emit this->opened(opened.path);
+        } else {
+            emit failed(shownText(opened.scan.error().sentence()));
+        }
+    }
+    endWork();
 }
 
 std::shared_ptr<const Picture> Session::run(const Asked& asked) {
@@ -171,15 +208,8 @@ std::shared_ptr<const Picture> Session::run(const Asked& asked) {
     }
 }
 
-void Session::takePicture() {
-    told_ = false;
-    // The picture before stays on the screen; OpenCV reports a lack of memory in its own words.
-    if (const std::string failure = worker_.takeFailure(); !failure.empty())
-        emit failed(
-            tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(QString::fromStdString(failure)));
-    std::optional<std::shared_ptr<const Picture>> newest = worker_.take();
-    if (!newest) return;
-    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(*newest));
+void Session::takePicture(std::shared_ptr<const Picture> newest) {
+    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
     // Now that nothing shows it any more the worker's thread lets go of it: giving back so much memory, line after line, takes its time.

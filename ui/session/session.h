@@ -1,14 +1,14 @@
 // The one bridge between the window and the core's threads: opens scans, runs the method, saves results.
 #pragma once
 
+#include "core/base/inputs.h"
 #include "core/base/result.h"
-#include "core/base/worker.h"
 #include "core/gray/steady_window.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/settings/settings.h"
-#include "ui/session/background_job.h"
+#include "ui/session/newest.h"
 #include "ui/session/picture.h"
 
 #include <QObject>
@@ -35,8 +35,9 @@ public:
     void openDemo();
     /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
     void cancel();
-    [[nodiscard]] bool opening() const { return opening_ != nullptr; }
-    [[nodiscard]] bool working() const { return jobs_ > 0; }
+    [[nodiscard]] bool opening() const { return opening_; }
+    [[nodiscard]] bool saving() const { return savings_ > 0; }
+    [[nodiscard]] bool working() const { return opening_ || savings_ > 0; }
 
     /// Shows a scan that grows, from a scanner or a recording that is played: newest wins. A new stream sets the views up anew;
     /// further scans of it keep them. Gives up an opening that is under way.
@@ -70,9 +71,22 @@ signals:
     void streamChanged();
 
 private:
-    using OpenWork = std::function<Result<Scan>(const BackgroundJob::Progress&)>;
-    void startOpening(const QString& title, const QString& path, OpenWork work);
-    BackgroundJob* startJob(const QString& title, BackgroundJob::Work work);
+    using Progress = std::function<bool(const char* stage, double fraction)>;
+    struct Opening {
+        std::uint64_t number = 0;
+        QString path; // empty: the demo
+        std::function<Result<Scan>(const Progress&)> read;
+    };
+    struct Opened {
+        std::uint64_t number = 0;
+        QString path;
+        Result<std::shared_ptr<const Scan>> scan;
+        std::shared_ptr<const InputClaims> inputs; // files that nothing may be saved over while the scan is shown
+    };
+    void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
+    [[nodiscard]] Opened read(const Opening& opening); // opener's thread
+    void takeOpened(const Opened& opened);
+    void endWork();
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
     /// What a picture is made of.
     struct Asked {
@@ -81,14 +95,15 @@ private:
         PictureSource source;
     };
     [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // worker's thread
-    void takePicture();
+    void takePicture(std::shared_ptr<const Picture> newest);
 
     Asked asked_; // no scan: nothing was posted yet
     std::shared_ptr<const Picture> picture_;
-    BackgroundJob* opening_ = nullptr; // child
-    int jobs_ = 0;                     // under way, openings given up included
-
-    std::atomic<bool> told_{false}; // an event is on its way to the GUI thread
+    bool opening_ = false; // until the last one ended, given up or not
+    int savings_ = 0;
+    std::shared_ptr<const InputClaims> inputs_;   // of the scan that was opened last
+    std::uint64_t openings_ = 0;                  // number of the newest
+    std::atomic<std::uint64_t> wantedOpening_{0}; // whose result is waited for; 0: none
     std::mutex retiredMutex_;
     std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
 
@@ -100,7 +115,8 @@ private:
     PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
-    Worker<Asked, std::shared_ptr<const Picture>> worker_; // last: its thread uses all of the above, and is joined before they go
+    Newest<Asked, std::shared_ptr<const Picture>> worker_; // last, with the opener: their threads use all of the above
+    Newest<Opening, Opened> opener_;
 };
 
 } // namespace edgescan::ui

@@ -1,0 +1,30 @@
+// From the core's strings to Qt's.
+#include "ui/base/shown_text.h"
+
+#include "core/base/foreign_text.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace edgescan::ui {
+
+QString shownText(const std::string& text) {
+    constexpr int kMostLines = 20;
+    QStringList lines = QString::fromStdString(printableLines(text)).split('\n');
+    if (lines.size() > kMostLines) {
+        const auto more = lines.size() - kMostLines;
+        lines = lines.mid(0, kMostLines);
+        lines << QObject::tr("... and %1 lines more").arg(more);
+    }
+    return lines.join('\n');
+}
+
+QString shownText(const QString& text) { return shownText(text.toStdString()); }
+
+QString shownName(const QString& name, int mostCharacters) {
+    return QString::fromStdString(printable(name.toStdString(), static_cast<std::size_t>(mostCharacters)));
+}
+
+QString exactText(const std::string& text) { return QString::fromStdString(text); }
+
+} // namespace edgescan::ui

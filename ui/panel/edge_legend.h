@@ -1,0 +1,54 @@
+// The legend over the cloud: what is drawn in which colour, how many there are; each row is the switch of what it names.
+#pragma once
+
+#include "core/method/detection.h"
+#include "ui/cloud/edge_cells.h"
+
+#include <QFrame>
+
+#include <array>
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+
+namespace edgescan::ui {
+
+/// GUI thread only. Shows what it is told and says what the operator wants.
+class EdgeLegend : public QFrame {
+    Q_OBJECT
+public:
+    explicit EdgeLegend(QWidget* parent = nullptr);
+
+    void showResult(const Detection& detection);
+    void showColours(const EdgeColours& colours);
+    void showByClass(bool on);
+    void showEdges(bool on);
+    [[nodiscard]] QCheckBox* edges() const { return edges_; }
+    [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
+    [[nodiscard]] QCheckBox* classSwitch(int n) const { return rows_[static_cast<std::size_t>(n)].box; }
+
+signals:
+    void edgesWanted(bool on);
+    void byClassWanted(bool on);
+    /// EdgeClassBits.
+    void classesWanted(int classes);
+
+private:
+    struct Row {
+        QCheckBox* box = nullptr;
+        QLabel* count = nullptr;
+    };
+    [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
+    void paintSwatches();
+    void tellClasses();
+
+    QCheckBox* edges_ = nullptr;
+    QLabel* total_ = nullptr;
+    std::array<Row, kEdgeClasses> rows_;
+    QCheckBox* byClass_ = nullptr;
+    EdgeColours colours_ = kUsualColours;
+    bool showing_ = false;
+};
+
+} // namespace edgescan::ui
