@@ -1,9 +1,11 @@
-// What EdgeScan+ costs beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
+// What EdgeScan+ and the rocks from its edges cost beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
 // build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
 #include "core/gray/canny.h"
 #include "core/gray/gray.h"
 #include "core/gray/smooth.h"
 #include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
+#include "core/rocks/rock_study.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
 #include "tests/support/depth_edges.h"
@@ -28,7 +30,7 @@ double threadMs() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-struct Stage {
+struct Timed {
     std::string name;
     std::function<void()> run;
     std::vector<double> ms{};
@@ -65,7 +67,16 @@ int main(int argc, char** argv) {
     InverseRange inverse = inverseRange(scan);
     const DepthSurface surface = depthSurface(scan, true);
     const DepthResponses responses = depthResponses(surface, depth);
-    std::vector<Stage> stages{
+    const RockInputs inputs = rockInputs(*detectEdges(std::make_shared<const Scan>(scan), Settings{}, KeepFor::Rocks));
+    const RockStudy rocks = studyRocks(inputs, {});
+    double level = 0;
+    const auto moved = [&] {
+        level = level == 0 ? 0.5 : 0;
+        RockSettings settings;
+        settings.level = level;
+        return settings;
+    };
+    std::vector<Timed> stages{
         {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
         {"EdgeScan+ responses, from the scan on", [&] { (void)test::depthResponses(scan, depth); }},
         {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
@@ -73,16 +84,22 @@ int main(int argc, char** argv) {
         {"  noise", [&] { (void)rangeNoise(surface.inverse); }},
         {"  mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth); }},
         {"EdgeScan+ decision", [&] { (void)decideDepthEdges(responses, depth); }},
+        {"rocks from finished edges, rows included", [&] { (void)studyRocks(inputs, {}); }},
+        {"  leaves and their borders", [&] { (void)rockLeaves(inputs); }},
+        {"  tree of merges", [&] { (void)mergeTree(rocks.leaves->count(), rocks.leaves->borders); }},
+        {"  rows", [&] { (void)rockRows(*rocks.leaves, rocks.map); }},
+        {"a move of the rocks' slider: map", [&] { (void)rocksAt(*rocks.leaves, *rocks.tree, moved()); }},
+        {"  map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
     };
     for (int round = 0; round < rounds; ++round) {
-        for (Stage& stage : stages) {
+        for (Timed& stage : stages) {
             const double start = threadMs();
             stage.run();
             stage.ms.push_back(threadMs() - start);
         }
     }
     std::printf("%d lines x %d beams, medians of %d rounds\n", scan.lines(), scan.beams(), rounds);
-    for (const Stage& stage : stages)
+    for (const Timed& stage : stages)
         std::printf("%-42s %8.2f ms %7.2f x thesis\n", stage.name.c_str(), stage.median(), stage.median() / stages.front().median());
     return 0;
 }

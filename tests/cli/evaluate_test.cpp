@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -144,6 +146,37 @@ TEST_F(CliEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
     EXPECT_EQ(with["all"], direct["all"]);
     EXPECT_EQ(runCli("evaluate " + scan + " --truth " + truth + " --ranges " + scan).code, 2);
     EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --ranges " + scan + " --ranges " + scan).code, 2);
+}
+
+TEST_F(CliEvaluate, RocksAreScoredAgainstTheTrueOnes) {
+    const std::string pictures = (folder / "pictures").string();
+    const auto run = runCli("evaluate --rocks " + scan + " --truth " + truth + " --json - --pictures " + pictures);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-evaluate-rocks/1");
+    std::vector<std::string> answers;
+    for (const json& one : report["answers"]) answers.push_back(one["answer"]);
+    EXPECT_EQ(answers, (std::vector<std::string>{"recipe", "watershed"}));
+    const json& strict = report["answers"][0]["at_least_100_cells"]["strict"];
+    EXPECT_GT(strict["found"], 0);
+    EXPECT_EQ(strict["rocks"], report["rocks"].size());
+    std::size_t found = 0;
+    for (const json& rock : report["rocks"]) found += rock["found"].get<bool>() ? 1U : 0U;
+    EXPECT_EQ(strict["found"], found);
+    EXPECT_TRUE(std::filesystem::exists(pictures + "/rocks-1.png"));
+    const auto table = runCli("evaluate --rocks " + scan + " --truth " + truth);
+    EXPECT_EQ(table.code, 0);
+    EXPECT_NE(table.out.find("EdgeScan+ rocks"), std::string::npos);
+
+    const std::string other = (folder / "other").string();
+    ASSERT_EQ(runCli("simulate -o " + (folder / "other.json").string() + " --truth " + other + " --lines 100 --beams 120 --seed 6").code,
+              0);
+    EXPECT_EQ(runCli("evaluate --rocks " + scan + " --truth " + other).code, 1) << "the truth of another scene";
+    for (const char* flags : {"--rocks --sweep", "--rocks --tolerance 3", "--rocks --method sobel", "--peers", "--level 2"}) {
+        const auto refused = runCli("evaluate " + scan + " --truth " + truth + " " + flags);
+        EXPECT_EQ(refused.code, 2) << flags;
+        EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    }
 }
 
 TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {

@@ -52,7 +52,7 @@ std::vector<std::string> roomsInOrder(const std::string& storey) {
 std::set<std::string> usedBy(const std::string& storey, const std::string& room) {
     const std::string text = test::fileText((kSource / storey / room / "CMakeLists.txt").string());
     std::smatch match;
-    if (!std::regex_search(text, match, std::regex(R"(USES\s+([a-z_\s]*))"))) return {};
+    if (!std::regex_search(text, match, std::regex(R"(USES\s+([a-z0-9_\s]*))"))) return {};
     const std::vector<std::string> names = words(match[1]);
     return {names.begin(), names.end()};
 }

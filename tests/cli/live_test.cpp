@@ -1,9 +1,12 @@
 // serve, record and replay from outside: what is served, recorded and played again has the edges of the file.
+#include "core/emulator/emulated_sweep.h"
+#include "core/emulator/emulated_telegram.h"
 #include "core/gray/steady_window.h"
 #include "core/io/save_scan.h"
 #include "core/live/live_feed.h"
 #include "core/method/pipeline.h"
 #include "core/report/report.h"
+#include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/run_program.h"
@@ -15,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -40,6 +44,23 @@ struct Live : public ::testing::Test {
     }
 };
 
+// Played line by line or opened at once: the same report but for the times.
+void expectReplayAsDetect(const std::string& recording) {
+    SCOPED_TRACE(recording);
+    const auto replay = runCli("replay --quiet " + recording);
+    const auto detect = runCli("detect --json - " + recording);
+    ASSERT_EQ(replay.code, detect.code) << replay.err << detect.err;
+    if (detect.code != 0) {
+        EXPECT_EQ(replay.err, detect.err);
+        return;
+    }
+    json played = json::parse(replay.out)["result"];
+    json opened = json::parse(detect.out);
+    played.erase("timings_ms");
+    opened.erase("timings_ms");
+    EXPECT_EQ(played, opened);
+}
+
 TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     const std::string recording = (folder / "bell.mcap").string();
     {
@@ -61,6 +82,61 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     for (std::string line; std::getline(lines, line); ++count) last = json::parse(line);
     EXPECT_EQ(count, 91); // a line each, and the result
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
+}
+
+// The README's example, with the flags that serve itself gives; the mirror stands where the motor stands.
+TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
+    const std::string bell = (folder / "draw-bell.json").string();
+    const std::string recording = (folder / "draw-bell.mcap").string();
+    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
+    const Served served(bell + " --rate 0");
+    const std::string flags = served.said()["record_flags"];
+    EXPECT_EQ(flags, "--axis sweep --first-line -90 --line-step 0.45 --standing --expected-lines 400");
+    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 60 " + flags);
+    ASSERT_EQ(record.code, 0) << record.err;
+    EXPECT_TRUE(json::parse(record.out)["mounting"]["assumed"].empty());
+    EXPECT_EQ(hashOf(recording), hashOf(bell));
+}
+
+TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
+    const auto recorded = [&](const std::string& name, const std::string& flags) {
+        const Served served(scan + " --rate 0"); // each from the first line on
+        const std::string path = (folder / name).string();
+        const auto record = runCli("record " + served.address() + " -o " + path + " --lines 40 --seconds 30 " + flags);
+        EXPECT_EQ(record.code, 0) << record.err;
+        return std::pair(path, json::parse(record.out));
+    };
+    const auto told = [](const json& document) { return document["warnings"].dump(); };
+    const std::string both =
+        "ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the motor turning on while a line is measured). "
+        "Give --axis, --line-step where that is wrong.";
+    const auto [nothing, said] = recorded("nothing.mcap", "");
+    EXPECT_EQ(said["mounting"]["assumed"], (json{"axis", "line_step_deg"}));
+    EXPECT_TRUE(said["mounting"]["expected_lines"].is_null());
+    EXPECT_NE(told(said).find(both), std::string::npos) << told(said);
+    const auto detect = runCli("detect " + nothing + " --json - --edges " + (folder / "edges.csv").string());
+    EXPECT_NE(told(json::parse(detect.out)).find(both), std::string::npos) << detect.out;
+    EXPECT_NE(test::fileText(folder / "edges.csv.provenance.json").find(both), std::string::npos);
+    EXPECT_NE(runCli("info " + nothing).out.find("ASSUMED: the axis (spin)"), std::string::npos);
+    EXPECT_NE(runCli("replay --quiet " + nothing).out.find(both), std::string::npos);
+    EXPECT_EQ(runCli("info " + nothing + " --axis spin --line-step 2").out.find("ASSUMED"), std::string::npos);
+    const std::string asTold = runCli("detect --json - " + nothing + " --axis sweep --line-step 2").out;
+
+    const auto [step, stepSaid] = recorded("step.mcap", "--line-step 2 --expected-lines 90");
+    EXPECT_EQ(stepSaid["mounting"]["assumed"], (json{"axis"}));
+    EXPECT_NE(told(stepSaid).find("ASSUMED: the axis (spin). Give --axis where"), std::string::npos) << told(stepSaid);
+    const auto [all, allSaid] = recorded("all.mcap", "--line-step 2 --axis sweep");
+    EXPECT_TRUE(allSaid["mounting"]["assumed"].empty());
+    EXPECT_EQ(told(allSaid).find("ASSUMED"), std::string::npos) << told(allSaid);
+    // Said when it is opened gives what saying it at once gives.
+    EXPECT_EQ(json::parse(asTold)["edge_mask_sha256"], hashOf(all));
+
+    std::ofstream(folder / "robot.json")
+        << R"({"format": "edgescan-calibration/1", "robot": "R", "stepper": {"axis": [1, 0, 0], "step_deg": 2}})";
+    const auto [robot, robotSaid] = recorded("robot.mcap", "--calibration " + (folder / "robot.json").string());
+    EXPECT_TRUE(robotSaid["mounting"]["assumed"].empty());
+    EXPECT_EQ(robotSaid["mounting"]["axis"], "sweep");
+    EXPECT_EQ(robotSaid["mounting"]["line_step_deg"], 2);
 }
 
 // The whole way of a scan through the viewer's core: socket, assembly, edges while it grows, and the sweep as it ends.
@@ -113,29 +189,47 @@ TEST_F(Live, LostLinesAreTold) {
     EXPECT_NE(report["warnings"].dump().find("INCOMPLETE"), std::string::npos) << report["warnings"];
 }
 
+// The same live: the summary counts and tells, the file keeps.
+TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldWhileTheyAreRecorded) {
+    struct Case {
+        const char* flag;
+        const char* key;
+        const char* word;
+        const char* sweep;
+    };
+    for (const Case& each : {Case{"--counter-step 1000", "counter_jumps", "jumped ahead", "90/90 lines, COUNTERS IN DOUBT"},
+                             Case{"--clock-rate -1", "clock_jumps", "clock was set", "90/90 lines"},
+                             Case{"--clock-rate 0", "clock_stands", "clock stood still", "90/90 lines"},
+                             Case{"--narrow-every 2", nullptr, "lines of the sweeps are lost", "INCOMPLETE 45/90 lines"}}) {
+        SCOPED_TRACE(each.flag);
+        const Served served(scan + " --rate 0 " + each.flag);
+        const std::string recording =
+            (folder / (std::string(each.flag).substr(2, 5) + each.flag[std::string(each.flag).size() - 1] + ".mcap")).string();
+        const auto record =
+            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 30");
+        ASSERT_EQ(record.code, 0) << record.err;
+        const json summary = json::parse(record.out);
+        EXPECT_EQ(summary["sweep"], each.sweep);
+        EXPECT_EQ(summary["lines"], 90);
+        EXPECT_EQ(summary["telegrams"]["placed"], 90);
+        EXPECT_EQ(summary["telegrams"]["accounted_for"], true);
+        EXPECT_NE(summary["warnings"].dump().find(each.word), std::string::npos) << summary["warnings"];
+        if (each.key != nullptr) {
+            EXPECT_GE(summary["irregular"][each.key].get<int>(), 85) << summary["irregular"];
+        } else {
+            EXPECT_EQ(summary["lost_lines"].size(), 45U);
+            EXPECT_EQ(summary["sweeps"]["cells_lost"], 45 * 95);
+        }
+        expectReplayAsDetect(recording);
+    }
+}
+
 TEST_F(Live, ARecordingOfASimulationOpensAsTheSameScan) {
     const std::string recording = (folder / "direct.mcap").string();
     ASSERT_EQ(runCli("simulate -o " + recording + " --lines 90 --beams 191 --axis spin").code, 0);
     EXPECT_EQ(hashOf(recording), hashOf(scan));
     ASSERT_EQ(runCli("convert " + scan + " " + (folder / "converted.mcap").string()).code, 0);
     EXPECT_EQ(hashOf((folder / "converted.mcap").string()), hashOf(scan));
-}
-
-// Played line by line or opened at once: the same report but for the times.
-void expectReplayAsDetect(const std::string& recording) {
-    SCOPED_TRACE(recording);
-    const auto replay = runCli("replay --quiet " + recording);
-    const auto detect = runCli("detect --json - " + recording);
-    ASSERT_EQ(replay.code, detect.code) << replay.err << detect.err;
-    if (detect.code != 0) {
-        EXPECT_EQ(replay.err, detect.err);
-        return;
-    }
-    json played = json::parse(replay.out)["result"];
-    json opened = json::parse(detect.out);
-    played.erase("timings_ms");
-    opened.erase("timings_ms");
-    EXPECT_EQ(played, opened);
 }
 
 // A scan with cells that telegrams alone cannot tell: masked, out of the window, lost, status codes, unlike beams.
@@ -176,13 +270,105 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
     expectReplayAsDetect(twoSweeps);
 }
 
+/// What a scanner with faults of all kinds would have sent, some of its counters and clocks among them; every seed another mixture.
+std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto maybe = [&](int every) { return random() % 2 == 0 ? every : 0; };
+    SimulationSettings bell;
+    bell.lines = 60;
+    bell.beams = 90 + static_cast<int>(random() % 60);
+    bell.seed = seed;
+    auto simulated = simulate(bell);
+    auto telegrams = telegramsOf(simulated->scan);
+    EXPECT_TRUE(telegrams);
+    EmulatedScannerSettings settings;
+    settings.atEnd = random() % 2 == 0 ? AtEnd::Again : AtEnd::Reverse;
+    settings.contaminationWarning = random() % 4 == 0;
+    settings.faults.byChance = true;
+    settings.faults.seed = seed;
+    settings.faults.loseEvery = maybe(20);
+    settings.faults.loseBurst = 1 + static_cast<int>(random() % 5);
+    settings.faults.duplicateEvery = maybe(15);
+    settings.faults.corruptEvery = maybe(25);
+    settings.faults.garbageEvery = maybe(25);
+    const int counterJumps = maybe(30), clockJumps = maybe(30), narrow = maybe(20), late = maybe(20);
+    sim::EmulatedSweep sweep(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+    std::vector<RecordingMessagePtr> messages;
+    const auto happens = [&](int every) { return every > 0 && random() % static_cast<unsigned>(every) == 0; };
+    for (int n = 0; n < 150; ++n) {
+        auto step = sweep.next();
+        if (!step || step->lost) continue;
+        if (happens(counterJumps)) step->telegram.telegramCounter = static_cast<std::uint16_t>(random());
+        if (happens(clockJumps)) step->telegram.sinceStartUs = static_cast<std::uint32_t>(random());
+        if (happens(narrow)) step->telegram.channels16.front().values.resize(40);
+        const Bytes frame = framed(encodeScanTelegram(step->telegram, Dialect::B), Dialect::B);
+        const auto post = [&](Bytes bytes) {
+            messages.push_back(std::make_shared<const RecordingMessage>(
+                RecordingMessage{RecordingTopic::ColaRx, test::hostNsOfLine(n), std::move(bytes)}));
+        };
+        if (step->garbage) post(sweep.garbage());
+        post(step->corrupt ? sweep.corrupted(frame) : frame);
+        if (step->duplicate) post(frame);
+        if (happens(late) && messages.size() > 4) std::swap(messages.back(), messages[messages.size() - 3]);
+    }
+    return messages;
+}
+
+TEST_F(Live, ReplayAndDetectSayTheSameOfFaultyScanners) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        SweepSettings settings;
+        settings.expectedLines = seed % 3 == 0 ? 60 : 0;
+        settings.degPerLine = 3.0;
+        const std::string path = (folder / ("faulty" + std::to_string(seed) + ".mcap")).string();
+        ASSERT_TRUE(saveMessages(path, metadataOf(settings), faultyMessages(seed)));
+        expectReplayAsDetect(path);
+    }
+}
+
+// All that is told of what was wrong with the telegrams comes out of every command.
+TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldByEveryCommand) {
+    struct Case {
+        const char* word;
+        std::function<void(ScanTelegram&, int)> spoil;
+    };
+    const std::vector<Case> cases{
+        {"jumped ahead", [](ScanTelegram& t, int n) { t.telegramCounter = t.scanCounter = static_cast<std::uint16_t>(1000 * n); }},
+        {"clock was set", [](ScanTelegram& t, int n) { t.sinceStartUs = 4'000'000'000U - 40'000U * static_cast<unsigned>(n); }},
+        {"fewer beams",
+         [](ScanTelegram& t, int n) {
+             if (n % 2 == 1) t.channels16.front().values.resize(30);
+         }},
+    };
+    for (const Case& each : cases) {
+        SCOPED_TRACE(each.word);
+        std::vector<ScanTelegram> telegrams;
+        std::vector<RecordingMessagePtr> messages;
+        for (int n = 0; n < 60; ++n) {
+            ScanTelegram telegram = test::telegramOfLine(n);
+            each.spoil(telegram, n);
+            const Bytes frame = framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B);
+            messages.push_back(
+                std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, test::hostNsOfLine(n), frame}));
+        }
+        const std::string path = (folder / (std::string(each.word).substr(0, 5) + ".mcap")).string();
+        ASSERT_TRUE(saveMessages(path, metadataOf(SweepSettings{}), messages));
+        expectReplayAsDetect(path);
+        for (const char* command : {"info ", "detect --json - ", "replay --quiet "})
+            EXPECT_NE(runCli(command + path).out.find(each.word), std::string::npos) << command << runCli(command + path).out;
+        const std::string edges = (folder / "edges.json").string();
+        ASSERT_EQ(runCli("detect " + path + " --edges " + (folder / "edges.ply").string()).code, 0);
+        EXPECT_NE(test::fileText(folder / "edges.ply.provenance.json").find(each.word), std::string::npos) << "the record of the export";
+    }
+}
+
 TEST_F(Live, ReplayAndDetectSayTheSameOfTheSharedRecordings) {
     const std::filesystem::path shared = EDGESCAN_SHARED_DIR;
     std::vector<std::filesystem::path> recordings{shared / "protocol/vectors/sweep_demo.mcap"};
     if (!std::filesystem::exists(recordings.front())) GTEST_SKIP() << "../shared is absent: its recordings cannot be played";
-    for (const auto& entry : std::filesystem::directory_iterator(shared / "data/hostile")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shared / "data")) {
         if (entry.path().extension() == ".mcap") recordings.push_back(entry.path());
     }
+    EXPECT_GE(recordings.size(), 7U);
     for (const auto& recording : recordings) expectReplayAsDetect(recording.string());
 }
 

@@ -13,6 +13,7 @@ namespace edgescan {
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 using test::runCli;
 
 TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
@@ -31,9 +32,12 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     EXPECT_EQ(std::count(verify.out.begin(), verify.out.end(), '\n'), 5);
     EXPECT_EQ(verify.out.find("NOT identical"), std::string::npos) << verify.out;
     EXPECT_EQ(verify.err, "");
+    const auto everything = runCli("verify " + path("?.png*") + " " + path("e.ply.provenance.json"));
+    EXPECT_EQ(everything.code, 0) << everything.err;
+    EXPECT_EQ(std::count(everything.out.begin(), everything.out.end(), '\n'), 4)
+        << "a record beside an export stands for it: " << everything.out;
     // The scan has a place, so the clouds are in mine coordinates.
-    const std::string cloud = test::fileText(folder / "c.csv");
-    EXPECT_NE(cloud.find("mine grid in metres"), std::string::npos);
+    EXPECT_TRUE(test::fileText(folder / "c.csv").starts_with("easting_m,northing_m,elevation_m,line,beam,range_mm,edge\n"));
     std::string bytes = test::fileText(folder / "e.ply");
     bytes[bytes.size() - 5] = static_cast<char>(bytes[bytes.size() - 5] ^ 4);
     std::ofstream(folder / "e.ply", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -51,6 +55,39 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     EXPECT_EQ(runCli("verify " + (away / "m.png").string() + " --scans " + folder.path().string()).code, 0);
     EXPECT_EQ(runCli("verify").code, 2);
     EXPECT_EQ(json::parse(runCli("info " + scanPath).out)["pose"]["origin_enh_m"], json({620000.0, 6200000.0, 250.0}));
+}
+
+TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 3), folder / "boxes.json"));
+    const std::string exported = (folder / "e.pcd").string();
+    const std::filesystem::path sidecar = exported + ".provenance.json";
+    ASSERT_EQ(runCli("detect " + (folder / "boxes.json").string() + " --edges " + exported).code, 0);
+    const ordered_json original = ordered_json::parse(test::fileText(sidecar));
+    const auto verifyWith = [&](const ordered_json& altered) {
+        std::ofstream(sidecar) << altered.dump();
+        return runCli("verify " + exported);
+    };
+    EXPECT_EQ(verifyWith(original).code, 0) << "as it was, laid out otherwise";
+    for (const auto& [key, value] : original["export"].items()) {
+        ordered_json altered = original;
+        altered["export"][key] = value.is_number() ? ordered_json(value.get<double>() + 1) : ordered_json("another");
+        const auto run = verifyWith(altered);
+        EXPECT_EQ(run.code, 1) << key;
+        EXPECT_NE(run.out.find("NOT identical"), std::string::npos) << key << run.out << run.err;
+    }
+    for (const char* key : {"cells", "warnings", "coordinates", "settings", "scanner"}) {
+        ordered_json altered = original;
+        altered["record"][key] = "another";
+        EXPECT_EQ(verifyWith(altered).code, 1) << key;
+    }
+    ordered_json later = original;
+    later["format"] = "edgescan-provenance/7";
+    const auto unknown = verifyWith(later);
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_NE(unknown.err.find("edgescan-provenance/7"), std::string::npos) << unknown.err;
+    std::filesystem::remove(sidecar);
+    EXPECT_EQ(runCli("verify " + exported).code, 0) << "the record inside is enough";
 }
 
 TEST(CliVerify, ARealScanInEveryFormat) {

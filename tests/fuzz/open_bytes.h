@@ -21,7 +21,8 @@ inline int openBytes(const std::uint8_t* bytes, std::size_t size, const char* ex
     options.beamStepDeg = 0.5;
     options.lineStartDeg = 0;
     options.lineStepDeg = 0.5;
-    const bool ranges = std::string(extension) == ".png" || std::string(extension) == ".tif" || std::string(extension) == ".csv";
+    const bool ranges = std::string(extension) == ".png" || std::string(extension) == ".tif" || std::string(extension) == ".csv" ||
+                        std::string(extension) == ".npy";
     if (ranges) options.axis = Axis::Sweep; // elsewhere it would keep clouds from being projected
     const auto scan = readScanBytes(std::as_bytes(std::span(bytes, size)), extension, options);
     if (!scan) {

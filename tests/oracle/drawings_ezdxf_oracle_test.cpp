@@ -4,6 +4,7 @@
 #include "core/points/cloud_columns.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +27,7 @@ errors = [str(e) for e in drawing.audit().errors]
 space = drawing.modelspace()
 points = [[p.dxf.layer, *p.dxf.location] for p in space.query("POINT")]
 lines = [[l.dxf.layer, bool(l.is_closed), [list(v.dxf.location) for v in l.vertices]] for l in space.query("POLYLINE")]
-json.dump({"errors": errors, "points": points, "lines": lines, "layers": [l.dxf.name for l in drawing.layers]}, open(sys.argv[2], "w"))
+json.dump({"release": drawing.dxfversion, "units": drawing.units, "fixes": [str(e) for e in drawing.audit().fixes], "errors": errors, "points": points, "lines": lines, "layers": [l.dxf.name for l in drawing.layers]}, open(sys.argv[2], "w"))
 )";
 
 json readByEzdxf(const Folder& folder, const std::string& name) {
@@ -46,9 +47,15 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
     scan.placement = randomPlacement(3, 1, true);
     const auto detection = detectEdges(std::make_shared<const Scan>(scan), Settings{});
     ASSERT_GT(detection->edges->size(), 10U);
-    for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine}) {
-        ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", detection->mask.get(), {.frame = coordinates, .record = "{\"a\":1}"}));
+    for (const bool release2000 : {false, true}) {
+        const CoordinateFrame coordinates = release2000 ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
+        const WritingChoices choices{.dxf2000 = release2000, .shortLines = release2000};
+        ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", detection->mask.get(),
+                              {.frame = coordinates, .record = "{\"a\":1}", .choices = choices}));
         const json read = readByEzdxf(folder, "cloud.dxf");
+        EXPECT_EQ(read["release"], release2000 ? "AC1015" : "AC1009");
+        EXPECT_EQ(read["units"], 6) << "metres";
+        EXPECT_EQ(read["fixes"], json::array());
         EXPECT_EQ(read["errors"], json::array());
         for (const char* layer : {"CLOUD", "EDGE_POINTS", "EDGE_LINES"}) EXPECT_NE(read["layers"].dump().find(layer), std::string::npos);
         const CloudColumns expected = validPoints(scan, detection->mask.get(), coordinates);
@@ -66,7 +73,7 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
         EXPECT_GT(read["lines"].size(), 0U);
         for (const json& line : read["lines"]) {
             EXPECT_EQ(line[0], "EDGE_LINES");
-            EXPECT_GE(line[2].size(), 2U);
+            EXPECT_GE(line[2].size(), release2000 ? 2U : 3U);
         }
     }
 }

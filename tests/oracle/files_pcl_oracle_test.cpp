@@ -1,7 +1,10 @@
 // PCL reads what we write and we read what PCL writes. Needs pcl_common and pcl_io.
+#include "core/georef/placed_points.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -57,10 +60,34 @@ TEST(PclOracle, ReadsOurEdgesWithTheirFields) {
     pcl::PCLPointCloud2 edges;
     ASSERT_EQ(pcl::PCDReader().read((folder / "edges.pcd").string(), edges), 0);
     EXPECT_EQ(edges.width, countCells(scan)[0]);
-    EXPECT_EQ(edges.fields.size(), 6U);
+    EXPECT_EQ(edges.fields.size(), 7U);
     pcl::PCLPointCloud2 cloud;
     ASSERT_EQ(pcl::PCDReader().read((folder / "cloud.pcd").string(), cloud), 0);
-    EXPECT_EQ(cloud.fields.back().name, "edge");
+    EXPECT_EQ(cloud.fields[cloud.fields.size() - 2].name, "edge");
+    pcl::PointCloud<pcl::PointXYZRGBA> coloured;
+    pcl::fromPCLPointCloud2(cloud, coloured);
+    for (const auto& point : coloured) EXPECT_TRUE(point.r == 0 && point.g == 255 && point.b == 0) << "every point is an edge here";
+}
+
+TEST(PclOracle, ReadsMineCoordinatesAsMetresFromTheOriginInTheViewpoint) {
+    const Folder folder;
+    Scan scan = makeScan({.lines = 11, .beams = 17});
+    scan.placement = randomPlacement(4, 1, true);
+    ASSERT_TRUE(saveCloud(scan, folder / "cloud.pcd", nullptr, {.frame = CoordinateFrame::Mine}));
+    pcl::PCLPointCloud2 cloud;
+    Eigen::Vector4f origin;
+    Eigen::Quaternionf turn;
+    int version = 0;
+    ASSERT_EQ(pcl::PCDReader().read((folder / "cloud.pcd").string(), cloud, origin, turn, version), 0);
+    pcl::PointCloud<pcl::PointXYZ> points;
+    pcl::fromPCLPointCloud2(cloud, points);
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        EXPECT_LT((points[n++].getVector3fMap().cast<double>() - minePoint(scan, k).localM).norm(), 1e-4);
+    }
+    EXPECT_EQ(n, points.size());
+    EXPECT_LT((origin.head<3>().cast<double>() - scan.placement->originEnhM).norm(), 1.0);
 }
 
 TEST(PclOracle, OurReaderReadsWhatPclWrites) {

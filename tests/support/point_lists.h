@@ -123,7 +123,10 @@ inline std::vector<Eigen::Vector3d> listOf(const Scan& scan, const ListStyle& st
 inline std::string numberText(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
-    return text;
+    // The tests also run where the decimal point is a comma; a list has a point everywhere.
+    std::string number = text;
+    std::replace(number.begin(), number.end(), ',', '.');
+    return number;
 }
 
 inline std::string textOf(const std::vector<Eigen::Vector3d>& points, const ListStyle& style) {

@@ -7,7 +7,10 @@
 #include "core/recording/save_recording.h"
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
+#include "tests/support/e57_writer.h"
 #include "tests/support/live_lines.h"
+#include "tests/support/packed_files.h"
+#include "tests/support/packet_writer.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
 
@@ -73,8 +76,55 @@ inline std::string smallLas(const std::vector<Eigen::Vector3d>& points) {
     return las;
 }
 
-inline std::vector<SeedFile> seedFiles() {
-    const Scan scan = makeScan({.lines = 6, .beams = 11, .beamStart = 20});
+/// A grid by row and column, with a pose.
+inline std::string smallE57(const Scan& scan) {
+    E57Part part{e57Cartesian(listOf(scan, {}), E57Column::As::Scaled, 1e-5),
+                 "<pose type=\"Structure\"><translation type=\"Structure\"><x type=\"Float\">5</x></translation></pose>"};
+    std::vector<double> lines, beams;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        lines.push_back(static_cast<double>(k / static_cast<std::size_t>(scan.beams())));
+        beams.push_back(static_cast<double>(k % static_cast<std::size_t>(scan.beams())));
+    }
+    part.columns.push_back(e57Whole("rowIndex", beams));
+    part.columns.push_back(e57Whole("columnIndex", lines));
+    return e57Bytes({part});
+}
+
+/// numpy: ranges, points, and an archive of both.
+inline std::vector<SeedFile> smallArrays(const Scan& scan) {
+    std::vector<double> ranges, points;
+    for (const float mm : scan.rangeMm.cells) ranges.push_back(static_cast<double>(mm));
+    for (const auto& p : listOf(scan, {})) points.insert(points.end(), {p.x(), p.y(), p.z()});
+    const std::string shape = "(" + std::to_string(scan.lines()) + ", " + std::to_string(scan.beams());
+    const std::string table = npyBytes(npyHeader("'>u2'", false, shape + ")"), npyData(ranges, ">u2"));
+    const std::string grid = npyBytes(npyHeader("'<f4'", false, shape + ", 3)"), npyData(points, "<f4"));
+    const std::string list = npyBytes(
+        npyHeader("[('x', '<f8'), ('y', '<f8'), ('z', '<f8')]", false, "(" + std::to_string(scan.cells()) + ",)"), npyData(points, "<f8"));
+    return {{"numpy", ".npy", table},
+            {"numpy", ".npy", grid},
+            {"numpy", ".npy", list},
+            {"numpy", ".npz", zipBytes({{"points.npy", grid}, {"ranges.npy", table}}, true)}};
+}
+
+/// A few telegrams as other programs keep them.
+inline std::vector<SeedFile> smallCaptures(int lines, int beams) {
+    std::string stream;
+    for (int line = 0; line < lines; ++line) {
+        const Bytes frame = framed(encodeScanTelegram(telegramOfLine(line, {.beams = beams}), Dialect::B), Dialect::B);
+        stream.append(frame.begin(), frame.end());
+    }
+    std::vector<TcpPart> parts{{99, "", true, kEpochNs}};
+    for (std::size_t at = 0; at < stream.size(); at += 100)
+        parts.push_back(
+            {static_cast<std::uint32_t>(100 + at), stream.substr(at, 100), false, kEpochNs + static_cast<std::int64_t>(at) * 100'000});
+    return {{"capture", ".bin", stream},
+            {"capture", ".pcap", captureOf(parts, {})},
+            {"capture", ".pcapng", captureOf(parts, {.ipv6 = true, .vlans = 1, .bigEndian = true, .pcapng = true})}};
+}
+
+/// Of a scan of so many lines and beams.
+inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
+    const Scan scan = makeScan({.lines = lines, .beams = beams, .beamStart = 20});
     const Grid<std::uint8_t> mask(scan.lines(), scan.beams(), 255);
     std::vector<SeedFile> seeds;
     const Folder folder;
@@ -107,14 +157,18 @@ inline std::vector<SeedFile> seedFiles() {
         seeds.push_back({"raw_grid", ".json", readText(folder / "grid.json") + '\0' + readText(folder / "grid.u16")});
     if (savePng16(rangePicture(scan), folder / "range.png")) seeds.push_back({"picture", ".png", readText(folder / "range.png")});
     seeds.push_back({"picture", ".tif", smallTiff(scan)});
+    seeds.push_back({"e57", ".e57", smallE57(scan)});
+    for (SeedFile& seed : smallArrays(scan)) seeds.push_back(std::move(seed));
+    for (SeedFile& seed : smallCaptures(lines, beams)) seeds.push_back(std::move(seed));
+    seeds.push_back({"packed", ".xyz.gz", gzipBytes(textOf(listOf(scan, {}), {}))});
     return seeds;
 }
 
 /// The same and those of what is no scan file: telegrams, recordings (without their magic), poses, calibrations.
-inline std::vector<SeedFile> seedsOfEveryFuzzer() {
-    std::vector<SeedFile> seeds = seedFiles();
+inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
+    std::vector<SeedFile> seeds = seedFiles(lines, beams);
     const auto text = [](const auto& bytes) { return std::string(bytes.begin(), bytes.end()); };
-    const Scan scan = makeScan({.lines = 6, .beams = 11, .beamStart = 20});
+    const Scan scan = makeScan({.lines = lines, .beams = beams, .beamStart = 20});
     if (const auto recording = recordingOf(scan, "seed")) seeds.push_back({"mcap", "", text(*recording).substr(kMcapMagic.size())});
     for (const Dialect dialect : {Dialect::A, Dialect::B}) {
         const Bytes telegram = encodeScanTelegram(telegramOfLine(3, {.beams = 9}), dialect);

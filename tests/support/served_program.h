@@ -25,8 +25,8 @@ public:
             _exit(127);
         }
         static_cast<void>(waitUntil([&] { return fileText(folder_ / "out").find('\n') != std::string::npos; }));
-        const auto said = nlohmann::json::parse(fileText(folder_ / "out"), nullptr, false);
-        if (said.is_object()) port_ = said.value("port", 0);
+        said_ = nlohmann::json::parse(fileText(folder_ / "out"), nullptr, false);
+        if (said_.is_object()) port_ = said_.value("port", 0);
     }
     ~ServedProgram() {
         kill(process_, SIGTERM);
@@ -35,12 +35,14 @@ public:
     ServedProgram(const ServedProgram&) = delete;
     ServedProgram& operator=(const ServedProgram&) = delete;
 
+    [[nodiscard]] const nlohmann::json& said() const { return said_; }
     /// 0: it did not start.
     [[nodiscard]] int port() const { return port_; }
     [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
 
 private:
     TemporaryFolder folder_;
+    nlohmann::json said_;
     pid_t process_ = 0;
     int port_ = 0;
 };

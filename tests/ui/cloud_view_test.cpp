@@ -51,7 +51,7 @@ private slots:
         QVERIFY(countColour(image, isGreen) > static_cast<int>(edges_->size()));
         QVERIFY(countColour(image, isHalo) > 500);
 
-        view_->setEdgeColour(kColourBlindEdge);
+        view_->setEdgeColours(kColourBlindColours);
         const QImage yellow = view_->grabFrame();
         QCOMPARE(countColour(yellow, isGreen), 0);
         QVERIFY(countColour(yellow, isYellow) > static_cast<int>(edges_->size()));

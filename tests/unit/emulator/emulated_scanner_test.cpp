@@ -207,9 +207,11 @@ TEST(EmulatedScanner, AClientThatDoesNotReadIsNotSavedUpFor) {
     {
         const ScannerSession session(patient, events);
         EXPECT_TRUE(waitUntil([&] { return scanner->statistics().lost > 0; }));
+        const std::uint64_t measured = scanner->statistics().lines;
         hold = false;
         EXPECT_GT(scanner->statistics().lost, 0U);
-        EXPECT_TRUE(listener.waitForScans(6000));
+        // What the sockets hold comes first, and how much that is the machine decides: no more than was measured.
+        EXPECT_TRUE(listener.waitForScans(measured + 100));
     }
     const Account account = accountOf(listener.telegrams());
     EXPECT_GT(account.lost, 0);

@@ -36,7 +36,8 @@ TEST(Truth, SurvivesItsFiles) {
     const Simulation bell = smallBell(settings);
     const fs::path folder = fs::path(testing::TempDir()) / "truth-of-a-bell";
     ASSERT_TRUE(writeTruth(bell, settings, folder));
-    for (const char* name : {"gt_class.png", "gt_ignore.png", "object.png", "face.png", "range_clean.png", "rocks.json", "scene.json"})
+    for (const char* name : {"gt_class.png", "gt_ignore.png", "object.png", "face.png", "range_clean.png", "tear_beam.png", "tear_line.png",
+                             "rocks.json", "scene.json"})
         EXPECT_TRUE(fs::exists(folder / name)) << name;
     const auto scene = nlohmann::json::parse(std::ifstream(folder / "scene.json"));
     EXPECT_EQ(scene["seed"], 9);

@@ -59,7 +59,7 @@ TEST_F(Hostile, AViewpointOffTheEarthIsIgnoredAndNoRangeIsInfinite) {
 }
 
 TEST_F(Hostile, ARangeThatIsNoRangeIsRefusedInOurOwnFiles) {
-    ASSERT_TRUE(saveScan(test::boxesScan(12, 15, 1), folder / "own.csv"));
+    ASSERT_TRUE(saveScan(test::boxesScan(12, 15, 1), folder / "own.csv", {.choices = {.comments = true}}));
     std::string text = test::fileText(folder / "own.csv");
     const auto scan = openScan(folder / "own.csv");
     ASSERT_TRUE(scan);

@@ -19,6 +19,8 @@ namespace {
 struct Seen {
     std::vector<Eigen::Vector3d> points;
     std::vector<std::string> extraNames;
+    std::string system;
+    std::vector<unsigned> classes, green;
     std::vector<std::array<double, 4>> extras; ///< line, beam, range_mm, last
     Eigen::Vector3d least, most, offset;
 };
@@ -28,7 +30,8 @@ Seen lookInto(const std::string& las) {
     EXPECT_EQ(las[24], 1);
     EXPECT_EQ(las[25], 4);
     EXPECT_EQ(valueAt<std::uint16_t>(las, 94), 375);
-    EXPECT_EQ(las[104], 6);
+    EXPECT_TRUE(las[104] == 6 || las[104] == 7);
+    const std::size_t own = las[104] == 7 ? 36 : 30; // bytes of the record itself
     const auto record = valueAt<std::uint16_t>(las, 105);
     const auto count = valueAt<std::uint64_t>(las, 247);
     EXPECT_EQ(valueAt<std::uint64_t>(las, 255), count); // first returns
@@ -36,6 +39,12 @@ Seen lookInto(const std::string& las) {
     std::size_t at = 375;
     for (std::uint32_t n = 0; n < valueAt<std::uint32_t>(las, 100); ++n) {
         const auto length = valueAt<std::uint16_t>(las, at + 20);
+        if (std::string(las.data() + at + 2) == "LASF_Projection") {
+            EXPECT_EQ(valueAt<std::uint16_t>(las, at + 18), 2112);
+            seen.system = las.data() + at + 54;
+            at += 54U + length;
+            continue;
+        }
         EXPECT_EQ(std::string(las.data() + at + 2), "LASF_Spec");
         EXPECT_EQ(valueAt<std::uint16_t>(las, at + 18), 4);
         for (std::size_t e = 0; e < length; e += 192) seen.extraNames.emplace_back(las.data() + at + 54 + e + 4);
@@ -55,8 +64,10 @@ Seen lookInto(const std::string& las) {
             p[a] = valueAt<std::int32_t>(las, at + 4 * i) * valueAt<double>(las, 131 + 8 * i) + seen.offset[a];
         }
         seen.points.push_back(p);
-        seen.extras.push_back({double(valueAt<std::uint32_t>(las, at + 30)), double(valueAt<std::uint32_t>(las, at + 34)),
-                               double(valueAt<float>(las, at + 38)), double(static_cast<unsigned char>(las[at + 42]))});
+        seen.classes.push_back(static_cast<unsigned char>(las[at + 16]));
+        if (own == 36) seen.green.push_back(valueAt<std::uint16_t>(las, at + 32));
+        seen.extras.push_back({double(valueAt<std::uint32_t>(las, at + own)), double(valueAt<std::uint32_t>(las, at + own + 4)),
+                               double(valueAt<float>(las, at + own + 8)), double(static_cast<unsigned char>(las[at + own + 12]))});
     }
     EXPECT_LE(at, las.size());
     return seen;

@@ -2,6 +2,7 @@
 #include "core/io/save_scan.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 

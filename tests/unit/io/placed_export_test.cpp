@@ -6,6 +6,7 @@
 #include "core/io/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ std::vector<std::vector<double>> rowsOf(const std::string& text) {
     std::vector<std::vector<double>> rows;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        if (line.empty() || line[0] == '#' || line[0] == 'x') continue;
+        if (line.empty() || line[0] == '#' || line.find("_m") != std::string::npos) continue;
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream words(line);
         rows.emplace_back();
@@ -65,7 +66,7 @@ TEST(MineExport, APlacedScanComesBackTheSameFromEveryFormatAndFrame) {
         SCOPED_TRACE(std::string(extension) + (points ? " points " : " polar ") + (ascii ? "ascii " : "") + std::to_string(round));
         const Scan scan = points ? asPoints(placedScan(round)) : placedScan(round);
         const auto path = folder / (std::string("scan") + extension);
-        const auto saved = saveScan(scan, path, {ascii, frame});
+        const auto saved = saveScan(scan, path, {.ascii = ascii, .frame = frame, .choices = {.comments = true}});
         ASSERT_TRUE(saved) << saved.error().sentence();
         const auto back = openScan(path);
         ASSERT_TRUE(back) << back.error().sentence();
@@ -94,7 +95,7 @@ TEST(MineExport, TheNumbersInTheFileAreTheMineCoordinatesToAMillimetre) {
         for (const char* extension : {".csv", ".xyz"}) {
             for (const auto frame : {CoordinateFrame::Mine, CoordinateFrame::MineLocal}) {
                 const auto path = folder / (std::string("cloud") + extension);
-                ASSERT_TRUE(saveCloud(scan, path, nullptr, {false, frame}));
+                ASSERT_TRUE(saveCloud(scan, path, nullptr, {.frame = frame, .choices = {.comments = true}}));
                 const std::string text = readText(path);
                 const auto rows = rowsOf(text);
                 ASSERT_EQ(rows.size(), expected.size());
@@ -118,9 +119,17 @@ TEST(MineExport, MineCoordinatesAreNeverFourByteFloats) {
     const CloudColumns local = everyCell(scan, CoordinateFrame::MineLocal);
     EXPECT_TRUE(std::holds_alternative<std::vector<float>>(local.columns[0].values));
     EXPECT_EQ(local.originM, scan.placement->originEnhM);
-    const auto pcd = writtenFormat("cloud.pcd")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
+    CloudColumns asked = validPoints(scan, nullptr, CoordinateFrame::Mine);
+    asked.choices.doubles = true;
+    const auto pcd = writtenFormat("cloud.pcd")->write(asked, "cloud.pcd", false);
     ASSERT_TRUE(pcd);
-    EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1\nTYPE F F F U U F U\n"), std::string::npos);
+    EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1 4\nTYPE F F F U U F U U\n"), std::string::npos);
+    // PCL reads floats only: metres from the origin, which the header tells twice.
+    const auto floats = writtenFormat("cloud.pcd")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
+    ASSERT_TRUE(floats);
+    EXPECT_NE(floats->find("SIZE 4 4 4 4 4 4 1 4\nTYPE F F F U U F U U\n"), std::string::npos);
+    EXPECT_NE(floats->find("# edgescan-origin 620000 6200000 250 "), std::string::npos);
+    EXPECT_NE(floats->find("VIEWPOINT 620000 6200000 250 1 0 0 0\n"), std::string::npos);
     const auto ply = writtenFormat("cloud.ply")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.ply", false);
     ASSERT_TRUE(ply);
     EXPECT_NE(ply->find("property double x\nproperty double y\nproperty double z\n"), std::string::npos);

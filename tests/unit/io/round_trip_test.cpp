@@ -5,6 +5,7 @@
 #include "core/io/save_scan.h"
 #include "core/pictures/png.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +69,7 @@ TEST(RoundTrip, EveryFormatGivesTheSameScanBack) {
             for (const bool ascii : {false, true}) {
                 SCOPED_TRACE(std::string(extension) + (ascii ? " ascii " : " ") + std::to_string(seed));
                 const auto path = folder / (std::string("scan") + extension);
-                const auto saved = saveScan(scan, path, {ascii});
+                const auto saved = saveScan(scan, path, {.ascii = ascii, .choices = {.comments = true}});
                 ASSERT_TRUE(saved) << saved.error().sentence();
                 const auto opened = openScan(path);
                 ASSERT_TRUE(opened) << opened.error().sentence();
@@ -132,7 +133,7 @@ TEST(RoundTrip, OrganisedCloudKeepsItsPointsExactly) {
         for (const char* extension : {".pcd", ".ply", ".xyz", ".csv"}) {
             SCOPED_TRACE(extension);
             const auto path = folder / (std::string("cloud") + extension);
-            ASSERT_TRUE(saveScan(scan, path));
+            ASSERT_TRUE(saveScan(scan, path, {.choices = {.comments = true}}));
             const auto opened = openScan(path);
             ASSERT_TRUE(opened) << opened.error().sentence();
             EXPECT_EQ(opened->rangeMm, scan.rangeMm);

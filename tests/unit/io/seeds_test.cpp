@@ -14,7 +14,7 @@ using namespace edgescan::test;
 namespace {
 
 ReadingOptions optionsFor(const SeedFile& seed) {
-    const bool ranges = seed.reader == "picture" || seed.reader == "range_csv";
+    const bool ranges = seed.reader == "picture" || seed.reader == "range_csv" || seed.reader == "numpy";
     return ranges ? seedOptions() : ReadingOptions{};
 }
 
@@ -53,7 +53,8 @@ TEST(Seeds, EveryReaderHasSmallOnesThatOpen) {
         ASSERT_TRUE(scan) << scan.error().sentence();
         holdsSoundly(seed.bytes, seed);
     }
-    EXPECT_EQ(readers, (std::set<std::string>{"las", "obj", "pcd", "picture", "ply", "ptx", "range_csv", "raw_grid", "text"}));
+    EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "las", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
+                                              "range_csv", "raw_grid", "text"}));
 }
 
 TEST(Seeds, CutAnywhereTheyAreASoundScanOrOneSentence) {

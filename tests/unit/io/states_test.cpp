@@ -67,7 +67,7 @@ TEST(CellsAccountedFor, ScansSavedInEveryFormatWithCells) {
             for (const char* name : {"s.json", "s.pcd", "s.ply", "s.csv", "s.xyz", "s.las", "s.mcap"}) {
                 for (const bool ascii : {false, true}) {
                     SCOPED_TRACE(std::string(name) + " loss " + std::to_string(static_cast<int>(loss)) + " seed " + std::to_string(seed));
-                    const auto saved = saveScan(scan, folder / name, {ascii});
+                    const auto saved = saveScan(scan, folder / name, {.ascii = ascii, .choices = {.comments = true}});
                     ASSERT_TRUE(saved) << saved.error().sentence();
                     const auto found = openScan(folder / name);
                     ASSERT_TRUE(found) << found.error().sentence();

@@ -1,5 +1,4 @@
 // What the operator is told of a live scan, and what a recording holds that is begun late.
-#include "core/io/open_scan.h"
 #include "core/live/live_health.h"
 #include "core/scan/placement.h"
 #include "tests/support/live_session.h"
@@ -75,6 +74,12 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "ends in 28 s");
+    status.session.phase = SessionPhase::Lost; // no line comes: nobody knows when the last one will
+    EXPECT_EQ(healthOf(status).end, "");
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 5.0;
+    EXPECT_EQ(healthOf(status).end, "");
+    status.secondsSinceLine = 0.0;
     EXPECT_EQ(health.contamination, "window clean");
     EXPECT_EQ(health.pose, "no pose");
     EXPECT_TRUE(health.recording.empty());
@@ -106,6 +111,26 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(healthOf(status).lines, "1000/1000 lines");
 }
 
+TEST(LiveHealth, TellsWhatIsWrongWithTheTelegrams) {
+    LiveStatus status;
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.0;
+    status.lines = status.sweep.lines = status.sweep.received = status.sweep.expected = 40;
+    EXPECT_EQ(healthOf(status).remark, "");
+    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    status.sweep.irregular.note(Irregularity::ClockJump, 7);
+    EXPECT_EQ(healthOf(status).remark, "1 remark");
+    EXPECT_EQ(healthOf(status).telegrams, Condition::OutOfSpec);
+    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    status.undecodable = 2;
+    EXPECT_EQ(healthOf(status).remark, "2 remarks");
+    EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
+    status.sweep.irregular.note(Irregularity::CounterJump, 9, 3);
+    EXPECT_EQ(healthOf(status).remark, "COUNTERS IN DOUBT");
+    EXPECT_EQ(healthOf(status).lines, "40/40 lines, COUNTERS IN DOUBT");
+    EXPECT_EQ(healthOf(status).end, "sweep ended");
+}
+
 TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 300;
@@ -125,7 +150,9 @@ TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
         EXPECT_NEAR(feed.status().linesPerSecond, 300, 150);
         ASSERT_TRUE(feed.stopRecording());
     }
-    const auto opened = openScan(folder / "late.mcap");
+    const auto recording = Recording::open(folder / "late.mcap");
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    const auto opened = scanOf(*recording, "late.mcap");
     ASSERT_TRUE(opened) << opened.error().sentence();
     ASSERT_EQ(opened->lines(), 80);
     for (int i = 0; i < 80; ++i) {

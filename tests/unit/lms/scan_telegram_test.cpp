@@ -1,5 +1,6 @@
 // The scan telegram against real ones: every field, both dialects, and nothing but a sentence when it is damaged.
 #include "core/lms/scan_telegram.h"
+#include "tests/support/beam_angles.h"
 #include "tests/support/cola_vectors.h"
 
 #include <gtest/gtest.h>
@@ -133,7 +134,6 @@ TEST(ScanTelegramDecode, EveryRealTelegramHasTheValuesOfTheTable) {
             EXPECT_EQ(rows[i].at("rssi1_crc32"), crc32Text(rssi));
             EXPECT_EQ(deviceFlags(*telegram).error, rows[i].at("status") == "1 0");
             EXPECT_EQ(scanFrequencyHz(*telegram), 25.0);
-            EXPECT_EQ(measurementFrequencyHz(*telegram), 54000.0);
         }
     }
 }
@@ -320,14 +320,12 @@ TEST(ScanTelegramValues, AnglesLieOnTheGridOfTheMirror) {
     EXPECT_FALSE(grid(-50000, 3333, 571) == grid(-48333, 3333, 570));
 }
 
-TEST(ScanTelegramValues, StatusAndFrequencies) {
+TEST(ScanTelegramValues, StatusAndChannels) {
     ScanTelegram telegram;
     for (unsigned bits = 0; bits < 8; ++bits) {
         telegram.status[0] = static_cast<std::uint8_t>(bits);
         EXPECT_TRUE((deviceFlags(telegram) == DeviceFlags{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0}));
     }
-    telegram.measurementFrequency = 54000; // sent as a hundredfold by some
-    EXPECT_EQ(measurementFrequencyHz(telegram), 54000.0);
     EXPECT_EQ(findChannel(telegram, "DIST1"), nullptr);
     const ScanTelegram full = fullTelegram();
     EXPECT_EQ(findChannel(full, "RSSI1"), &full.channels8[0]);

@@ -256,6 +256,97 @@ TEST(Mcap, CompressedChunksAreReadOrRefusedInWords) {
     EXPECT_FALSE(unpackChunk("brotli", {}, 0, "test"));
 }
 
+TEST(Mcap, ChecksumsOfPartsAreThoseOfTheirBytes) {
+    std::mt19937_64 random(7);
+    Bytes bytes(50'000);
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{1023}, std::size_t{1024}, std::size_t{5000}, bytes.size()}) {
+        const ByteView all = ByteView(bytes).first(size);
+        const PartChecksums sums(all);
+        for (int round = 0; round < 300; ++round) {
+            const std::size_t from = random() % (size + 1);
+            const std::size_t count = round == 0 ? size - from : random() % (size - from + 1);
+            ASSERT_EQ(sums.of(from, count), crc32(all.subspan(from, count))) << size << ' ' << from << ' ' << count;
+        }
+        EXPECT_EQ(sums.of(0, size), crc32(all));
+    }
+}
+
+TEST(Mcap, AfterDamageTheRestIsReadWhateverLiesBetween) {
+    const Bytes file = sampleFile(60, {2000, 1'000'000'000});
+    const auto whole = readMcap(file, "test");
+    ASSERT_TRUE(whole);
+    // Many false starts of chunks that claim the rest of the file, where one chunk was.
+    const McapMessage& third = whole->messages[10];
+    const auto at = static_cast<std::size_t>(third.payload.data() - file.data());
+    Bytes damaged(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(at));
+    for (int n = 0; n < 400; ++n) {
+        const std::size_t rest = (400 - static_cast<std::size_t>(n)) * 49 + (file.size() - at) - 49;
+        McapBytes head;
+        head.number8(6);
+        head.number64(rest + 40);
+        head.number64(1);
+        head.number64(2);
+        head.number64(rest);
+        head.number32(12345);
+        head.string("");
+        head.number64(rest);
+        damaged.insert(damaged.end(), head.bytes().begin(), head.bytes().end());
+    }
+    damaged.insert(damaged.end(), file.begin() + static_cast<std::ptrdiff_t>(at), file.end());
+    const auto content = readMcap(damaged, "test");
+    ASSERT_TRUE(content);
+    EXPECT_FALSE(content->clean);
+    EXPECT_FALSE(content->warnings.empty());
+    ASSERT_GT(content->messages.size(), 40U);
+    EXPECT_EQ(content->messages.back().sequence, 59U); // more than 64 false starts before it
+}
+
+TEST(Mcap, CompressedChunksBehindDamageAreFound) {
+    const Bytes plain = plainRecords();
+    for (const auto& [name, hex] : kPacked) {
+        if (!builtWith(name)) continue;
+        const Bytes one = packedFile(name, fromHex(hex), plain.size(), crc32(plain));
+        const Bytes head(one.begin(), one.begin() + 8);
+        Bytes damaged = head;
+        damaged.insert(damaged.end(), 100, 0x77); // no record
+        damaged.insert(damaged.end(), one.begin() + 8, one.end());
+        const auto content = readMcap(damaged, "test");
+        ASSERT_TRUE(content);
+        EXPECT_EQ(content->messages.size(), 1U) << name;
+        EXPECT_NE(content->warnings.at(0).find("are damaged and were left out"), std::string::npos);
+    }
+}
+
+TEST(Mcap, WhatWasLeftOutIsTheReasonThatNothingIsThere) {
+    const Bytes plain = plainRecords();
+    const auto refusal = [](const Bytes& file) {
+        const auto recording = Recording::fromBytes(file, "x.mcap");
+        return recording ? std::string() : recording.error().sentence();
+    };
+    const std::string wrong = refusal(packedFile("", plain, plain.size(), crc32(plain) + 1));
+    EXPECT_NE(wrong.find("was left out: its checksum does not fit"), std::string::npos) << wrong;
+    const std::string unknown = refusal(packedFile("brotli", plain, plain.size(), 0));
+    EXPECT_NE(unknown.find("compressed with \"brotli\", which is not known here"), std::string::npos) << unknown;
+    const std::string large = refusal(packedFile("zstd", plain, std::uint64_t{1} << 40U, 0));
+    EXPECT_NE(large.find("promises to unpack to 1.1 TB"), std::string::npos) << large;
+    for (const auto& [name, hex] : kPacked) {
+        if (!builtWith(name)) continue;
+        Bytes cut = fromHex(hex);
+        cut.resize(cut.size() / 2);
+        const std::string torn = refusal(packedFile(name, cut, plain.size(), crc32(plain)));
+        EXPECT_NE(torn.find(std::string("compressed with ") + name + " and damaged or cut off"), std::string::npos) << torn;
+    }
+    // A good chunk beside a bad one is read.
+    Bytes both = packedFile("brotli", plain, plain.size(), 0);
+    const Bytes good = packedFile("", plain, plain.size(), crc32(plain));
+    both.insert(both.end(), good.begin() + 8, good.end());
+    const auto content = readMcap(both, "test");
+    ASSERT_TRUE(content);
+    EXPECT_EQ(content->messages.size(), 1U);
+    EXPECT_EQ(content->badChunks, 1U);
+}
+
 TEST(Mcap, TheDemoHoldsWhatTheIndependentReaderSays) {
     if (!std::filesystem::exists(kDemo)) GTEST_SKIP() << "no reference recording at " << kDemo;
     const auto recording = Recording::open(kDemo);

@@ -236,7 +236,7 @@ TEST(RecordedPlace, PlaceAndScannerStayWithAScanThatIsSaved) {
     const auto scan = recorded(robotMetadata(), {{0.1, 498765.432}});
     ASSERT_TRUE(scan && scan->placement && scan->acquisition);
     for (const char* name : {"s.json", "s.pcd", "s.ply", "s.csv", "s.las", "s.mcap"}) {
-        ASSERT_TRUE(saveScan(*scan, folder / name)) << name;
+        ASSERT_TRUE(saveScan(*scan, folder / name, {.choices = {.comments = true}})) << name;
         const auto back = openScan(folder / name);
         ASSERT_TRUE(back) << back.error().sentence();
         ASSERT_TRUE(back->placement) << name;

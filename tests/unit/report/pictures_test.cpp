@@ -76,6 +76,19 @@ TEST(ContactSheet, NoMarkIsLostWhereATileHasFewerPixelsThanCells) {
     EXPECT_EQ(std::ranges::count(tile.cells, kRed), 0);
 }
 
+TEST(ContactSheet, ASweepOfFewBeamsMakesNoTower) {
+    for (const int lines : {200, 30000}) {
+        const Grid<std::uint8_t> picture(lines, 1, 120);
+        const Grid<Rgb> sheet = contactSheet({{picture, {}, "a", ""}, {picture, {}, "b", ""}}, look(1100));
+        EXPECT_LT(sheet.size(), std::size_t{1200} * 9200) << lines;
+        EXPECT_GT(std::count_if(sheet.cells.begin(), sheet.cells.end(),
+                                [](const Rgb& pixel) {
+                                    return pixel == Rgb{120, 120, 120};
+                                }),
+                  4000);
+    }
+}
+
 TEST(ContactSheet, NothingMakesNoSheet) {
     EXPECT_EQ(contactSheet({}, {}).size(), 0U);
     EXPECT_EQ(contactSheet({{}}, {}).size(), 0U);

@@ -13,6 +13,7 @@
 #include "core/settings/presets.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/save_clouds.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -32,14 +33,16 @@ struct Export {
     const char* name;
     bool inside = true; ///< the format has room for the record
 };
-constexpr Export kExports[]{
-    {ExportContent::EdgeCloud, "edges.pcd"},       {ExportContent::EdgeCloud, "edges.ply"},  {ExportContent::EdgeCloud, "edges.csv"},
-    {ExportContent::EdgeCloud, "edges.xyz"},       {ExportContent::FullCloud, "cloud.pcd"},  {ExportContent::FullCloud, "cloud.ply"},
-    {ExportContent::FullCloud, "cloud.csv"},       {ExportContent::FullCloud, "cloud.xyz"},  {ExportContent::EdgeImage, "mask.png"},
-    {ExportContent::GrayImage, "gray.png"},        {ExportContent::RangeImage, "range.png"}, {ExportContent::EdgeCloud, "edges.las"},
-    {ExportContent::FullCloud, "cloud.las"},       {ExportContent::EdgeCloud, "edges.dxf"},  {ExportContent::FullCloud, "cloud.dxf"},
-    {ExportContent::EdgeCloud, "edges.obj"},       {ExportContent::FullCloud, "cloud.obj"},  {ExportContent::EdgeCloud, "edges.ptx", false},
-    {ExportContent::FullCloud, "cloud.ptx", false}};
+constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},        {ExportContent::EdgeCloud, "edges.ply"},
+                            {ExportContent::EdgeCloud, "edges.csv", false}, {ExportContent::EdgeCloud, "edges.xyz", false},
+                            {ExportContent::FullCloud, "cloud.pcd"},        {ExportContent::FullCloud, "cloud.ply"},
+                            {ExportContent::FullCloud, "cloud.csv", false}, {ExportContent::FullCloud, "cloud.xyz", false},
+                            {ExportContent::EdgeImage, "mask.png"},         {ExportContent::GrayImage, "gray.png"},
+                            {ExportContent::RangeImage, "range.png"},       {ExportContent::EdgeCloud, "edges.las"},
+                            {ExportContent::FullCloud, "cloud.las"},        {ExportContent::EdgeCloud, "edges.dxf"},
+                            {ExportContent::FullCloud, "cloud.dxf"},        {ExportContent::EdgeCloud, "edges.obj"},
+                            {ExportContent::FullCloud, "cloud.obj"},        {ExportContent::EdgeCloud, "edges.ptx", false},
+                            {ExportContent::FullCloud, "cloud.ptx", false}};
 
 /// A scan in a file of `folder`, with or without a place in the mine, and its edges.
 std::shared_ptr<const Detection> detectionIn(const Folder& folder, unsigned seed, bool placed) {
@@ -104,6 +107,8 @@ TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
         EXPECT_EQ(sidecar["export"]["sha256"], sha256Hex(std::as_bytes(std::span(bytes))));
         EXPECT_EQ(sidecar["export"]["bytes"], bytes.size());
         EXPECT_EQ(sidecar["export"]["file"], one.name);
+        EXPECT_TRUE(sidecarIsWhole(sidecar));
+        EXPECT_EQ(sidecar.contains("grid"), isCloud(one.content));
         for (const char* key : {"format", "content", "scan", "cells", "scanner", "acquisition", "coordinates", "pose", "settings", "edges",
                                 "edge_mask_sha256", "program", "warnings", "operator", "role", "record_sha256"})
             EXPECT_TRUE(record.contains(key)) << key;
@@ -312,6 +317,20 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
     const auto refused = verifyExport(path);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("no record of the export is left unaltered"), std::string::npos);
+}
+
+TEST(Provenance, WhatAFormatCannotTellIsNoFaultOfTheDiskAndLeavesWhatWasThere) {
+    const Folder folder;
+    auto scan = std::make_shared<Scan>(makeScan({}));
+    auto placement = std::make_shared<Placement>(*randomPlacement(3, 1, true));
+    placement->gridScale = 1e9; // a scan as wide as the sky: no whole millimetres of 32 bits
+    scan->placement = placement;
+    const auto detection = detectEdges(scan, Settings{});
+    writeText(folder / "a.las", "what was here before");
+    const auto written = exportWithProvenance(ExportContent::FullCloud, *detection, folder / "a.las", {CoordinateFrame::Mine});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().sentence().find("disk"), std::string::npos) << written.error().sentence();
+    EXPECT_EQ(readText(folder / "a.las"), "what was here before");
 }
 
 TEST(Provenance, TheScanIsFoundByItsHashWhereverItIs) {

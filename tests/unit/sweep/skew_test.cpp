@@ -48,7 +48,7 @@ TEST(LineSkew, SurvivesEveryFormat) {
     const Folder folder;
     const Scan scan = skewedScan(Axis::Spin, 1.0);
     for (const char* name : {"a.json", "a.pcd", "a.ply", "a.csv", "a.xyz"}) {
-        ASSERT_TRUE(saveScan(scan, folder / name)) << name;
+        ASSERT_TRUE(saveScan(scan, folder / name, {.choices = {.comments = true}})) << name;
         const auto opened = openScan(folder / name);
         ASSERT_TRUE(opened) << opened.error().sentence();
         EXPECT_EQ(std::get<PolarGeometry>(opened->geometry), std::get<PolarGeometry>(scan.geometry)) << name;

@@ -375,6 +375,12 @@ TEST(Sweep, SettingsSurviveTheMetadata) {
     settings.degPerLine.reset();
     settings.degPerSecond = 3.25;
     EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
+    settings = assumedSweep();
+    EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
+    settings.stepAssumed = false;
+    EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
+    EXPECT_EQ(metadataOf(settings).at("assumed"), "stepper.axis");
+    EXPECT_EQ(settingsOf({}).settings, assumedSweep()); // a recording of another program
     const SettingsFound odd = settingsOf({{"stepper.deg_per_step", "much"}, {"stepper.axis", "[0,1,0]"}});
     EXPECT_EQ(odd.warnings.size(), 2U);
     EXPECT_EQ(odd.settings, SweepSettings{});

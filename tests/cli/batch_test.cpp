@@ -1,0 +1,189 @@
+// A run over an archive from outside: broken scans, kill -9, parts and their merge; the table is that of an undisturbed run.
+#include "core/io/save_scan.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::fileText;
+using test::runCli;
+using test::TemporaryFolder;
+
+// Scans of three formats in folders, two of one name among them, and four that are broken.
+void makeArchive(const fs::path& folder, int scans) {
+    const char* extensions[]{".pcd", ".json", ".mcap"};
+    for (int i = 0; i < scans; ++i) {
+        const fs::path place = folder / ("bell" + std::to_string(i % 5));
+        fs::create_directories(place);
+        ASSERT_TRUE(
+            saveScan(test::boxesScan(24, 30, static_cast<unsigned>(i)), place / ("scan" + std::to_string(i / 5) + extensions[i % 3])));
+    }
+    std::ofstream(folder / "bell0/empty.pcd");
+    std::ofstream(folder / "bell1/page.mcap") << "<html>404</html>";
+    std::ofstream(folder / "bell2/cut.pcd", std::ios::binary) << fileText(folder / "bell0/scan0.pcd").substr(0, 900);
+    fs::create_symlink("/nowhere/gone.las", folder / "bell3/gone.las");
+}
+
+// The rows without what says when and how long.
+std::vector<json> rowsOf(const fs::path& results) {
+    std::vector<json> rows;
+    std::istringstream lines(fileText(results / "results.ndjson"));
+    for (std::string line; std::getline(lines, line);) {
+        rows.push_back(json::parse(line));
+        rows.back().erase("times");
+    }
+    return rows;
+}
+
+std::vector<std::string> filesBelow(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string inArchive(const TemporaryFolder& folder, const std::string& results, const std::string& more = "") {
+    return "batch " + (folder / "archive").string() + " -o " + (folder / results).string() + " --jobs 2 " + more;
+}
+
+TEST(CliBatch, EveryScanHasARowAndABrokenOneEndsNothing) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 20);
+    const auto run = runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report["scans"], 24);
+    EXPECT_EQ(report["done"], 20);
+    EXPECT_EQ(report["refused"].get<int>() + report["failed"].get<int>(), 4) << run.out;
+    const auto rows = rowsOf(folder / "r");
+    ASSERT_EQ(rows.size(), 24U);
+    std::string before;
+    for (const json& row : rows) {
+        const std::string input = row["input"];
+        EXPECT_LT(before, input); // in the order of the inputs
+        before = input;
+        if (row["outcome"] != "done") {
+            EXPECT_NE(row["error"].get<std::string>().find("; "), std::string::npos) << row;
+            EXPECT_FALSE(fs::exists(folder / "r" / row["results"].get<std::string>()));
+            continue;
+        }
+        // The same as `detect` says and writes.
+        const json alone = json::parse(runCli("detect " + input + " --json -").out);
+        for (const char* key : {"edges", "cells", "lines", "beams", "edge_mask_sha256", "warnings"})
+            EXPECT_EQ(row[key], alone[key]) << input;
+        const fs::path results = folder / "r" / row["results"].get<std::string>();
+        for (const char* name : {"edges.png", "gray.png", "detect.json", "edges_LOCAL.ply", "edges.png.provenance.json"})
+            EXPECT_TRUE(fs::exists(results / name)) << results / name;
+    }
+    EXPECT_EQ(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply --strict")).code, 1);
+    const auto again = json::parse(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply")).out);
+    EXPECT_EQ(again["unchanged"], 23) << again; // a file that is not there is looked for again
+    EXPECT_TRUE(fileText(folder / "r/survey.html").find("scan0.pcd") != std::string::npos);
+}
+
+TEST(CliBatch, OnlyWhatChangedIsDoneAgain) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 10);
+    const auto worked = [&](const std::string& more = "") {
+        return json::parse(runCli(inArchive(folder, "r", more)).out)["worked"].get<int>();
+    };
+    EXPECT_EQ(worked(), 14);
+    fs::remove(folder / "archive/bell3/gone.las");
+    EXPECT_EQ(worked(), 0);
+    ASSERT_TRUE(saveScan(test::boxesScan(24, 30, 77), folder / "archive/bell0/scan0.pcd")); // other contents
+    EXPECT_EQ(worked(), 1);
+    const fs::path counts = folder / "archive/bell1/scan0.u16"; // the file behind the one that is named
+    std::string bytes = fileText(counts);
+    bytes[40] = static_cast<char>(bytes[40] + 1);
+    std::ofstream(counts, std::ios::binary) << bytes;
+    EXPECT_EQ(worked(), 1);
+    fs::remove(folder / "r" / rowsOf(folder / "r")[1]["results"].get<std::string>() / "edges.png"); // a result that is gone
+    EXPECT_EQ(worked(), 1);
+    EXPECT_EQ(worked("--sensitivity 2"), 13); // other settings
+    EXPECT_EQ(worked("--sensitivity 2"), 0);
+    EXPECT_EQ(worked("--sensitivity 2 --retry"), 3);
+    EXPECT_EQ(worked("--sensitivity 2 --results gray"), 13);
+    for (const std::string& file : filesBelow(folder / "r/scans"))
+        EXPECT_TRUE(file.ends_with("gray.png") || file.ends_with("gray.png.provenance.json")) << file << " is of an earlier run";
+}
+
+TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 120);
+    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 0);
+    const fs::path journal = folder / "r/.batch/rows.ndjson";
+    const auto rowsDone = [&] {
+        const std::string text = fileText(journal);
+        return std::ranges::count(text, '\n');
+    };
+    for (int kill = 1; kill <= 3; ++kill) {
+        const pid_t process = ::fork();
+        ASSERT_GE(process, 0);
+        if (process == 0) {
+            const std::string program = std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli";
+            const std::string archive = (folder / "archive").string(), results = (folder / "r").string();
+            static_cast<void>(std::freopen("/dev/null", "w", stdout));
+            static_cast<void>(std::freopen("/dev/null", "w", stderr));
+            ::execl(program.c_str(), program.c_str(), "batch", archive.c_str(), "-o", results.c_str(), "--jobs", "2", nullptr);
+            ::_exit(127);
+        }
+        for (int i = 0; i < 6000 && rowsDone() < 25 * kill; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ::kill(process, SIGKILL);
+        int status = 0;
+        ::waitpid(process, &status, 0);
+        ASSERT_GE(rowsDone(), 25 * kill);
+        EXPECT_FALSE(fs::exists(folder / "r/results.csv")) << "a table before all is done";
+    }
+    const auto last = runCli(inArchive(folder, "r"));
+    ASSERT_EQ(last.code, 0) << last.err;
+    EXPECT_GE(json::parse(last.out)["unchanged"].get<int>(), 74);
+    EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
+    EXPECT_EQ(filesBelow(folder / "r/scans"), filesBelow(folder / "whole/scans"));
+    EXPECT_FALSE(fs::exists(folder / "r/.batch/work"));
+}
+
+TEST(CliBatch, PartsAndTheirMergeAreTheWhole) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 30);
+    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 0);
+    for (int part : {1, 2, 4}) ASSERT_EQ(runCli(inArchive(folder, "r", "--shard " + std::to_string(part) + "/4")).code, 0);
+    const auto early = runCli(inArchive(folder, "r", "--merge"));
+    EXPECT_EQ(early.code, 1);
+    EXPECT_EQ(json::parse(early.out)["missing_elements"], json::array({3}));
+    EXPECT_FALSE(fs::exists(folder / "r/results.csv"));
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 3/4")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--merge")).code, 0);
+    EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
+}
+
+TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 5);
+    for (const char* wrong : {"--results nothing", "--results edges", "--results edges.png", "--results mask.png", "--shard 5/4",
+                              "--shard x", "--merge --shard 1/2", "--jobs -1", "--method none", "--memory nan"})
+        EXPECT_EQ(runCli(inArchive(folder, "r", wrong)).code, 2) << wrong;
+    const auto collide = runCli(inArchive(folder, "r", "--names '{stem}'"));
+    EXPECT_EQ(collide.code, 1);
+    EXPECT_NE(collide.err.find("{path}"), std::string::npos) << collide.err;
+    EXPECT_EQ(runCli("batch " + (folder / "archive").string() + " -o " + (folder / "archive").string()).code, 1);
+    EXPECT_FALSE(fs::exists(folder / "r"));
+}
+
+} // namespace
+} // namespace edgescan

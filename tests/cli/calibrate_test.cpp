@@ -1,0 +1,56 @@
+// edgescan-cli calibrate: the file it writes, and what it refuses.
+#include "core/georef/calibration.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace edgescan {
+namespace {
+
+using test::fileText;
+using test::runCli;
+
+TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    ASSERT_EQ(runCli("simulate -o " + path("a.json") +
+                     " --axis spin --turn 200 --lines 300 --beams 286 --seed 31 --mount-t1 12 --mount-t2 -8" +
+                     " --mount-tilt 0.4 --mount-index -0.3 --turn-error 0.2")
+                  .code,
+              0);
+    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto told = nlohmann::json::parse(run.out);
+    EXPECT_EQ(told["schema"], "edgescan-calibrate/1");
+    EXPECT_NEAR(told["errors"]["t1_mm"].get<double>(), 12, 1);
+    EXPECT_GT(told["one_sd"]["tilt_deg"].get<double>(), 0);
+    const auto file = openCalibration(path("robot.json"));
+    ASSERT_TRUE(file) << file.error().sentence();
+    EXPECT_NEAR(file->mountM.x(), 0.012, 0.001);
+    EXPECT_GT(std::filesystem::file_size(path("views.png")), 1000U);
+
+    // With the present file of the robot as base; neither it nor the scan is written over.
+    const std::string robot = fileText(path("robot.json"));
+    EXPECT_NE(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("robot.json")).code, 0);
+    EXPECT_EQ(fileText(path("robot.json")), robot);
+    EXPECT_NE(runCli("calibrate " + path("a.json") + " -o " + path("a.json")).code, 0);
+    EXPECT_EQ(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("new.json")).code, 0);
+}
+
+TEST(CliCalibrate, RefusesHalfATurnAndLeavesNoFile) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    ASSERT_EQ(runCli("simulate -o " + path("a.json") + " --axis spin --lines 60 --beams 60").code, 0);
+    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json"));
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("turn 200 degrees"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("a.json"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("robot.json")));
+    EXPECT_EQ(runCli("simulate -o " + path("b.json") + " --truth " + path("t") + " --mount-t1 3").code, 2) << "the truth is of one point";
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,167 @@
+// The report of a scan: one file that needs no other, in which text of files stays text, and that works in a real browser.
+#include "core/io/open_scan.h"
+#include "core/io/save_scan.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <regex>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::fileText;
+using test::runCli;
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
+    const test::TemporaryFolder folder;
+    const fs::path scan = folder / "s.pcd", page = folder / "s.html";
+    ASSERT_TRUE(saveScan(test::boxesScan(60, 90, 4, 0.02), scan));
+    const auto run = runCli("report " + scan.string() + " -o " + page.string() + " --sensitivity 1.5 --operator 'Ann B.' --role surveyor");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string text = fileText(page);
+    EXPECT_EQ(countOf(text, "http"), 1U) << "only the policy's http-equiv";
+    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 3U);
+    EXPECT_EQ(countOf(text, "src="), 3U + countOf(text, ".src="));
+    EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
+    const auto detect = json::parse(runCli("detect " + scan.string() + " --sensitivity 1.5 --json -").out);
+    for (const std::string& told :
+         {detect["sha256"].get<std::string>(), detect["edge_mask_sha256"].get<std::string>(),
+          std::to_string(detect["edges"].get<int>()) + " cells", std::string("candidates: geometry only, one viewpoint"),
+          std::string("changed from the default"), std::string("Ann B., surveyor"), std::string("no pose was given")})
+        EXPECT_NE(text.find(told), std::string::npos) << told;
+    // The command in the page makes the page again, but for the time in it.
+    std::smatch command;
+    ASSERT_TRUE(std::regex_search(text, command, std::regex("<pre id=\"command\">edgescan-cli ([^<]*)</pre>")));
+    const std::string typed = std::regex_replace(command[1].str(), std::regex("&#39;"), "'");
+    fs::rename(page, folder / "first.html");
+    ASSERT_EQ(runCli(typed).code, 0) << typed;
+    const std::regex made("<dt>Made</dt><dd>[^<]*</dd>");
+    EXPECT_EQ(std::regex_replace(fileText(page), made, ""), std::regex_replace(text, made, ""));
+    EXPECT_EQ(runCli("report " + scan.string() + " -o " + scan.string()).code, 1); // never over the input
+    EXPECT_EQ(runCli("report " + (folder / "none.pcd").string() + " -o " + (folder / "n.html").string()).code, 1);
+    EXPECT_FALSE(fs::exists(folder / "n.html"));
+}
+
+TEST(CliReport, TextOfFilesAndNamesStaysText) {
+    const test::TemporaryFolder folder;
+    Scan hostile = test::boxesScan(20, 30, 4);
+    hostile.note = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
+    const fs::path scan = folder / "a<script>alert(3)<\xe2\x80\xaex'\"&.json";
+    ASSERT_TRUE(saveScan(hostile, scan));
+    const fs::path page = folder / "s.html";
+    std::string quoted = "'";
+    for (const char c : scan.string()) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    const auto run = runCli("report " + quoted + "' -o " + page.string() + " --operator '<b onclick=\"x\">'");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string text = fileText(page);
+    EXPECT_EQ(countOf(text, "<script"), 2U); // the data and the code
+    EXPECT_EQ(countOf(text, "<img"), 3U);
+    EXPECT_EQ(countOf(text, "<b "), 0U);
+    EXPECT_EQ(text.find("\xe2\x80\xae"), std::string::npos);
+    EXPECT_NE(text.find("&lt;img src=x onerror=alert(2)&gt;"), std::string::npos);
+}
+
+// A page with a script behind it that does what a hand would do and leaves what came of it in the document.
+std::string inBrowser(const fs::path& folder, const fs::path& page, const std::string& script) {
+    std::string text = fileText(page);
+    text.insert(text.rfind("</body>"), "<script>" + script + "</script>");
+    std::ofstream(folder / "tried.html", std::ios::binary) << text;
+    const std::string command =
+        "cd " + folder.string() +
+        " && timeout 90 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
+        "--user-data-dir=profile --window-size=1200,900 --enable-logging=stderr --virtual-time-budget=3000 --dump-dom "
+        "tried.html >dom 2>log";
+    EXPECT_EQ(std::system(command.c_str()), 0) << fileText(folder / "log");
+    EXPECT_EQ(fileText(folder / "log").find("CONSOLE"), std::string::npos) << fileText(folder / "log");
+    std::smatch found;
+    const std::string dom = fileText(folder / "dom");
+    const std::size_t at = dom.find("data-found=\"");
+    if (at == std::string::npos) return {};
+    const std::string value = dom.substr(at + 12, dom.find('"', at + 12) - at - 12);
+    return std::regex_replace(value, std::regex("&quot;"), "\"");
+}
+
+TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
+    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
+    const test::TemporaryFolder folder;
+    const Scan scan = test::boxesScan(80, 120, 4);
+    ASSERT_TRUE(saveScan(scan, folder / "s.json"));
+    ASSERT_EQ(runCli("report " + (folder / "s.json").string() + " -o " + (folder / "s.html").string()).code, 0);
+    const std::string found = inBrowser(folder.path(), folder / "s.html", R"JS(
+        var view = document.getElementById('view'), found = {};
+        function seen() {
+          var copy = document.createElement('canvas'); copy.width = view.width; copy.height = view.height;
+          var pen = copy.getContext('2d'); pen.drawImage(view, 0, 0);
+          var d = pen.getImageData(0, 0, copy.width, copy.height).data, counts = { drawn: 0, edges: 0, sum: 0 };
+          for (var i = 0; i < d.length; i += 4) {
+            if (d[i] > 40 || d[i + 1] > 40) { counts.drawn++; counts.sum = (counts.sum * 31 + i) % 1000000007; }
+            if (d[i + 1] > 200 && d[i] < 60) counts.edges++;
+          }
+          return counts;
+        }
+        function key(name) { view.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, cancelable: true })); }
+        found.first = seen();
+        key('ArrowLeft'); key('ArrowUp'); found.turned = seen();
+        key('Home'); found.home = seen();
+        key('Enter'); found.picked = document.getElementById('pick').textContent;
+        document.querySelectorAll('#viewtools button')[1].click(); found.edgesOnly = seen();
+        key('Enter'); found.edge = document.getElementById('pick').textContent;
+        found.wide = document.documentElement.scrollWidth > window.innerWidth;
+        document.body.setAttribute('data-found', JSON.stringify(found));)JS");
+    ASSERT_FALSE(found.empty());
+    const json told = json::parse(found);
+    EXPECT_GT(told["first"]["drawn"].get<int>(), 3000) << told;
+    EXPECT_GT(told["first"]["edges"].get<int>(), 100);
+    EXPECT_NE(told["turned"]["sum"], told["first"]["sum"]);
+    EXPECT_EQ(told["home"]["sum"], told["first"]["sum"]);
+    EXPECT_LT(told["edgesOnly"]["drawn"].get<int>(), told["first"]["drawn"].get<int>());
+    EXPECT_FALSE(told["wide"].get<bool>());
+    std::smatch match;
+    const std::string picked = told["picked"];
+    ASSERT_TRUE(std::regex_search(picked, match, std::regex("Line ([0-9]+), beam ([0-9]+): range ([0-9]+) mm"))) << picked;
+    EXPECT_EQ(std::stod(match[3]), std::round(scan.rangeMm.at(std::stoi(match[1]), std::stoi(match[2])))) << picked;
+}
+
+TEST(CliReport, PrintsOnA4InARealBrowser) {
+    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveScan(test::boxesScan(80, 120, 4), folder / "s.json"));
+    ASSERT_EQ(runCli("report " + (folder / "s.json").string() + " -o " + (folder / "s.html").string()).code, 0);
+    const std::string command = "cd " + folder.path().string() +
+                                " && timeout 90 chromium --headless --no-sandbox --user-data-dir=profile --no-pdf-header-footer "
+                                "--print-to-pdf=s.pdf s.html >log 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << fileText(folder / "log");
+    const std::string pdf = fileText(folder / "s.pdf");
+    EXPECT_TRUE(pdf.starts_with("%PDF"));
+    std::smatch box;
+    ASSERT_TRUE(std::regex_search(pdf, box, std::regex(R"(/MediaBox \[0 0 ([0-9.]+) ([0-9.]+)\])")));
+    EXPECT_NEAR(std::stod(box[1]), 595.3, 1);
+    EXPECT_NEAR(std::stod(box[2]), 841.9, 1);
+}
+
+TEST(CliReport, OfTheLargestScanItStaysBelowItsBound) {
+    const test::TemporaryFolder folder;
+    Scan scan = test::boxesScan(1300, 1300, 4, 0.3); // more cells than pixels, and noise that no PNG packs
+    std::uint32_t state = 1;
+    for (float& range : scan.rangeMm.cells) range = static_cast<float>(1000 + (state = state * 1664525U + 1013904223U) / 200000U);
+    ASSERT_TRUE(saveScan(scan, folder / "s.mcap"));
+    ASSERT_EQ(runCli("report " + (folder / "s.mcap").string() + " -o " + (folder / "s.html").string()).code, 0);
+    const auto bytes = fs::file_size(folder / "s.html");
+    EXPECT_LT(bytes, 14'000'000U); // docs/report.md
+    EXPECT_GT(bytes, 2'000'000U);
+}
+
+} // namespace
+} // namespace edgescan

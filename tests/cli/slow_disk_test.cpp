@@ -1,0 +1,180 @@
+// record on slow and full disks, killed and stopped: what the file holds, and what is said.
+#include "core/recording/recording.h"
+#include "core/recording/replay.h"
+#include "tests/support/live_session.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <random>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define EDGESCAN_NEEDS_PRELOAD() GTEST_SKIP() << "a sanitizer's own library must come first"
+#else
+#define EDGESCAN_NEEDS_PRELOAD() static_cast<void>(0)
+#endif
+
+/// edgescan-cli record onto a disk as the environment says.
+class Recorder {
+public:
+    Recorder(const EmulatedScanner& scanner, std::string path, const std::string& environment, const std::string& arguments)
+        : path_(std::move(path)), startedNs_(hostNow().utcNs) {
+        const std::string command = "LD_PRELOAD=" EDGESCAN_SLOW_DISK " " + environment +
+                                    " exec " EDGESCAN_BIN_DIR "/edgescan-cli record 127.0.0.1:" + std::to_string(scanner.port()) + " -o " +
+                                    path_ + " " + arguments + " >" + path_ + ".out 2>" + path_ + ".err";
+        process_ = ::fork();
+        if (process_ == 0) {
+            ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            ::_exit(127);
+        }
+    }
+    ~Recorder() {
+        if (process_ > 0) kill();
+    }
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Seconds between the last line in the file and the kill.
+    void kill() {
+        ::kill(process_, SIGKILL);
+        killedNs_ = hostNow().utcNs;
+        ::waitpid(std::exchange(process_, 0), nullptr, 0);
+    }
+    int wait() {
+        int status = 0;
+        ::waitpid(std::exchange(process_, 0), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    [[nodiscard]] std::string said(const char* stream) const { return test::fileText(path_ + stream); }
+    [[nodiscard]] std::shared_ptr<const Recording> recording() const {
+        const auto opened = Recording::open(path_);
+        EXPECT_TRUE(opened) << opened.error().sentence();
+        return opened ? *opened : nullptr;
+    }
+    [[nodiscard]] std::int64_t killedNs() const { return killedNs_; }
+
+private:
+    std::string path_;
+    std::int64_t startedNs_ = 0, killedNs_ = 0;
+    pid_t process_ = 0;
+};
+
+std::unique_ptr<EmulatedScanner> scannerOf(double linesPerSecond) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = linesPerSecond;
+    return test::served(test::countingScan(100, 381), settings);
+}
+
+int linesOf(const std::shared_ptr<const Recording>& recording) { return recording ? Replay(recording).lines() : 0; }
+
+} // namespace
+
+TEST(SlowDiskRecord, KilledTwentyTimesWhileEverySyncHangs) {
+    EDGESCAN_NEEDS_PRELOAD();
+    const test::TemporaryFolder folder;
+    std::mt19937 random(11);
+    std::vector<std::unique_ptr<EmulatedScanner>> scanners; // eight clients each
+    std::vector<std::unique_ptr<Recorder>> recorders;
+    constexpr double kRate = 50;
+    for (int i = 0; i < 20; ++i) {
+        if (i % 5 == 0) scanners.push_back(scannerOf(kRate));
+        recorders.push_back(std::make_unique<Recorder>(*scanners.back(), (folder / ("k" + std::to_string(i) + ".mcap")).string(),
+                                                       "EDGESCAN_SLOW_SYNC_MS=600000", ""));
+    }
+    ASSERT_TRUE(test::waitUntil(
+        [&] { return std::all_of(scanners.begin(), scanners.end(), [](const auto& s) { return s->statistics().sent > 5 * 100; }); }));
+    double worst = 0.0, lostLines = 0.0;
+    int lines = 0;
+    for (const auto& recorder : recorders) {
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 50'000));
+        recorder->kill();
+        const auto recording = recorder->recording();
+        ASSERT_TRUE(recording);
+        ASSERT_FALSE(recording->messages().empty());
+        const double missing = static_cast<double>(recorder->killedNs() - recording->messages().back().logNs) * 1e-9;
+        worst = std::max(worst, missing);
+        lostLines += missing * kRate;
+        lines += linesOf(recording);
+    }
+    std::printf(
+        "[ measured ] kill -9 of 20 recordings on a disk whose syncs take 10 minutes: %d lines there, about %.0f lost, at most the last "
+        "%.2f s\n",
+        lines, lostLines, worst);
+    EXPECT_LE(worst, 1.0);
+    EXPECT_GT(lines, 20 * 50);
+}
+
+TEST(SlowDiskRecord, StoppingEndsWithAWordWhileEverySyncHangs) {
+    EDGESCAN_NEEDS_PRELOAD();
+    const test::TemporaryFolder folder;
+    const auto scanner = scannerOf(50);
+    Recorder recorder(*scanner, (folder / "a.mcap").string(), "EDGESCAN_SLOW_SYNC_MS=600000",
+                      "--seconds 3"); // ends within this test's time
+    EXPECT_EQ(recorder.wait(), 0) << recorder.said(".err");
+    EXPECT_NE(recorder.said(".err").find("the disk is"), std::string::npos) << recorder.said(".err");
+    const json summary = json::parse(recorder.said(".out"));
+    EXPECT_GT(summary["disk"]["unsynced_bytes"].get<int>(), 100'000);
+    EXPECT_GT(summary["disk"]["worst_lag_s"].get<double>(), 2.0);
+    EXPECT_NE(summary["warnings"].dump().find("has not confirmed"), std::string::npos) << summary["warnings"];
+    EXPECT_EQ(linesOf(recorder.recording()), summary["lines"]);
+}
+
+// What a slow disk costs: nothing, as long as the program is not ended by a power failure.
+TEST(SlowDiskRecord, FiveSlowDisksLoseNoLine) {
+    EDGESCAN_NEEDS_PRELOAD();
+    const test::TemporaryFolder folder;
+    const auto scanner = scannerOf(100);
+    std::vector<std::unique_ptr<Recorder>> recorders;
+    constexpr int kSyncs[] = {50, 200, 500, 1000, 2000};
+    for (const int ms : kSyncs)
+        recorders.push_back(std::make_unique<Recorder>(*scanner, (folder / (std::to_string(ms) + ".mcap")).string(),
+                                                       "EDGESCAN_SLOW_SYNC_MS=" + std::to_string(ms), "--lines 250 --seconds 60"));
+    int lines = 0, lost = 0;
+    double lag = 0;
+    for (const auto& recorder : recorders) {
+        ASSERT_EQ(recorder->wait(), 0) << recorder->said(".err");
+        const json summary = json::parse(recorder->said(".out"));
+        const auto recording = recorder->recording();
+        EXPECT_TRUE(recording && recording->clean());
+        lines += linesOf(recording);
+        lost += summary["lines"].get<int>() - linesOf(recording) + summary["disk"]["dropped"].get<int>();
+        lag = std::max(lag, summary["disk"]["worst_lag_s"].get<double>());
+    }
+    std::printf("[ measured ] five disks whose syncs take 0.05 to 2 s: %d lines there, %d lost, %.1f s behind at worst\n", lines, lost,
+                lag);
+    EXPECT_EQ(lost, 0);
+    EXPECT_GE(lines, 5 * 250);
+}
+
+TEST(SlowDiskRecord, FiveFullDisksKeepWhatWasThereAndSaySo) {
+    EDGESCAN_NEEDS_PRELOAD();
+    const test::TemporaryFolder folder;
+    const auto scanner = scannerOf(400);
+    int lines = 0;
+    for (const int bytes : {20'000, 77'777, 131'072, 300'001, 500'000}) {
+        Recorder recorder(*scanner, (folder / (std::to_string(bytes) + ".mcap")).string(), "EDGESCAN_FULL_AFTER=" + std::to_string(bytes),
+                          "--seconds 60");
+        EXPECT_EQ(recorder.wait(), 1);
+        EXPECT_NE(recorder.said(".err").find("disk is full"), std::string::npos) << recorder.said(".err");
+        const auto recording = recorder.recording();
+        ASSERT_TRUE(recording);
+        EXPECT_FALSE(recording->clean());
+        lines += linesOf(recording);
+        // All but the last chunk is there: 64 KiB or 200 ms.
+        EXPECT_GE(linesOf(recording) * 900 + 2 * 65'536 + 12'000, bytes);
+        EXPECT_EQ(Replay(recording).feed().torn(), 0);
+    }
+    std::printf("[ measured ] five disks full after 0.02 to 0.5 MB: %d lines there, the last chunk of each lost\n", lines);
+    EXPECT_GT(lines, 300);
+}
+
+} // namespace edgescan

@@ -1,0 +1,18 @@
+// The beam angles of a telegram's grid, one after the other: what tests compare the sweep's angles with.
+#pragma once
+
+#include "core/lms/scan_telegram.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace edgescan {
+
+inline std::vector<double> beamAnglesDeg(const BeamGrid& grid) {
+    std::vector<double> angles;
+    angles.reserve(static_cast<std::size_t>(std::max(grid.beams, 0)));
+    for (int beam = 0; beam < grid.beams; ++beam) angles.push_back(grid.startDeg + beam * grid.stepDeg);
+    return angles;
+}
+
+} // namespace edgescan

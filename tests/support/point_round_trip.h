@@ -1,0 +1,204 @@
+// A scan as a bare list of points, rounded, shuffled and thinned, and what of it comes back when the list is opened.
+#pragma once
+
+#include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
+#include "core/scan/cartesian.h"
+#include "tests/support/point_files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <random>
+
+namespace edgescan::test {
+
+struct RoundTrip {
+    const char* format = "xyz"; ///< "xyz", "csv", "las", "pcd" (4-byte floats), "ply" (8-byte floats)
+    int decimals = 3;           ///< of metres
+    bool shuffled = false;
+    double thinned = 0.0; ///< share of points left out
+    Eigen::Vector3d sensorM = Eigen::Vector3d::Zero();
+};
+
+/// Points of cells, in the order of the file.
+struct WrittenPoints {
+    Points points;
+    std::vector<std::uint32_t> cell;
+};
+
+inline WrittenPoints writtenPoints(const Scan& scan, const RoundTrip& trip, unsigned seed = 5) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const CartesianTables tables(scan);
+    const double scale = std::pow(10.0, trip.decimals);
+    WrittenPoints written;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid && unit(random) >= trip.thinned) written.cell.push_back(static_cast<std::uint32_t>(k));
+    }
+    if (trip.shuffled) std::shuffle(written.cell.begin(), written.cell.end(), random);
+    for (const std::uint32_t k : written.cell) {
+        Eigen::Vector3d p = tables.point(k) + trip.sensorM;
+        for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * scale) / scale;
+        written.points.push_back(p);
+    }
+    return written;
+}
+
+inline std::string fileOf(const Points& points, const RoundTrip& trip) {
+    const std::string format = trip.format;
+    if (format == "las") return pointLas(points, std::pow(10.0, -trip.decimals));
+    if (format == "pcd") return pointPcd(points);
+    if (format == "ply") return pointPly(points);
+    if (format == "csv") return pointText(points, trip.decimals, ',', "x,y,z\n");
+    return pointText(points, trip.decimals);
+}
+
+/// What came back.
+struct CameBack {
+    std::string problem; ///< the error's sentence; empty: it opened
+    int lines = 0, beams = 0;
+    std::size_t written = 0;
+    std::size_t lost = 0;   ///< points that have no cell of their own
+    std::size_t moved = 0;  ///< cells whose range is not that of the same cell of the original
+    std::size_t edges = 0;  ///< cells of the original's mask
+    std::size_t differ = 0; ///< of the mask
+    double seconds = 0;     ///< to open it
+    bool turnedLines = false, turnedBeams = false;
+    std::vector<std::array<double, 4>> examples; ///< of moved cells: line, beam, range that was, range that is
+    std::vector<std::string> warnings;
+};
+
+/// How the cells of `found` lie in `original`: mirrored, and without the lines and beams at its ends that have no point.
+struct Alignment {
+    bool turnLines = false, turnBeams = false;
+    int firstLine = 0, firstBeam = 0;
+    std::size_t agreeing = 0;
+
+    /// Cell of the original; empty outside of it.
+    [[nodiscard]] std::optional<std::size_t> cell(const Scan& original, const Scan& found, int i, int j) const {
+        const int line = firstLine + (turnLines ? found.lines() - 1 - i : i);
+        const int beam = firstBeam + (turnBeams ? found.beams() - 1 - j : j);
+        if (!original.rangeMm.contains(line, beam)) return std::nullopt;
+        return original.rangeMm.index(line, beam);
+    }
+};
+
+inline bool sameRange(const Scan& original, std::size_t k, const Scan& found, int i, int j, double toleranceMm) {
+    return original.state[k] == CellState::Valid && found.state.at(i, j) == CellState::Valid &&
+           std::abs(original.rangeMm[k] - found.rangeMm.at(i, j)) <= static_cast<float>(toleranceMm);
+}
+
+inline Alignment alignmentOf(const Scan& original, const Scan& found, double toleranceMm) {
+    Alignment best;
+    const int lines = original.lines() - found.lines();
+    const int beams = original.beams() - found.beams();
+    const int every = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(found.cells()) / 4000)));
+    for (int tried = 0; tried < 4; ++tried) {
+        for (int firstLine = std::min(lines, 0); firstLine <= std::clamp(lines, 0, 12); ++firstLine) {
+            for (int firstBeam = std::min(beams, 0); firstBeam <= std::clamp(beams, 0, 12); ++firstBeam) {
+                if (firstLine < -12 || firstBeam < -12) continue;
+                Alignment a{tried % 2 == 1, tried / 2 == 1, firstLine, firstBeam, 0};
+                for (int i = 0; i < found.lines(); i += every) {
+                    for (int j = 0; j < found.beams(); j += every) {
+                        const auto k = a.cell(original, found, i, j);
+                        a.agreeing += k && sameRange(original, *k, found, i, j, toleranceMm) ? 1 : 0;
+                    }
+                }
+                if (a.agreeing > best.agreeing) best = a;
+            }
+        }
+    }
+    return best;
+}
+
+inline std::shared_ptr<const Grid<std::uint8_t>> maskOf(const Scan& scan) {
+    return detectEdges(std::make_shared<const Scan>(scan), Settings{})->mask;
+}
+
+/// The original with the cells that were not written as no returns.
+inline Scan onlyWritten(Scan scan, const std::vector<std::uint32_t>& cells) {
+    std::vector<bool> is(scan.cells(), false);
+    for (const std::uint32_t k : cells) is[k] = true;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (!is[k] && scan.state[k] == CellState::Valid) scan.state[k] = CellState::NoReturn;
+    }
+    return scan;
+}
+
+/// The scan with its lines or beams listed the other way round.
+inline Scan turnedOver(const Scan& scan, bool lines, bool beams) {
+    Scan turned = scan;
+    auto* polar = std::get_if<PolarGeometry>(&turned.geometry);
+    if (polar == nullptr) return turned;
+    if (lines) std::reverse(polar->lineDeg.begin(), polar->lineDeg.end());
+    if (beams) std::reverse(polar->beamDeg.begin(), polar->beamDeg.end());
+    for (int i = 0; i < scan.lines(); ++i) {
+        for (int j = 0; j < scan.beams(); ++j) {
+            const std::size_t from = scan.rangeMm.index(lines ? scan.lines() - 1 - i : i, beams ? scan.beams() - 1 - j : j);
+            turned.rangeMm.at(i, j) = scan.rangeMm[from];
+            turned.state.at(i, j) = scan.state[from];
+        }
+    }
+    return turned;
+}
+
+/// A shuffled list has lost its direction: the original is taken in the direction in which it was found.
+inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t written, double toleranceMm) {
+    CameBack back;
+    back.written = written;
+    back.lines = found.lines();
+    back.beams = found.beams();
+    back.warnings = found.warnings;
+    const auto valid = countCells(found)[static_cast<std::size_t>(CellState::Valid)];
+    back.lost = written - std::min(valid, written);
+    const Alignment turned = alignmentOf(asWritten, found, toleranceMm);
+    back.turnedLines = turned.turnLines;
+    back.turnedBeams = turned.turnBeams;
+    const Scan original = turnedOver(asWritten, turned.turnLines, turned.turnBeams);
+    const Alignment a = alignmentOf(original, found, toleranceMm);
+    const auto expected = maskOf(original);
+    const auto mask = maskOf(found);
+    std::vector<bool> seen(original.cells(), false);
+    for (int i = 0; i < found.lines(); ++i) {
+        for (int j = 0; j < found.beams(); ++j) {
+            const auto k = a.cell(original, found, i, j);
+            const bool edge = mask->at(i, j) != 0;
+            if (!k) {
+                back.differ += edge ? 1 : 0;
+                continue;
+            }
+            seen[*k] = true;
+            if (found.state.at(i, j) == CellState::Valid && !sameRange(original, *k, found, i, j, toleranceMm)) {
+                if (++back.moved % 97 == 1) back.examples.push_back({double(i), double(j), original.rangeMm[*k], found.rangeMm.at(i, j)});
+            }
+            back.differ += edge != ((*expected)[*k] != 0) ? 1 : 0;
+        }
+    }
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        back.edges += (*expected)[k] != 0 ? 1 : 0;
+        back.differ += !seen[k] && (*expected)[k] != 0 ? 1 : 0;
+    }
+    return back;
+}
+
+inline CameBack roundTrip(const Scan& scan, const RoundTrip& trip) {
+    const WrittenPoints written = writtenPoints(scan, trip);
+    const std::string bytes = fileOf(written.points, trip);
+    const auto start = std::chrono::steady_clock::now();
+    ReadingOptions options;
+    if (!trip.sensorM.isZero(0.0)) options.sensorM = trip.sensorM;
+    const auto found = readScanBytes(std::as_bytes(std::span(bytes)), std::string(".") + trip.format, options);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!found) {
+        CameBack back;
+        back.problem = found.error().sentence();
+        return back;
+    }
+    const Scan reference = onlyWritten(scan, written.cell);
+    CameBack back = compared(reference, *found, written.points.size(), 1000 * std::pow(10.0, -trip.decimals) + 1);
+    back.seconds = seconds;
+    return back;
+}
+
+} // namespace edgescan::test

@@ -1,0 +1,242 @@
+// What the window owes its operator while a scanner is connected: it never calls a picture live that is not, loses nothing by a stray key.
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
+#include "core/recording/recording_writer.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/live/live_panel.h"
+#include "ui/live/scanner_link.h"
+#include "ui/live/state_badge.h"
+#include "ui/live/timeline.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class LiveMannersTest : public QObject {
+    Q_OBJECT
+
+    static constexpr int kLines = 120;
+    test::TemporaryFolder folder_;
+    std::string bell_;
+    Scan scan_;
+
+    static SweepSettings sweep(Axis axis = Axis::Sweep) {
+        SweepSettings settings;
+        settings.expectedLines = kLines;
+        settings.degPerLine = 180.0 / kLines;
+        settings.firstLineDeg = -90;
+        settings.axis = axis;
+        return settings;
+    }
+    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner(double linesPerSecond) const {
+        auto telegrams = telegramsOf(scan_);
+        if (!telegrams) return nullptr;
+        EmulatedScannerSettings settings;
+        settings.linesPerSecond = linesPerSecond;
+        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        return made ? std::move(*made) : nullptr;
+    }
+    static void press(MainWindow& window, const char* name) {
+        QTest::mouseClick(window.live().panel().findChild<QPushButton*>(name), Qt::LeftButton);
+    }
+    static int lines(MainWindow& window) { return window.session().picture() ? window.session().picture()->detection->scan->lines() : 0; }
+
+private slots:
+    void initTestCase() {
+        SimulationSettings settings;
+        settings.lines = kLines;
+        settings.beams = 381;
+        auto simulation = simulate(settings);
+        QVERIFY(simulation);
+        scan_ = simulation->scan;
+        bell_ = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(scan_, bell_)));
+    }
+
+    void onlyAPictureThatGrowsIsCalledLive() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        const StateBadge& badge = window.live().panel().strip().badge();
+        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 5 && badge.text() == "LIVE", 20000);
+        press(window, "live-follow");
+        QTRY_COMPARE(badge.text(), QString("HELD"));
+        QVERIFY(badge.sign() != StateBadge::Sign::Good);
+        press(window, "live-follow");
+        QTRY_COMPARE(badge.text(), QString("LIVE"));
+        window.files().open({QString::fromStdString(bell_)});
+        QTRY_VERIFY_WITH_TIMEOUT(on.picture().detection->scan->path == bell_, 20000);
+        QTRY_VERIFY2(badge.text().contains("another picture") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
+        press(window, "live-follow");
+        QTRY_COMPARE_WITH_TIMEOUT(badge.text(), QString("LIVE"), 10000);
+        QVERIFY(on.picture().detection->scan->path != bell_);
+    }
+
+    void theTitleIsThatOfTheSweepOnTheScreen() {
+        const auto emulated = scanner(300);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        for (int n = 0; n < 3; ++n) {
+            QTRY_VERIFY_WITH_TIMEOUT(!window.live().scanner().following(), 20000); // held at the end of a sweep
+            QTRY_VERIFY_WITH_TIMEOUT(!window.session().behind(), 10000);
+            const QString name = QString::fromStdString(on.picture().detection->scan->name);
+            QVERIFY2(window.windowTitle().startsWith(name + " "), qPrintable(window.windowTitle() + " for " + name));
+            press(window, "live-follow");
+        }
+        QVERIFY(!window.windowTitle().startsWith("sweep 1 "));
+    }
+
+    void spaceAfterStopConnectsToNothing() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 5, 20000);
+        QVERIFY(on.activate());
+        press(window, "live-connect"); // Stop
+        QVERIFY(!window.live().scanner().connected());
+        QTRY_VERIFY(!window.session().behind());
+        for (const bool byKey : {false, true}) {
+            QWidget* at = window.focusWidget() != nullptr ? window.focusWidget() : &window;
+            QTest::keyClick(at, Qt::Key_Space);
+            QTest::keyClick(at, Qt::Key_Return);
+            QVERIFY2(!window.live().scanner().connected(), byKey ? "after a key" : "after a click");
+            if (byKey) break;
+            // By the keyboard: the button that was pressed means something else by now.
+            auto* button = window.live().panel().findChild<QPushButton*>("live-connect");
+            button->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(button, Qt::Key_Space); // Connect
+            QVERIFY(window.live().scanner().connected());
+            QVERIFY(!button->hasFocus());
+            button->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(button, Qt::Key_Space); // Stop
+            QVERIFY(!window.live().scanner().connected());
+        }
+    }
+
+    void closingWhileRecordingAsks() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        const QString folder = QString::fromStdString((folder_ / "recordings").string());
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.live().setRecordingFolder(folder);
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        press(window, "live-record");
+        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 10, 20000);
+        int asked = 0;
+        const auto close = [&](const QString& button) {
+            QTimer::singleShot(200, &window, [&asked, button] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                if (box == nullptr || box->objectName() != "close-question") return;
+                ++asked;
+                for (QAbstractButton* each : box->buttons()) {
+                    if (each->objectName() == button) return QTest::mouseClick(each, Qt::LeftButton);
+                }
+                QTest::keyClick(box, Qt::Key_Escape);
+            });
+            return window.close();
+        };
+        QVERIFY(!close("no"));
+        QCOMPARE(asked, 1);
+        QVERIFY(window.isVisible() && window.live().scanner().recording());
+        QVERIFY(close("end-and-close"));
+        QCOMPARE(asked, 2);
+        QVERIFY(!window.live().scanner().recording());
+        const QStringList files = QDir(folder).entryList({"sweep_*.mcap"});
+        QCOMPARE(files.size(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(bool(openScan(QDir(folder).filePath(files.front()).toStdString())), 10000);
+    }
+
+    void aLostScannerPromisesNoEnd() {
+        auto emulated = scanner(40);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        const HealthStrip& strip = window.live().panel().strip();
+        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().end.starts_with("ends in "), 20000);
+        emulated.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().liveness == Liveness::Lost, 10000);
+        QCOMPARE(strip.shown().end, std::string());
+    }
+
+    void theMountingIsPutRightWhileItScans() {
+        const auto emulated = scanner(40);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.live().connectTo("127.0.0.1", emulated->port(), sweep(Axis::Spin));
+        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 10, 20000);
+        const auto axis = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry).axis; };
+        QVERIFY(axis() == Axis::Spin);
+        const int before = lines(window);
+        auto* button = window.live().panel().findChild<QToolButton*>("live-sweep");
+        QVERIFY(button->isEnabled());
+        QTimer::singleShot(300, &window, [&] {
+            auto* menu = button->menu();
+            for (auto* list : menu->findChildren<QComboBox*>()) list->setCurrentIndex(list->findData(static_cast<int>(Axis::Sweep)));
+            menu->close();
+        });
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(axis() == Axis::Sweep, 10000);
+        QVERIFY2(lines(window) >= before, "the lines that are there go to their new places");
+        QVERIFY(window.live().scanner().connected());
+    }
+
+    // A recording that says the wrong mounting: put right when it is opened, while it is scrubbed too.
+    void aRecordingsMountingIsPutRight() {
+        const std::string path = (folder_ / "wrong.mcap").string();
+        {
+            const auto emulated = scanner(400);
+            QVERIFY(emulated);
+            const auto run = test::runCli("record 127.0.0.1:" + std::to_string(emulated->port()) + " -o " + path +
+                                          " --lines 120 --expected-lines 120 --axis spin --first-line -90 --line-step 1.5 --seconds 30");
+            QCOMPARE(run.code, 0);
+        }
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.files().open({QString::fromStdString(path)});
+        const auto geometry = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry); };
+        Timeline& timeline = window.live().timeline();
+        QTRY_VERIFY_WITH_TIMEOUT(timeline.active() && !window.session().behind(), 10000);
+        QVERIFY(geometry().axis == Axis::Spin);
+        ReadingOptions options = window.files().options();
+        options.axis = Axis::Sweep;
+        options.lineStartDeg = -80.0;
+        options.lineStepDeg = 1.25;
+        window.files().readAgain(options, "mounting");
+        QTRY_VERIFY_WITH_TIMEOUT(!window.session().opening() && timeline.active() && geometry().axis == Axis::Sweep, 10000);
+        QCOMPARE(geometry().lineDeg.at(1), -78.75);
+        timeline.goTo(40);
+        QTRY_VERIFY_WITH_TIMEOUT(lines(window) == 40, 10000);
+        QVERIFY(geometry().axis == Axis::Sweep);
+        QCOMPARE(geometry().lineDeg.at(1), -78.75);
+        window.undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!window.session().opening() && geometry().axis == Axis::Spin, 10000);
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<LiveMannersTest>(argc, argv); }
+
+#include "live_manners_test.moc"

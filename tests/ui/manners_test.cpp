@@ -1,0 +1,242 @@
+// What the window owes its user whatever it opens: plain labels, numbers with a point, warnings that stay, settings that can be told and
+// restored.
+#include "core/report/verify.h"
+#include "core/settings/parameters.h"
+#include "core/settings/presets.h"
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/panel/status_line.h"
+#include "ui/panel/warning_button.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QToolTip>
+#include <QtTest>
+
+#include <clocale>
+#include <locale>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+const std::string kMarkup = "<img src=x> <b>bold</b> & \x1b[31m \u202e";
+
+bool plain(const QString& text) {
+    for (const QChar c : text) {
+        if (c != '\n' && (c.category() == QChar::Other_Control || c.category() == QChar::Other_Format)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+class MannersTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string hostile_, placed_;
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        Scan scan = test::boxesScan(60, 80, 3, 0.05);
+        scan.note = kMarkup;
+        Placement placement = *test::randomPlacement(3, 1, true);
+        placement.originEnhM = {498700, 6200000, 250};
+        scan.placement = std::make_shared<const Placement>(placement);
+        placed_ = (folder_ / "placed.json").string();
+        QVERIFY(saveScan(scan, placed_));
+        placement.grid = kMarkup;
+        placement.source = kMarkup;
+        placement.warnings = {kMarkup, std::string(100000, 'x'), "one\ntwo"};
+        scan.placement = std::make_shared<const Placement>(placement);
+        hostile_ = (folder_ / "<h1>name & \x1b[31m\n\u202e.json").string();
+        QVERIFY(saveScan(scan, hostile_));
+    }
+
+    void noLabelTakesForeignTextForMarkup() {
+        WindowFixture on;
+        QVERIFY(on.showWith(hostile_));
+        QApplication::processEvents();
+        int withMarkup = 0;
+        for (QWidget* widget : QApplication::allWidgets()) {
+            QVERIFY2(plain(widget->toolTip()), qPrintable(widget->toolTip()));
+            QVERIFY2(widget->toolTip().size() < 30000, qPrintable(widget->objectName()));
+            const auto* label = qobject_cast<QLabel*>(widget);
+            if (label == nullptr || !label->isVisible()) continue;
+            QVERIFY2(label->textFormat() != Qt::AutoText, qPrintable(label->text()));
+            QVERIFY2(plain(label->text()), qPrintable(label->text()));
+            QVERIFY2(label->text().size() < 30000, qPrintable(label->objectName()));
+            withMarkup += label->text().contains("<b>") && label->textFormat() == Qt::PlainText ? 1 : 0;
+        }
+        QVERIFY(withMarkup >= 2); // the grid's name below, the warnings above
+        QVERIFY2(plain(on.window.windowTitle()), qPrintable(on.window.windowTitle()));
+        QVERIFY(on.window.windowTitle().contains("<h1>name"));
+        for (const QAction* action : on.window.findChildren<QAction*>()) QVERIFY2(plain(action->text()), qPrintable(action->text()));
+    }
+
+    void toolTipsAndMessagesArePlainToo() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        QToolTip::showText(on.window.mapToGlobal(QPoint(100, 100)), "<b>tip</b>", &on.window);
+        QTRY_VERIFY(QToolTip::isVisible());
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (widget->inherits("QTipLabel")) QCOMPARE(qobject_cast<QLabel*>(widget)->textFormat(), Qt::PlainText);
+        }
+        QToolTip::hideText();
+        QMessageBox box;
+        box.setText("<b>message</b>");
+        box.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&box));
+        for (const QLabel* label : box.findChildren<QLabel*>()) {
+            if (label->text().contains("message")) QCOMPARE(label->textFormat(), Qt::PlainText);
+        }
+    }
+
+    void whatFailsIsToldInPlainAndShortWords() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        QSignalSpy failed(&on.window.session(), &Session::failed);
+        on.window.files().open({exactText((folder_ / ("none\x1b[31m" + std::string(150, 'x'))).string())});
+        QVERIFY(failed.wait(20000));
+        QVERIFY(plain(on.window.notice().text()));
+        on.window.notice().showNotice(NoticeBar::Kind::Error, QString(100000, 'x') + QString("\n").repeated(5000));
+        QVERIFY(on.window.notice().text().size() < 25000);
+        QVERIFY(on.window.notice().text().count('\n') < 25);
+    }
+
+    // The country of the environment (./test runs this in two of them) must not matter.
+    void numbersHaveAPointInEveryCountry() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        QCOMPARE(QString(std::localeconv()->decimal_point), QString("."));
+        QCOMPARE(QLocale().decimalPoint(), QLocale::c().decimalPoint());
+        for (const auto* box : on.window.findChildren<QAbstractSpinBox*>()) QVERIFY2(!box->text().contains(','), qPrintable(box->text()));
+        for (const auto* label : {"meaning", "upper", "probe"}) {
+            const auto* found = on.window.findChild<QLabel*>(label);
+            QVERIFY2(found != nullptr, label);
+            QVERIFY2(!QRegularExpression("[0-9],[0-9]{1,2}([^0-9]|$)").match(found->text()).hasMatch(), qPrintable(found->text()));
+        }
+    }
+
+    void whatTheWindowExportsVerifies() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz", "e.las", "e.dxf", "e.obj", "e.ptx"}) {
+            QSignalSpy saved(&on.window.session(), &Session::saved);
+            const std::string path = (folder_ / name).string();
+            on.window.session().save(ExportContent::EdgeCloud, exactText(path),
+                                     ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
+            QVERIFY2(saved.wait(20000), name);
+            const auto verified = verifyExport(path);
+            QVERIFY2(bool(verified), name);
+            QVERIFY2(verified->identical, verificationText(*verified).c_str());
+            if (std::string(name) == "e.ply")
+                QVERIFY2(test::fileText(path).find("origin E 498700.000 N 6200000.000 El 250.000") != std::string::npos, name);
+        }
+    }
+
+    void warningsAreAcknowledgedAndStay() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        WarningButton& warnings = on.window.warnings();
+        QVERIFY(warnings.isVisible());
+        QVERIFY(!warnings.acknowledged());
+        QCOMPARE(warnings.warnings().size(), 1);
+        QVERIFY2(warnings.warnings().first().contains("The pose carries no time"), qPrintable(warnings.warnings().first()));
+        on.window.notice().hide();
+        QVERIFY(warnings.isVisible());
+        QTest::mouseClick(&warnings, Qt::LeftButton);
+        QVERIFY(warnings.acknowledged());
+        QVERIFY(warnings.isVisible());
+        QVERIFY(on.window.notice().isVisible());
+        QVERIFY(on.window.notice().text().contains("The pose carries no time"));
+        on.window.notice().hide();
+        // Another setting does not bring it back as new, another scan does.
+        QVERIFY(on.use(cannySettings()));
+        QVERIFY(warnings.acknowledged() && warnings.isVisible());
+        QVERIFY(on.open(hostile_));
+        QVERIFY(!warnings.acknowledged());
+        QCOMPARE(warnings.warnings().size(), 3);
+    }
+
+    void aScreenshotCarriesTheWarnings() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        on.window.warnings().click();
+        on.window.notice().hide();
+        const QImage with = on.window.screenshot();
+        const int strip = with.height() - static_cast<int>(on.window.height() * with.devicePixelRatio());
+        QVERIFY2(strip >= 20, qPrintable(QString::number(strip)));
+        // Letters in the strip, of nearly the colour of the pen.
+        const QImage below = with.copy(0, with.height() - strip, with.width(), strip);
+        QVERIFY(countPixels(below, [](QRgb p) { return qRed(p) > 220 && qGreen(p) > 220 && qBlue(p) > 200; }) > 100);
+        Scan bare = test::boxesScan(60, 80, 3, 0.05);
+        const std::string quiet = (folder_ / "quiet.json").string();
+        QVERIFY(saveScan(bare, quiet));
+        QVERIFY(on.open(quiet));
+        if (on.picture().detection->scan->warnings.empty()) {
+            QVERIFY(!on.window.warnings().isVisible());
+            QCOMPARE(on.window.screenshot().height(), static_cast<int>(on.window.height() * with.devicePixelRatio()));
+        }
+    }
+
+    void aScreenshotThatIsNotWrittenIsTold() {
+        const std::string picture = (folder_ / "picture.png").string();
+        const auto early = test::runProgram("edgescan", "--no-settings --demo --quit-after 0.01 --screenshot " + picture);
+        QCOMPARE(early.code, 1);
+        QVERIFY2(early.err.find("no picture was written") != std::string::npos, early.err.c_str());
+        QVERIFY(!std::filesystem::exists(picture));
+        const auto few =
+            test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot-lines 5000 --screenshot " + picture + " " + placed_);
+        QCOMPARE(few.code, 1);
+        QVERIFY2(few.err.find("60 lines") != std::string::npos, few.err.c_str());
+        const auto bytes = test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot " + picture + " 'no\xff.json'");
+        QCOMPARE(bytes.code, 1);
+        QVERIFY2(bytes.err.find("UTF-8") != std::string::npos, bytes.err.c_str());
+        for (const char* flag : {"--quit-after", "--expected-lines", "--ticks-per-degree", "--screenshot-lines", "--beam-step"}) {
+            const auto wrong = test::runProgram("edgescan", std::string(flag) + " nan");
+            QCOMPARE(wrong.code, 2);
+            QVERIFY2(wrong.err.find(flag) != std::string::npos && wrong.err.find(" to ") != std::string::npos, wrong.err.c_str());
+        }
+        const auto done = test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot " + picture + " " + placed_);
+        QVERIFY2(done.code == 0, done.err.c_str());
+        QVERIFY(QImage(exactText(picture)).height() > 100);
+    }
+
+    void changedSettingsAreToldAndOneKeyRestoresThem() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        QVERIFY(on.activate());
+        const QString usual = QString("settings: %1 %2").arg(kDefaultSet.name).arg(kDefaultSet.version);
+        QVERIFY(on.use(Settings{}));
+        QCOMPARE(on.window.statusLine().settingsShown(), usual);
+        Settings turned;
+        turned.creaseDeg += 7;
+        turned.growthPercent += 1;
+        QVERIFY(on.use(turned));
+        QCOMPARE(on.window.statusLine().settingsShown(), usual + ", 2 changed");
+        QVERIFY(on.window.findChild<QLabel*>("settings")->toolTip().contains("Crease angle: 37 instead of 30"));
+        // Also where a preset is chosen whose settings these are.
+        on.window.tuning().usePreset({"mine", "", turned, {}});
+        QCOMPARE(on.window.statusLine().settingsShown(), usual + ", 2 changed");
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(on.window.statusLine().settingsShown(), usual);
+        QVERIFY(on.window.session().settings() == Settings{});
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(on.window.session().settings() == turned);
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<MannersTest>(argc, argv); }
+#include "manners_test.moc"

@@ -1,0 +1,325 @@
+// Pointing, clicking, boxes and menus in the three views, and acts that are taken back.
+#include "core/settings/presets.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/reading_dialog.h"
+#include "ui/dialogs/why_card.h"
+#include "ui/panel/status_line.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTimer>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class PointingTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string boxes_, interlaced_;
+    std::unique_ptr<WindowFixture> on_;
+    MainWindow* window_ = nullptr;
+
+    static void move(QWidget& view, QPoint at, Qt::MouseButtons buttons = Qt::NoButton, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
+        QApplication::sendEvent(&view, &event);
+    }
+    [[nodiscard]] static QPoint pixelOf(const ImageView& view, int line, int beam) {
+        return view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint();
+    }
+    void escape() {
+        window_->notice().hide();
+        QVERIFY(on_->activate());
+        window_->views().cloud().setFocus();
+        QTest::keyClick(window_, Qt::Key_Escape);
+    }
+    // The entry of the menu that a right click opens; chosen.
+    bool chooseInMenu(QWidget& view, QPoint at, const QString& words) {
+        bool found = false;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (menu == nullptr) return;
+            look.stop();
+            for (QAction* action : menu->actions()) {
+                if (!action->text().remove('&').contains(words)) continue;
+                found = true;
+                return QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(action).center());
+            }
+            QTest::keyClick(menu, Qt::Key_Escape);
+        });
+        look.start(30);
+        QTest::mouseClick(&view, Qt::RightButton, Qt::NoModifier, at);
+        return found;
+    }
+
+private slots:
+    void initTestCase() {
+        boxes_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
+        SimulationSettings settings;
+        settings.lines = 250;
+        settings.beams = 286;
+        settings.seed = 3;
+        settings.interlaceDeg = 0.36;
+        interlaced_ = (folder_ / "interlaced.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, interlaced_)));
+    }
+    void init() {
+        on_ = std::make_unique<WindowFixture>();
+        window_ = &on_->window;
+        window_->resize(1400, 850);
+        QVERIFY(on_->showWith(boxes_));
+    }
+    void cleanup() { on_.reset(); }
+
+    void aClickPinsTheCellUntilItIsLetGo() {
+        ImageView& gray = window_->views().gray();
+        ImageView& edges = window_->views().edges();
+        const std::uint32_t k = on_->picture().detection->edges->at(5);
+        const int line = static_cast<int>(k) / 160, beam = static_cast<int>(k) % 160;
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, line, beam));
+        QVERIFY(window_->views().pinned().has_value());
+        const std::size_t pinned = *window_->views().pinned();
+        const QString told = window_->statusLine().probeShown();
+        QVERIFY(!told.isEmpty());
+        // Hovering over any view takes neither the numbers, nor the ring, nor W away from it.
+        const auto isThere = [&] {
+            QCOMPARE(window_->statusLine().probeShown(), told);
+            QCOMPARE(*window_->views().marked(), pinned);
+            QCOMPARE(static_cast<std::size_t>(*window_->views().cloud().markedCell()), pinned);
+            for (ImageView* view : {&gray, &edges}) {
+                QCOMPARE(*view->crosshair(), window_->views().placeOf(pinned));
+                QCOMPARE(*view->markedCell(), window_->views().placeOf(pinned));
+            }
+        };
+        for (ImageView* view : {&gray, &edges}) {
+            move(*view, pixelOf(*view, 100, 20));
+            move(*view, pixelOf(*view, 10, 150));
+            isThere();
+            if (QTest::currentTestFailed()) return;
+        }
+        CloudView& cloud = window_->views().cloud();
+        move(cloud, {cloud.width() / 2, cloud.height() / 2});
+        move(cloud, {cloud.width() / 3, cloud.height() / 3});
+        isThere();
+        if (QTest::currentTestFailed()) return;
+        QVERIFY(on_->activate());
+        QTest::keyClick(window_, Qt::Key_W);
+        QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
+        const QString words = QString("line %1, beam %2:").arg(pinned / 160).arg(pinned % 160);
+        QVERIFY2(window_->explanation().card()->text().startsWith(words), qPrintable(window_->explanation().card()->text()));
+        // Another setting leaves it where it is, too.
+        Settings other;
+        other.creaseDeg = 50;
+        QVERIFY(on_->use(other));
+        QCOMPARE(*window_->views().pinned(), pinned);
+        escape();
+        QVERIFY(!window_->views().pinned());
+        move(gray, pixelOf(gray, 100, 20));
+        QVERIFY(window_->statusLine().probeShown() != told);
+    }
+
+    void theMenuOfACellIsTheSameInEveryView() {
+        CloudView& cloud = window_->views().cloud();
+        std::optional<QPoint> at;
+        for (const std::uint32_t k : *on_->picture().detection->edges) {
+            const auto pixel = cloud.pixelOf(k);
+            if (pixel && cloud.rect().adjusted(250, 50, -50, -250).contains(pixel->toPoint()) && cloud.cellAt(*pixel))
+                at = pixel->toPoint();
+            if (at) break;
+        }
+        QVERIFY(at.has_value());
+        const std::uint32_t cell = *cloud.cellAt(*at);
+        QVERIFY(chooseInMenu(cloud, *at, "Why"));
+        QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
+        QVERIFY(window_->explanation().card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
+        QCOMPARE(*window_->views().pinned(), static_cast<std::size_t>(cell));
+        QVERIFY(chooseInMenu(cloud, *at, "Let go"));
+        QVERIFY(!window_->views().pinned());
+        ImageView& gray = window_->views().gray();
+        const CameraPose before = cloud.camera();
+        QVERIFY(chooseInMenu(gray, pixelOf(gray, 60, 80), "Fly to this point"));
+        QVERIFY(!(cloud.camera() == before));
+    }
+
+    void aBoxBringsAllViewsCloser() {
+        ImageView& gray = window_->views().gray();
+        const double zoom = gray.viewPort()->zoom();
+        const CameraPose before = window_->views().cloud().camera();
+        const QPoint from = pixelOf(gray, 40, 50), to = pixelOf(gray, 70, 100);
+        QTest::mousePress(&gray, Qt::LeftButton, Qt::ShiftModifier, from);
+        for (int i = 1; i <= 5; ++i) move(gray, from + (to - from) * i / 5, Qt::LeftButton, Qt::ShiftModifier);
+        QTest::mouseRelease(&gray, Qt::LeftButton, Qt::ShiftModifier, to);
+        QVERIFY(window_->views().edges().box().has_value());
+        QCOMPARE(*window_->views().edges().box(), *gray.box());
+        QVERIFY(gray.viewPort()->zoom() > 1.5 * zoom);
+        QVERIFY(!(window_->views().cloud().camera() == before));
+        const auto* told = window_->findChild<QLabel*>("box");
+        window_->resize(1900, 850);
+        QTRY_VERIFY(told->isVisible());
+        std::size_t edges = 0;
+        const QRect box = *gray.box();
+        for (const std::uint32_t k : *on_->picture().detection->edges)
+            edges += box.contains(static_cast<int>(k) % 160, static_cast<int>(k) / 160) ? 1 : 0;
+        QVERIFY2(told->text().contains(QString(", %1 edge cells").arg(edges)), qPrintable(told->text()));
+        escape();
+        QVERIFY(!gray.box() && !window_->views().edges().box() && !told->isVisible());
+    }
+
+    void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {
+        QVERIFY(on_->activate());
+        QTest::keyClick(window_, Qt::Key_O);
+        const Detection& detection = *on_->picture().detection;
+        const auto colourOfClass = [&](DepthEdge kind) -> std::optional<QRgb> {
+            for (const std::uint32_t k : *detection.edges) {
+                if ((*detection.classes)[k] == kind)
+                    return window_->views().gray().overlay()->pixel(static_cast<int>(k) % 160, static_cast<int>(k) / 160);
+            }
+            return std::nullopt;
+        };
+        QCOMPARE(*colourOfClass(DepthEdge::Jump), qRgb(0, 255, 0));
+        QTest::keyClick(window_, Qt::Key_C);
+        int classes = 0;
+        for (int n = 0; n < kEdgeClasses; ++n) {
+            const auto colour = colourOfClass(static_cast<DepthEdge>(n + 1));
+            if (!colour) continue;
+            ++classes;
+            QCOMPARE(*colour, kUsualColours[static_cast<std::size_t>(n)].rgb());
+        }
+        QVERIFY(classes >= 2);
+        QTest::keyClick(window_, Qt::Key_C, Qt::ShiftModifier); // the colour-blind set
+        QCOMPARE(*colourOfClass(DepthEdge::Jump), kColourBlindColours.front().rgb());
+        Settings other;
+        other.creaseDeg = 40; // a new picture keeps them
+        QVERIFY(on_->use(other));
+        QCOMPARE(
+            window_->views().gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
+                                                     static_cast<int>(on_->picture().detection->edges->front()) / 160),
+            kColourBlindColours[static_cast<std::size_t>((*on_->picture().detection->classes)[on_->picture().detection->edges->front()]) -
+                                1]
+                .rgb());
+        QTest::keyClick(window_, Qt::Key_C);
+        QCOMPARE(window_->views().gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
+                                                          static_cast<int>(on_->picture().detection->edges->front()) / 160),
+                 kColourBlindColours.front().rgb());
+    }
+
+    void aMethodThatIsVisitedLeavesTheThresholdAsItWas() {
+        const auto choose = [&](const char* label) {
+            window_->panel().row("method")->choice()->setCurrentText(label);
+            QVERIFY(on_->settled());
+        };
+        for (const double lower : {1.0, 2.3, 6.0, 33.0}) {
+            Settings canny = cannySettings();
+            canny.lower = lower;
+            QVERIFY(on_->use(canny));
+            for (const char* visited :
+                 {"Laplacian of Gaussian", "Marr-Hildreth", "Roberts", "Kirsch", "EdgeScan+", "Laplacian of Gaussian"})
+                choose(visited);
+            choose("Canny (thesis)");
+            QCOMPARE(window_->session().settings().lower, lower);
+            // Also where another setting was turned there, and where it is undone and done again.
+            choose("Laplacian of Gaussian");
+            window_->panel().row("kernel")->choice()->setCurrentIndex(2);
+            choose("Canny (thesis)");
+            QCOMPARE(window_->session().settings().lower, lower);
+            window_->undoStack().undo();
+            window_->undoStack().undo();
+            window_->undoStack().undo();
+            window_->undoStack().redo();
+            choose("Canny (thesis)");
+            QCOMPARE(window_->session().settings().lower, lower);
+        }
+        // A threshold that was chosen there counts.
+        choose("Laplacian of Gaussian");
+        window_->panel().row("lower")->number()->setValue(40);
+        choose("Canny (thesis)");
+        QVERIFY(window_->session().settings().lower != 33.0);
+    }
+
+    void straighteningIsAStepOfUndo() {
+        QVERIFY(on_->open(interlaced_));
+        Settings before;
+        before.creaseDeg = 41;
+        window_->panel().row("crease")->number()->setValue(41);
+        QVERIFY(on_->settled());
+        auto* straighten = window_->findChild<QAction*>("straighten-beams");
+        const auto straight = [&] {
+            const auto& skew = std::get<PolarGeometry>(on_->picture().detection->scan->geometry).lineSkewDeg;
+            return !skew.empty() && std::abs(skew[1] - skew[0]) > 0.2;
+        };
+        straighten->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(on_->activate());
+        QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(QTest::qWaitFor([&] { return !straight(); }, 20000));
+        QVERIFY(!straighten->isChecked());
+        QCOMPARE(window_->session().settings().creaseDeg, 41.0);
+        QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
+        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(straighten->isChecked());
+        // Of a file that is gone nothing is taken back: the step before it is.
+        QVERIFY(on_->open(boxes_));
+        QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(window_->session().settings().creaseDeg, 30.0);
+        QCOMPARE(on_->picture().detection->scan->path, boxes_);
+    }
+
+    void howAScanIsReadIsPutRight() {
+        const auto axis = [&] { return std::get<PolarGeometry>(on_->picture().detection->scan->geometry).axis; };
+        SimulationSettings settings;
+        settings.lines = 60;
+        settings.beams = 100;
+        Scan scan = simulate(settings)->scan;
+        std::get<PolarGeometry>(scan.geometry).axis = Axis::Spin;
+        const std::string path = (folder_ / "mounting.json").string();
+        QVERIFY(bool(saveScan(scan, path)));
+        QVERIFY(on_->open(path));
+        QVERIFY(axis() == Axis::Spin);
+        const auto answer = [&](const char* key, const QString& text, bool refused = false) {
+            QTimer look;
+            bool told = false;
+            connect(&look, &QTimer::timeout, this, [&] {
+                auto* dialog = window_->findChild<ReadingDialog*>();
+                if (dialog == nullptr || !dialog->isVisible()) return;
+                if (auto* list = dialog->findChild<QComboBox*>(key)) list->setCurrentText(text);
+                if (auto* edit = dialog->findChild<QLineEdit*>(key)) edit->setText(text);
+                QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+                told = dialog->findChild<QLabel*>("refusal")->isVisible();
+                if (dialog->isVisible()) dialog->reject();
+            });
+            look.start(30);
+            window_->files().askReading();
+            QCOMPARE(told, refused);
+        };
+        answer("axis", "sweep");
+        QTRY_VERIFY(axis() == Axis::Sweep);
+        QVERIFY(on_->settled());
+        answer("line-step", "nonsense", true);
+        answer("line-start", "12.5");
+        QTRY_COMPARE(std::get<PolarGeometry>(on_->picture().detection->scan->geometry).lineDeg.front(), 12.5);
+        QVERIFY(axis() == Axis::Sweep);
+        QVERIFY(on_->settled());
+        window_->undoStack().undo();
+        QVERIFY(on_->settled());
+        window_->undoStack().undo();
+        QTRY_VERIFY(axis() == Axis::Spin);
+        // What is refused leaves scan and options as they were.
+        answer("pose", "/no/such/pose.json");
+        QTRY_VERIFY(window_->notice().isVisible() && window_->notice().kind() == NoticeBar::Kind::Error);
+        QVERIFY(on_->settled());
+        QVERIFY(window_->files().options().pose.empty());
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<PointingTest>(argc, argv); }
+
+#include "pointing_test.moc"

@@ -1,0 +1,409 @@
+// Rocks in the real window, driven by real events: faces in all views, slider, pointing, table, edits by hand, undo, a sweep that grows.
+#include "core/base/whole_file.h"
+#include "core/sim/simulate.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/rocks/rock_card.h"
+#include "ui/rocks/rock_colours.h"
+#include "ui/rocks/rock_table.h"
+#include "ui/rocks/rocks_panel.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QToolButton>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class RocksWindowTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+    Scan scan_;
+    std::string bell_;
+
+    static bool settled(WindowFixture& on) {
+        return on.settled() && QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000);
+    }
+    // With the scan in it and rocks shown, by their key.
+    bool showRocks(WindowFixture& on) {
+        on.window.resize(1600, 950);
+        if (!on.showWith(bell_) || !on.activate()) return false;
+        QTest::keyClick(&on.window, Qt::Key_K);
+        return settled(on);
+    }
+    static const RockPicture& picture(WindowFixture& on) { return *on.window.rocks().picture(); }
+    static QPoint pixelOf(const ImageView& view, QPoint cell) {
+        return view.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), view.size()).toPoint();
+    }
+    // A pixel of the view whose cell lies on the rock.
+    static QPoint pixelOn(WindowFixture& on, ImageView& view, std::uint32_t label) {
+        const Grid<std::uint32_t>& labels = picture(on).labels;
+        const QPoint first = pixelOf(view, on.window.views().placeOf(picture(on).rock(label)->cell));
+        for (int reach = 0; reach < 12; ++reach) {
+            for (int dy = -reach; dy <= reach; ++dy) {
+                for (int dx = -reach; dx <= reach; ++dx) {
+                    const auto cell = view.cellAt(first + QPoint(dx, dy));
+                    if (cell && labels.at(cell->y(), cell->x()) == label) return first + QPoint(dx, dy);
+                }
+            }
+        }
+        return {-1, -1};
+    }
+    static void click(WindowFixture& on, std::uint32_t label, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        ImageView& view = on.window.views().gray();
+        QTest::mouseClick(&view, Qt::LeftButton, modifiers, pixelOn(on, view, label));
+    }
+    // Two rocks with a border between them, the larger one first.
+    static std::pair<std::uint32_t, std::uint32_t> neighbours(WindowFixture& on) {
+        for (const RegionBorder& border : picture(on).study.map.borders) {
+            if (border.a != 0 && border.b <= picture(on).study.map.rocks) return {border.a, border.b};
+        }
+        return {0, 0};
+    }
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        SimulationSettings settings;
+        settings.seed = 4711;
+        settings.lines = 400;
+        settings.beams = 457;
+        auto simulation = simulate(settings);
+        QVERIFY(simulation);
+        scan_ = simulation->scan;
+        bell_ = (folder_ / "bell.json").string();
+        QVERIFY(saveScan(scan_, bell_));
+    }
+
+    void aKeyShowsThemInAllViewsAndTakesThemAway() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        LinkedViews& views = on.window.views();
+        const std::size_t count = picture(on).study.rocks.size();
+        QVERIFY(count > 40);
+        for (ImageView* view : {&views.gray(), &views.edges()}) {
+            QCOMPARE(view->faces(), picture(on).faces);
+            QVERIFY2(view->title().contains(rockCaveat()), qPrintable(view->title()));
+        }
+        QVERIFY(views.cloud().caption().contains(rockCaveat()));
+        QVERIFY(on.window.rocksPanel().text().contains(rockCaveat()));
+        QVERIFY(on.window.rockTable().remark().contains(rockCaveat()));
+        QCOMPARE(on.window.rockTable().table()->model()->rowCount(), static_cast<int>(count));
+        // In the cloud each point has the colour of its rock, shaded; gray points are as red as they are green.
+        const auto coloured = [](QRgb p) { return std::abs(qRed(p) - qGreen(p)) + std::abs(qGreen(p) - qBlue(p)) > 40; };
+        QVERIFY(countPixels(views.cloud().grabFrame(CloudView::Points::All), coloured) > 5000);
+
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(!on.window.rocks().picture());
+        QVERIFY(!views.gray().faces());
+        QVERIFY(views.gray().title().isEmpty());
+        QVERIFY(views.cloud().caption().isEmpty());
+        QVERIFY(!views.cloud().faces());
+        QCOMPARE(on.window.rockTable().table()->model()->rowCount(), 0);
+        QVERIFY(on.window.findChild<QDockWidget*>("dock-rocks")->isHidden());
+    }
+
+    void neighboursDifferInColourAndDoubtfulOnesAreHatched() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const RockPicture& shown = picture(on);
+        int alike = 0, all = 0;
+        for (const RegionBorder& border : shown.study.map.borders) {
+            if (border.a == 0 || border.b > shown.study.map.rocks) continue;
+            ++all;
+            alike += shown.colours[border.a] == shown.colours[border.b] ? 1 : 0;
+        }
+        QVERIFY(all > 50);
+        QVERIFY2(alike * 50 <= all, qPrintable(QString("%1 of %2").arg(alike).arg(all)));
+        int doubtful = 0;
+        for (const Rock& rock : shown.study.rocks) {
+            std::set<QRgb> inks; // of the face, borders included
+            for (std::size_t k = 0; k < shown.labels.size(); ++k) {
+                if (shown.labels[k] == rock.label) inks.insert(shown.faces->pixel(on.window.views().placeOf(k)));
+            }
+            QCOMPARE(static_cast<int>(inks.size()), isDoubtful(rock) ? 3 : 2);
+            doubtful += isDoubtful(rock) ? 1 : 0;
+        }
+        QVERIFY2(doubtful > 0, "the scene has rocks with doubtful outlines");
+    }
+
+    void theSliderGoesFromFineToCoarseAndEqualsTheCore() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QSlider* slider = on.window.rocksPanel().slider();
+        std::vector<std::size_t> regions;
+        for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End}) {
+            slider->setFocus();
+            QTest::keyClick(slider, key);
+            QVERIFY(settled(on));
+            const RockPicture& shown = picture(on);
+            QCOMPARE(shown.study.settings.level, key == Qt::Key_Home ? -4.0 : 4.0);
+            regions.push_back(shown.study.map.regions.size());
+            const RockStudy again = studyRocks(rockInputs(*on.picture().detection), shown.study.settings);
+            QVERIFY(shown.labels == rockLabels(*again.leaves, again.map));
+        }
+        QVERIFY2(regions[0] > regions[1], "fine has more pieces than coarse");
+        QTest::keyClick(&on.window, Qt::Key_Comma); // finer by half a step
+        QVERIFY(settled(on));
+        QCOMPARE(on.window.rocksPanel().number("level")->value(), 3.5);
+    }
+
+    void pointingTellsAndAClickSelectsEverywhere() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        LinkedViews& views = on.window.views();
+        const Rock rock = *picture(on).rock(3);
+        const QPoint at = pixelOn(on, views.gray(), 3);
+        QTest::mouseMove(&views.gray(), at);
+        QVERIFY(QTest::qWaitFor([&] { return !views.gray().tip().isEmpty(); }, 5000));
+        QCOMPARE(views.gray().tip(), rockTip(rock));
+        QVERIFY(views.gray().tip().contains(QString::number(rock.longM, 'f', 2)));
+        QVERIFY(views.edges().tip().isEmpty());
+        QCOMPARE(views.cloud().tip(), rockTip(rock));
+
+        click(on, 3);
+        QVERIFY(on.window.rocksPanel().card().isVisible());
+        QVERIFY(on.window.rocksPanel().card().text().startsWith("Rock 3\n"));
+        QVERIFY(on.window.rocksPanel().card().text().contains(rockCaveat()));
+        QCOMPARE(on.window.rockTable().selected(), std::vector<std::uint32_t>{3});
+        QVERIFY(!views.gray().outline().empty());
+        QCOMPARE(views.gray().outline(), views.edges().outline());
+        QVERIFY(views.cloud().outline());
+
+        // The row of another rock: its outline in the views. Sorted by a the first row is the longest.
+        QTableView* table = on.window.rockTable().table();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 0)).center());
+        const std::vector<std::uint32_t> chosen = on.window.rockTable().selected();
+        QCOMPARE(chosen.size(), std::size_t{1});
+        for (const Rock& each : picture(on).study.rocks) QVERIFY(each.longM <= picture(on).rock(chosen[0])->longM);
+        QVERIFY(on.window.rocksPanel().card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
+        QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
+
+        // In the cloud: the point of a rock that is seen.
+        for (const Rock& each : picture(on).study.rocks) {
+            const auto pixel = views.cloud().pixelOf(each.cell);
+            if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
+            QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
+            QCOMPARE(on.window.rockTable().selected(), std::vector<std::uint32_t>{each.label});
+            break;
+        }
+        QTest::mouseClick(on.window.rocksPanel().card().close(), Qt::LeftButton);
+        QVERIFY(on.window.rocksPanel().card().isHidden());
+        QVERIFY(on.window.rockTable().selected().empty());
+        QVERIFY(views.gray().outline().empty());
+        QVERIFY(!views.cloud().outline());
+    }
+
+    void theTableSortsFiltersAndJumps() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        RockTable& rocks = on.window.rockTable();
+        QTableView* table = rocks.table();
+        const auto column = [&](int n) {
+            std::vector<double> values;
+            for (int row = 0; row < table->model()->rowCount(); ++row)
+                values.push_back(table->model()->index(row, n).data(RockTableModel::kNumberRole).toDouble());
+            return values;
+        };
+        for (int n = 0; n < table->model()->columnCount(); ++n) {
+            QTest::mouseClick(table->horizontalHeader()->viewport(), Qt::LeftButton, Qt::NoModifier,
+                              QPoint(table->horizontalHeader()->sectionViewportPosition(n) + 5, 5));
+            const bool up = table->horizontalHeader()->sortIndicatorOrder() == Qt::AscendingOrder;
+            const std::vector<double> values = column(n);
+            QCOMPARE(table->horizontalHeader()->sortIndicatorSection(), n);
+            QVERIFY(up ? std::is_sorted(values.begin(), values.end()) : std::is_sorted(values.rbegin(), values.rend()));
+        }
+        const int all = table->model()->rowCount();
+        rocks.smallest()->setValue(0.5);
+        const std::vector<double> wide = column(2);
+        QVERIFY(!wide.empty() && static_cast<int>(wide.size()) < all);
+        QVERIFY(*std::min_element(wide.begin(), wide.end()) >= 0.5);
+        QVERIFY2(rocks.remark().contains(QString("%1 of %2 rocks").arg(wide.size()).arg(all)), qPrintable(rocks.remark()));
+        QTest::mouseClick(rocks.sureOnly(), Qt::LeftButton, Qt::NoModifier, QPoint(8, rocks.sureOnly()->height() / 2));
+        for (const double p : column(10)) QVERIFY(p >= kSureConfidence);
+
+        const CameraPose before = on.window.views().cloud().camera();
+        const QPoint row = table->visualRect(table->model()->index(0, 1)).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
+        QVERIFY(!(on.window.views().cloud().camera() == before));
+        QCOMPARE(on.window.views().marked(), std::optional<std::size_t>(on.window.rocks().selected().back()));
+    }
+
+    void mergeSplitAndUndoStayWhateverIsTurned() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto [a, b] = neighbours(on);
+        QVERIFY(a != 0);
+        const std::size_t cellA = picture(on).rock(a)->cell, cellB = picture(on).rock(b)->cell;
+        const Grid<std::uint32_t> before = picture(on).labels;
+        const auto one = [&, cellA = cellA, cellB = cellB] { return picture(on).regionAt(cellA) == picture(on).regionAt(cellB); };
+        click(on, a);
+        click(on, b, Qt::ControlModifier);
+        QCOMPARE(on.window.rocks().selected().size(), std::size_t{2});
+        QTest::mouseClick(on.window.rocksPanel().card().merge(), Qt::LeftButton);
+        QVERIFY(settled(on));
+        QVERIFY(one());
+        // A constraint: it holds at the fine end of the slider.
+        on.window.rocksPanel().slider()->setFocus();
+        QTest::keyClick(on.window.rocksPanel().slider(), Qt::Key_Home);
+        QVERIFY(settled(on));
+        QVERIFY(one());
+        on.window.rocks().useSettings({});
+        QVERIFY(settled(on));
+
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).labels == before);
+        QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
+        QVERIFY(settled(on));
+        QVERIFY(one());
+
+        // Split by a click on a rock that has parts.
+        for (const Rock& rock : picture(on).study.rocks) {
+            const QPoint pixel = pixelOn(on, on.window.views().gray(), rock.label);
+            const auto cell = on.window.views().gray().cellAt(pixel);
+            const RockStudy& study = picture(on).study;
+            const auto k = static_cast<std::uint32_t>(picture(on).labels.index(cell->y(), cell->x()));
+            if (!splitAt(*study.leaves, *study.tree, study.settings.level, k)) continue;
+            const std::size_t regions = study.map.regions.size();
+            QTest::keyClick(&on.window, Qt::Key_S);
+            QVERIFY(on.window.rocks().splitting());
+            QTest::mouseClick(&on.window.views().gray(), Qt::LeftButton, Qt::NoModifier, pixel);
+            QVERIFY(!on.window.rocks().splitting());
+            QVERIFY(settled(on));
+            QCOMPARE(on.window.rocks().edits().size(), std::size_t{2});
+            QVERIFY(picture(on).study.map.regions.size() > regions);
+            QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY(settled(on));
+            QCOMPARE(picture(on).study.map.regions.size(), regions);
+            return;
+        }
+        QFAIL("no rock of the scene can be split");
+    }
+
+    void aRockIsCalledNoneAndOneAgain() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const std::size_t cell = picture(on).rock(2)->cell;
+        click(on, 2);
+        QTest::mouseClick(on.window.rocksPanel().card().rockOrNot(), Qt::LeftButton);
+        QVERIFY(settled(on));
+        QCOMPARE(picture(on).labelAt(cell), 0U);
+        QVERIFY2(on.window.rocksPanel().card().text().contains("called none by hand"), qPrintable(on.window.rocksPanel().card().text()));
+        QTest::mouseClick(on.window.rocksPanel().card().rockOrNot(), Qt::LeftButton);
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).labelAt(cell) != 0);
+        QVERIFY(picture(on).rockAt(cell)->byHand);
+    }
+
+    void exportsEqualThoseOfTheCommandLine() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        click(on, 2);
+        QTest::keyClick(&on.window, Qt::Key_N);
+        RockSettings settings;
+        settings.level = 1.5;
+        settings.minimumCells = 150;
+        on.window.rocks().useSettings(settings);
+        QVERIFY(settled(on));
+        const RockPicture& shown = picture(on);
+        const auto place = [&](const char* name) { return (folder_ / name).string(); };
+        const std::string edits = place("edits.json");
+        QVERIFY(writeWholeFile(edits, rockEditsToJson(shown.study.edits, shown.labels.lines, shown.labels.beams).dump()));
+        const auto run = test::runCli("rocks '" + bell_ + "' --level 1.5 --min-cells 150 --edits '" + edits + "' --labels '" +
+                                      place("cli.png") + "' --csv '" + place("cli.csv") + "'");
+        QVERIFY2(run.code == 0, run.err.c_str());
+        for (const char* ending : {"csv", "json", "png", "dxf", "geojson", "ply", "obj"}) {
+            QSignalSpy saved(&on.window.session(), &Session::saved);
+            const std::string path = place("window.") + ending;
+            on.window.rocks().exportTo(QString::fromStdString(path));
+            QVERIFY2(saved.wait(20000), qPrintable(on.window.notice().text()));
+            QVERIFY2(on.window.notice().text().contains(QString::fromStdString(path)), qPrintable(on.window.notice().text()));
+            QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
+        }
+        QCOMPARE(test::fileText(place("window.csv")), test::fileText(place("cli.csv")));
+        const QImage byWindow(QString::fromStdString(place("window.png"))), byCli(QString::fromStdString(place("cli.png")));
+        QCOMPARE(byWindow.format(), QImage::Format_Grayscale16);
+        QCOMPARE(byWindow, byCli);
+        for (int line = 0; line < byWindow.height(); ++line) {
+            const auto* row = reinterpret_cast<const quint16*>(byWindow.constScanLine(line));
+            for (int beam = 0; beam < byWindow.width(); ++beam) QCOMPARE(std::uint32_t{row[beam]}, shown.labels.at(line, beam));
+        }
+        on.window.rocks().exportTo(QString::fromStdString(place("window.xls")));
+        QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
+    }
+
+    void anotherScanHasRocksOfItsOwn() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        click(on, 2);
+        QTest::keyClick(&on.window, Qt::Key_N);
+        QVERIFY(settled(on));
+        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QVERIFY(on.open(bell_));
+        QVERIFY(settled(on));
+        QVERIFY(on.window.rocks().edits().empty());
+        QVERIFY(on.window.rocks().selected().empty());
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier); // of the scan that is gone: nothing
+        QVERIFY(settled(on));
+        QVERIFY(on.window.rocks().edits().empty());
+    }
+
+    void rocksFollowASweepThatGrows() {
+        WindowFixture on;
+        on.window.resize(1600, 950);
+        QVERIFY(on.show());
+        on.window.rocks().setShown(true);
+        const std::uint64_t stream = Session::newStream();
+        std::vector<int> lines;
+        QObject::connect(&on.window.rocks(), &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
+        for (int count = 200; count <= scan_.lines(); count += 40) {
+            on.window.session().follow(std::make_shared<const Scan>(firstLines(count)),
+                                       {stream, {0, count < scan_.lines(), scan_.lines()}});
+            QTest::qWait(100);
+            QVERIFY(on.settled());
+            if (!on.window.rocks().picture()) continue;
+            const QString told = on.window.views().gray().title();
+            if (count < scan_.lines()) QVERIFY2(told.contains("partial"), qPrintable(told));
+            if (picture(on).labels.lines < count) QVERIFY(on.window.views().gray().facesFaded());
+        }
+        QVERIFY(settled(on));
+        QCOMPARE(picture(on).labels.lines, scan_.lines());
+        QVERIFY(!on.window.views().gray().facesFaded());
+        QVERIFY(!on.window.views().gray().title().contains("partial"));
+        QVERIFY2(lines.size() >= 2 && lines.front() < scan_.lines(), "there were rocks before the sweep was whole");
+    }
+
+private:
+    // As a sweep that is not at its end.
+    [[nodiscard]] Scan firstLines(int lines) const {
+        Scan scan = scan_;
+        const auto cut = [&](auto& grid) {
+            if (grid.size() == 0) return;
+            grid.cells.resize(static_cast<std::size_t>(lines) * static_cast<std::size_t>(grid.beams));
+            grid.lines = lines;
+        };
+        cut(scan.rangeMm);
+        cut(scan.state);
+        std::get<PolarGeometry>(scan.geometry).lineDeg.resize(static_cast<std::size_t>(lines));
+        return scan;
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<RocksWindowTest>(argc, argv); }
+
+#include "rocks_window_test.moc"

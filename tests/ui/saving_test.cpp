@@ -1,0 +1,229 @@
+// Saving in the real window: no file is replaced without a question about that very file, and a preset never replaces what is none.
+#include "core/method/pipeline.h"
+#include "core/settings/presets.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/dialogs/export_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+template <class Dialog>
+Dialog* shownDialog() {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        if (auto* dialog = qobject_cast<Dialog*>(widget); dialog != nullptr && dialog->isVisible()) return dialog;
+    }
+    return nullptr;
+}
+
+// Types a name into the file dialog once it is there, and then answers the questions that follow, one after the other.
+struct Hand : QObject {
+    Hand(const QString& name, QStringList answers) : name_(name), answers_(std::move(answers)) {
+        connect(&timer_, &QTimer::timeout, this, &Hand::look);
+        timer_.start(30);
+    }
+    QStringList asked; // object names of the questions
+
+private:
+    void look() {
+        if (auto* box = shownDialog<QMessageBox>()) {
+            asked << box->objectName();
+            const QString answer = answers_.isEmpty() ? QString() : answers_.takeFirst();
+            for (QAbstractButton* button : box->buttons()) {
+                if (button->objectName() == answer) return QTest::mouseClick(button, Qt::LeftButton);
+            }
+            return QTest::keyClick(box, Qt::Key_Escape);
+        }
+        auto* dialog = shownDialog<QFileDialog>();
+        if (dialog == nullptr) return;
+        if (typed_) return QTest::keyClick(dialog, Qt::Key_Escape); // asked again: the hand gives up
+        typed_ = true;
+        auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
+        edit->setText(name_); // typed, it would open the list of completions
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
+    }
+
+    QTimer timer_;
+    QString name_;
+    QStringList answers_;
+    bool typed_ = false;
+};
+
+} // namespace
+
+class SavingTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_, other_;
+
+    [[nodiscard]] QString path(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
+    [[nodiscard]] std::string text(const char* name) const { return test::fileText((folder_ / name).string()); }
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        scan_ = (folder_ / "shown.json").string();
+        other_ = (folder_ / "other.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.05), scan_)));
+        QVERIFY(bool(saveScan(test::boxesScan(50, 70, 4, 0.05), other_)));
+    }
+
+    void aPresetNeverReplacesAScan() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        const std::string before = text("other.json");
+        {
+            Hand hand(path("other"), {}); // typed without its extension
+            on.window.tuning().askSavePreset();
+            QCOMPARE(hand.asked, QStringList("kept-file"));
+        }
+        QVERIFY(text("other.json") == before);
+        // A new name needs no question, an old preset one that can be declined.
+        {
+            Hand hand(path("mine"), {});
+            on.window.tuning().askSavePreset();
+            QVERIFY(hand.asked.isEmpty());
+        }
+        QVERIFY(bool(findPreset((folder_ / "mine.json").string())));
+        Settings other;
+        other.creaseDeg = 44;
+        QVERIFY(on.use(other));
+        {
+            Hand hand(path("mine"), {"no"});
+            on.window.tuning().askSavePreset();
+            QCOMPARE(hand.asked, QStringList("replace-question"));
+        }
+        QVERIFY(findPreset((folder_ / "mine.json").string())->settings.creaseDeg != 44);
+        {
+            Hand hand(path("mine"), {"replace"});
+            on.window.tuning().askSavePreset();
+        }
+        QCOMPARE(findPreset((folder_ / "mine.json").string())->settings.creaseDeg, 44.0);
+    }
+
+    void aScreenshotAsksAlsoWhereTheExtensionWasNotTyped() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.activate());
+        QFile there(path("shot.png"));
+        QVERIFY(there.open(QIODevice::WriteOnly));
+        there.write("precious");
+        there.close();
+        {
+            Hand hand(path("shot"), {"no"});
+            QTest::keyClick(&on.window, Qt::Key_F12);
+            QCOMPARE(hand.asked, QStringList("replace-question"));
+        }
+        QVERIFY(text("shot.png") == "precious");
+        {
+            Hand hand(path("shot"), {"replace"});
+            QTest::keyClick(&on.window, Qt::Key_F12);
+        }
+        QVERIFY(QImage(path("shot.png")).width() > 100);
+    }
+
+    // The record beside it is a file that would be lost as well.
+    void anExportAsksForTheRecordToo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QFile record(path("e.pcd.provenance.json"));
+        QVERIFY(record.open(QIODevice::WriteOnly));
+        record.write("precious");
+        record.close();
+        const auto ask = [&](const QStringList& answers) {
+            QTimer::singleShot(200, &on.window, [&on] {
+                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
+            });
+            Hand hand(path("e"), answers);
+            on.window.exports().ask(ExportContent::EdgeCloud);
+            return hand.asked;
+        };
+        QCOMPARE(ask({"no"}), QStringList("replace-question"));
+        QVERIFY(text("e.pcd.provenance.json") == "precious");
+        QVERIFY(!QFile::exists(path("e.pcd")));
+        QSignalSpy saved(&on.window.session(), &Session::saved);
+        QCOMPARE(ask({"replace"}), QStringList("replace-question"));
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY(QFile::exists(path("e.pcd")));
+    }
+
+    void theExtensionIsThatOfTheKindThatWasChosen() {
+        const QStringList filters{"Point Cloud Library (*.pcd)", "CSV (*.csv)", "E57 (*.e57 *.E57)"};
+        QCOMPARE(withExtension("/a/b", filters, filters[1]), QString("/a/b.csv"));
+        QCOMPARE(withExtension("/a/b.PCD", filters, filters[1]), QString("/a/b.PCD"));
+        QCOMPARE(withExtension("/a/bell_1.00", filters, filters[0]), QString("/a/bell_1.00.pcd"));
+        QCOMPARE(withExtension("/a.pcd/b", filters, {}), QString("/a.pcd/b.pcd"));
+        QCOMPARE(withExtension("/a/.pcd", filters, {}), QString("/a/.pcd.pcd"));
+    }
+
+    void theNameSaysWhatTheEdgesWereFoundWith() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        const auto proposed = [&] {
+            QString name;
+            QTimer::singleShot(200, &on.window, [&on] {
+                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
+            });
+            QTimer look;
+            connect(&look, &QTimer::timeout, this, [&name] {
+                if (auto* dialog = shownDialog<QFileDialog>()) {
+                    name = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
+                    QTest::keyClick(dialog, Qt::Key_Escape);
+                }
+            });
+            look.start(30);
+            on.window.exports().ask(ExportContent::EdgeCloud);
+            return name;
+        };
+        Settings strong;
+        strong.sensitivity = 1.5;
+        QVERIFY(on.use(strong));
+        const QString name = proposed();
+        QVERIFY2(name.contains("_edges_edgescan+_sensitivity1.5_") && !name.contains("_K"), qPrintable(name));
+        Settings canny = cannySettings();
+        canny.lower = 7;
+        QVERIFY(on.use(canny));
+        QVERIFY2(proposed().contains("_edges_canny_lower7_"), qPrintable(proposed()));
+    }
+
+    // What the command line can ask of a format, the dialog can too; the record says it.
+    void theWritingChoicesAreThoseOfTheCommandLine() {
+        const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(scan_)), Settings{});
+        ExportDialog dialog(detection, ExportContent::EdgeCloud);
+        dialog.show();
+        QVERIFY(dialog.options().choices == WritingChoices{});
+        for (const WritingChoice& choice : kWritingChoices) {
+            auto* box = dialog.findChild<QCheckBox*>(choice.key);
+            QVERIFY2(box != nullptr, choice.key);
+            QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
+            QVERIFY2(dialog.options().choices.*choice.member, choice.key);
+        }
+        const std::string csv = (folder_ / "chosen.csv").string();
+        QVERIFY(bool(exportWithProvenance(dialog.content(), *detection, csv, dialog.options())));
+        QCOMPARE(
+            test::runCli("detect '" + scan_ + "' --comments --doubles --dxf-2000 --short-lines --edges " + (folder_ / "cli.csv").string())
+                .code,
+            0);
+        QVERIFY(text("chosen.csv") == text("cli.csv"));
+        QVERIFY(text("chosen.csv").find('#') != std::string::npos);
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<SavingTest>(argc, argv); }
+
+#include "saving_test.moc"

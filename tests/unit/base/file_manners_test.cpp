@@ -1,0 +1,98 @@
+// Whose links are followed, which mode new files get, pipes that nobody reads, hashes of what is no file.
+#include "core/base/sha256.h"
+#include "core/base/whole_file.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <thread>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using test::fileText;
+
+unsigned modeOf(const fs::path& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) == 0 ? status.st_mode & 07777U : 0;
+}
+
+TEST(FileManners, TheUmaskOfTheOwnerHolds) {
+    const test::TemporaryFolder folder;
+    for (const unsigned mask : {0022U, 0077U, 0002U}) {
+        const unsigned before = ::umask(mask);
+        const fs::path path = folder / std::to_string(mask);
+        EXPECT_TRUE(writeWholeFile(path, std::string("x")));
+        ::umask(before);
+        EXPECT_EQ(modeOf(path), 0666U & ~mask);
+    }
+    // A file that is replaced keeps its rights, but never lends those of its owner.
+    const fs::path path = folder / "old";
+    ASSERT_TRUE(writeWholeFile(path, std::string("x")));
+    ASSERT_EQ(::chmod(path.c_str(), 04640), 0);
+    EXPECT_TRUE(writeWholeFile(path, std::string("y")));
+    EXPECT_EQ(modeOf(path), 0640U);
+}
+
+TEST(FileManners, LinksOfOneselfAreFollowed) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeWholeFile(folder / "file", std::string("old")));
+    fs::create_symlink("file", folder / "one");
+    fs::create_symlink("one", folder / "two");
+    ASSERT_TRUE(writeWholeFile(folder / "two", std::string("new")));
+    EXPECT_EQ(fileText(folder / "file"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "two"));
+    fs::create_symlink("there", folder / "dangling");
+    ASSERT_TRUE(writeWholeFile(folder / "dangling", std::string("new")));
+    EXPECT_EQ(fileText(folder / "there"), "new");
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_FALSE(writeWholeFile(folder / "circle", std::string("new")));
+}
+
+TEST(FileManners, LinksOfAnotherUserAreNotFollowed) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root can make a link of another user";
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeWholeFile(folder / "mine", std::string("old")));
+    fs::create_symlink("mine", folder / "laid");
+    ASSERT_EQ(::lchown((folder / "laid").c_str(), 65534, 65534), 0);
+    fs::create_symlink("laid", folder / "ours"); // ours leads to theirs
+    for (const char* name : {"laid", "ours"}) {
+        const auto written = writeWholeFile(folder / name, std::string("new"));
+        ASSERT_FALSE(written) << name;
+        EXPECT_NE(written.error().sentence().find("another user"), std::string::npos) << written.error().sentence();
+    }
+    EXPECT_EQ(fileText(folder / "mine"), "old");
+}
+
+TEST(FileManners, APipeWithoutAReaderIsRefusedAndOneWithIsWritten) {
+    const test::TemporaryFolder folder;
+    const fs::path pipe = folder / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const auto refused = writeWholeFile(pipe, std::string("x"));
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("nobody reads"), std::string::npos) << refused.error().sentence();
+    // More than a pipe holds, and a reader that comes late.
+    const std::string text(1 << 20, 'x');
+    std::string read;
+    std::thread reader([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        read = fileText(pipe);
+    });
+    EXPECT_TRUE(writeWholeFile(pipe, text));
+    reader.join();
+    EXPECT_EQ(read, text);
+    // One that goes away is an error and no signal.
+    std::thread leaver([&] { ::close(::open(pipe.c_str(), O_RDONLY)); });
+    EXPECT_FALSE(writeWholeFile(pipe, text));
+    leaver.join();
+    EXPECT_FALSE(sha256OfFile(pipe));
+    EXPECT_FALSE(readWholeFile(pipe));
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,145 @@
+// Clients that ask and never read, or never do anything, and a system that has no descriptor left: the emulated scanner stays small and
+// serves the next one.
+#include "tests/support/live_session.h"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+/// A TCP client without any of our code.
+class RawClient {
+public:
+    explicit RawClient(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    }
+    ~RawClient() { ::close(socket_); }
+    RawClient(const RawClient&) = delete;
+    RawClient& operator=(const RawClient&) = delete;
+
+    [[nodiscard]] bool connected() const { return connected_; }
+    /// Without waiting; how many bytes went.
+    std::size_t put(const Bytes& bytes) {
+        const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        return count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    /// Frames that arrive until `count` are there or nothing comes for five seconds.
+    std::size_t frames(std::size_t count) {
+        timeval wait{5, 0};
+        ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
+        ColaStream stream;
+        Bytes piece(65536);
+        while (stream.counts().frames < count) {
+            const ssize_t length = ::recv(socket_, piece.data(), piece.size(), 0);
+            if (length <= 0) break;
+            static_cast<void>(stream.push(ByteView(piece).first(static_cast<std::size_t>(length))));
+        }
+        return stream.counts().frames;
+    }
+
+private:
+    int socket_;
+    bool connected_ = false;
+};
+
+Bytes request(std::string_view text) { return framed(Bytes(text.begin(), text.end()), Dialect::B); }
+
+bool answers(std::uint16_t port) {
+    RawClient client(port);
+    return client.connected() && client.put(request("sRN DeviceIdent")) > 0 && client.frames(1) == 1;
+}
+
+double residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+} // namespace
+
+TEST(EmulatedScanner, AClientThatAsksAndNeverReadsCostsNoMemory) {
+    for (const bool pieces : {false, true}) {
+        EmulatedScannerSettings settings;
+        settings.faults.splitSends = pieces;
+        settings.linesPerSecond = 0;
+        const auto scanner = served(countingScan(50, 200), settings);
+        const Bytes one = request("sRN LMDscandata");
+        constexpr std::size_t kAtOnce = 1000;
+        Bytes many;
+        for (std::size_t i = 0; i < kAtOnce; ++i) many.insert(many.end(), one.begin(), one.end());
+        RawClient greedy(scanner->port());
+        ASSERT_TRUE(greedy.connected());
+        const double before = residentBytes();
+        // As much as it takes: until nothing has been taken for a good while.
+        std::size_t asked = 0;
+        for (int quiet = 0; quiet < 100;) {
+            // A request that went in part is finished with the next piece.
+            const Bytes rest(many.begin() + static_cast<std::ptrdiff_t>(asked % one.size()), many.end());
+            const std::size_t went = greedy.put(rest);
+            asked += went;
+            quiet = went > 0 ? 0 : quiet + 1;
+            if (went == 0) std::this_thread::sleep_for(5ms);
+        }
+        const std::size_t requests = asked / one.size();
+        const auto answered = scanner->statistics().lines;
+        const double grown = residentBytes() - before;
+        std::printf("[ measured ] %zu requests for %zu MB of answers: %llu answered, %.1f MB more memory\n", requests,
+                    requests * 520 / 1'000'000, static_cast<unsigned long long>(answered), grown / 1e6);
+        EXPECT_GT(requests, 50'000U);
+        EXPECT_LT(answered, requests / 2); // what fits into the sockets' own buffers, and a little
+        EXPECT_LT(grown, 24e6);
+        EXPECT_TRUE(answers(scanner->port())) << "another client is served meanwhile";
+        // And once it reads it gets all it asked for.
+        EXPECT_EQ(greedy.frames(requests), requests);
+    }
+}
+
+TEST(EmulatedScanner, AcceptsAgainOnceThereAreDescriptors) {
+    const auto scanner = served(countingScan(5, 9), {});
+    ASSERT_TRUE(answers(scanner->port()));
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    rlimit few = before;
+    few.rlim_cur = std::min<rlim_t>(before.rlim_cur, 256);
+    setrlimit(RLIMIT_NOFILE, &few);
+    {
+        RawClient waiting(scanner->port()); // has its descriptor; the scanner finds none for its own end
+        std::vector<int> fillers;
+        for (int filler = ::dup(0); filler >= 0; filler = ::dup(0)) fillers.push_back(filler);
+        EXPECT_GT(fillers.size(), 10U);
+        RawClient unlucky(scanner->port()); // none at all
+        EXPECT_FALSE(unlucky.connected());
+        waiting.put(request("sRN DeviceIdent"));
+        std::this_thread::sleep_for(500ms); // the scanner tries and fails
+        for (const int filler : fillers) ::close(filler);
+        EXPECT_EQ(waiting.frames(1), 1U);
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_TRUE(answers(scanner->port()));
+}
+
+TEST(EmulatedScanner, ClientsThatVanishedGiveWay) {
+    EmulatedScannerSettings settings;
+    settings.silentS = 0.3;
+    const auto scanner = served(countingScan(5, 9), settings);
+    std::vector<std::unique_ptr<RawClient>> silent;
+    for (int i = 0; i < 8; ++i) silent.push_back(std::make_unique<RawClient>(scanner->port()));
+    EXPECT_TRUE(waitUntil([&] { return scanner->statistics().clients == 8; }));
+    EXPECT_TRUE(waitUntil([&] { return answers(scanner->port()); }));
+    EXPECT_TRUE(answers(scanner->port()));
+}
