@@ -1,4 +1,4 @@
-"""The work behind docs/make-accuracy: scenes and results, two at a time, kept in build/accuracy.
+"""The work behind docs/make-accuracy and docs/make-rocks: scenes and results, two at a time, kept in build/accuracy and build/rocks.
 
 Work is handed in and comes back as a future. What waits for other work is handed in after it, so that nothing waits for ever."""
 import concurrent.futures
@@ -13,7 +13,7 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CLI = os.environ.get("EDGESCAN_CLI") or os.path.join(ROOT, "build/release/bin/edgescan-cli")
-CACHE = os.path.join(ROOT, "build/accuracy")
+CACHE = os.path.join(ROOT, "build", os.environ.get("EDGESCAN_KEEP", "accuracy"))
 AT_ONCE = 2
 
 POOL = concurrent.futures.ThreadPoolExecutor(AT_ONCE)
@@ -46,8 +46,8 @@ def program():
     """A copy of the program, which a build cannot change meanwhile, and its hash."""
     if not os.path.exists(CLI):
         sys.exit("%s: there is no such program; build it with ./run or ./test, or name another in EDGESCAN_CLI." % CLI)
-    module = os.path.join(os.path.dirname(CLI), "edgescan_peers.so")
-    parts = [CLI] + ([module] if os.path.exists(module) else [])
+    peers = os.path.join(os.path.dirname(CLI), "edgescan-peers")
+    parts = [CLI] + ([peers] if os.path.exists(peers) else [])
     digest = hash_of(*parts)
     folder = os.path.join(CACHE, "program-" + digest[:16])
     os.makedirs(folder, exist_ok=True)
