@@ -9,7 +9,14 @@ namespace edgescan {
 
 namespace {
 
-ColaLink::Hooks hooksOf(const SessionEvents& events) { return {events.frameReceived, events.frameSent}; }
+/// A scan is counted before its event is called: who asks for statistics() after an event finds it in there.
+ColaLink::Hooks hooksOf(const SessionEvents& events, std::atomic<std::uint64_t>& scans) {
+    const auto received = [&scans, tell = events.frameReceived](const ColaFrame& frame) {
+        if (isScanTelegram(frame.payload())) ++scans;
+        if (tell) tell(frame);
+    };
+    return {received, events.frameSent};
+}
 
 std::string seconds(std::chrono::duration<double> duration) { return fixedText(duration.count(), 1) + " s"; }
 
@@ -21,8 +28,8 @@ const char* sessionPhaseName(SessionPhase phase) {
 }
 
 ScannerSession::ScannerSession(SessionSettings settings, SessionEvents events)
-    : settings_(std::move(settings)), events_(std::move(events)), dialect_(settings_.dialect.value_or(Dialect::B)), link_(hooksOf(events_)),
-      thread_([this] { run(); }) {}
+    : settings_(std::move(settings)), events_(std::move(events)), dialect_(settings_.dialect.value_or(Dialect::B)),
+      link_(hooksOf(events_, scans_)), thread_([this] { run(); }) {}
 
 ScannerSession::~ScannerSession() {
     stop();
@@ -108,7 +115,6 @@ ScannerSession::Clock::duration ScannerSession::watchdog() const {
 
 void ScannerSession::noticeScan(const ColaFrame& frame) {
     if (!isScanTelegram(frame.payload())) return;
-    ++scans_;
     ++scansHere_;
     lastScan_ = Clock::now();
     if (scansHere_ > 1) return;
