@@ -3,7 +3,6 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/inputs.h"
-#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
@@ -54,10 +53,9 @@ Result<Done> calibrate(const Calibrate& asked) {
     }
     std::string base;
     if (!asked.base.empty()) {
-        claimInput(asked.base);
-        const auto bytes = readWholeFile(asked.base);
+        const auto bytes = readInput(asked.base);
         if (!bytes) return bytes.error();
-        base.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        base = textOf(*bytes);
     }
     const Result<SelfCalibration> found = calibrateFromTurn(scans);
     if (!found) return found.error();
@@ -67,9 +65,7 @@ Result<Done> calibrate(const Calibrate& asked) {
     if (!asked.picture.empty()) {
         if (Result<Done> saved = savePngRgb(viewsPicture(*scans.front(), found->errors), asked.picture); !saved) return saved;
     }
-    if (!asked.json.empty()) {
-        return writeWholeFile(asked.json, jsonText(document("calibrate", estimateJson(*found, sources)), 2) + "\n");
-    }
+    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", estimateJson(*found, sources)));
     if (!isStandardOutput(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }

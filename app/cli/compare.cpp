@@ -3,14 +3,12 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/base/whole_file.h"
 #include "core/eval/truth_fit.h"
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 #include "core/report/comparison_pictures.h"
 #include "core/report/comparison_report.h"
-#include "core/report/report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -113,10 +111,7 @@ Result<Done> compare(const CompareFlags& flags) {
     }
     if (flags.json != "-") say(comparisonText(*scan, methods));
     if (flags.json.empty()) return Done{};
-    const nlohmann::ordered_json report = document("compare", comparisonReport(*scan, methods, settings));
-    if (flags.json != "-") return writeWholeFile(flags.json, reportText(report, true) + "\n");
-    say(report, true);
-    return Done{};
+    return writeDocument(flags.json, document("compare", comparisonReport(*scan, methods, settings)));
 }
 
 } // namespace

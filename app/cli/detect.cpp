@@ -5,7 +5,6 @@
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
-#include "core/base/whole_file.h"
 #include "core/formats/formats.h"
 #include "core/georef/placed_points.h"
 #include "core/method/pipeline.h"
@@ -74,10 +73,7 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detect
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
     const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
-    const nlohmann::ordered_json report = document("detect", detectReport(detection, loadMs));
-    if (out.json != "-") return writeWholeFile(out.json, reportText(report, !lines) + "\n");
-    say(report, !lines);
-    return Done{};
+    return writeDocument(out.json, document("detect", detectReport(detection, loadMs)), !lines);
 }
 
 bool nothingAskedFor(const Outputs& out) {

@@ -4,13 +4,11 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/base/whole_file.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/truth_fit.h"
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
-#include "core/report/report.h"
 #include "core/settings/method_traits.h"
 #include "core/settings/parameters.h"
 
@@ -235,12 +233,8 @@ int run(Evaluate& evaluate, const CLI::App& command) {
         complain(json.error());
         return kRefused;
     }
-    if (evaluate.json == "-") {
-        say(*json, true);
-        return kDone;
-    }
     if (!evaluate.json.empty()) {
-        const Result<Done> written = writeWholeFile(evaluate.json, reportText(*json, true) + "\n");
+        const Result<Done> written = writeDocument(evaluate.json, *json);
         if (written) return kDone;
         complain(written.error());
         return kRefused;

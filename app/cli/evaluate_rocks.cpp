@@ -4,11 +4,9 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
-#include "core/base/whole_file.h"
 #include "core/eval/truth_fit.h"
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
-#include "core/report/report.h"
 #include "core/report/rock_pictures.h"
 #include "core/settings/parameters.h"
 
@@ -158,12 +156,8 @@ int evaluateRocks(const EvaluateRocks& evaluate) {
         complain(json.error());
         return kRefused;
     }
-    if (evaluate.json == "-") {
-        say(*json, true);
-        return kDone;
-    }
     if (!evaluate.json.empty()) {
-        const Result<Done> written = writeWholeFile(evaluate.json, reportText(*json, true) + "\n");
+        const Result<Done> written = writeDocument(evaluate.json, *json);
         if (written) return kDone;
         complain(written.error());
         return kRefused;

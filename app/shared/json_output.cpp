@@ -1,6 +1,9 @@
 // Documents on standard output.
 #include "app/shared/json_output.h"
 
+#include "core/base/whole_file.h"
+#include "core/report/report.h"
+
 namespace edgescan::cli {
 
 using Json = nlohmann::ordered_json;
@@ -13,6 +16,10 @@ Json document(const std::string& command, const Json& report) {
 
 Json refusal(const std::string& command, const std::string& input, const Error& error) {
     return document(command, {{"input", input}, {"error", {{"what", error.what}, {"where", error.where}, {"hint", error.hint}}}});
+}
+
+Result<Done> writeDocument(const std::string& path, const Json& document, bool indented) {
+    return writeWholeFile(path, reportText(document, indented) + "\n");
 }
 
 } // namespace edgescan::cli

@@ -15,4 +15,7 @@ namespace edgescan::cli {
 /// What stands in the place of a file's document when it was refused: "schema", "input" and "error" with "what", "where", "hint".
 [[nodiscard]] nlohmann::ordered_json refusal(const std::string& command, const std::string& input, const Error& error);
 
+/// Writes a document as a whole file; "-" is standard output. Indented, or on one line.
+[[nodiscard]] Result<Done> writeDocument(const std::string& path, const nlohmann::ordered_json& document, bool indented = true);
+
 } // namespace edgescan::cli

@@ -26,36 +26,28 @@ inline constexpr NumberLimits kSeconds{0, 4e7};
 /// The number typed. Throws CLI::ValidationError with the flag's name and limits.
 [[nodiscard]] double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole);
 
-/// Adds `flag` for a number of any type; whole ones take no fractions. A default is told in the help.
-template <class Number>
-CLI::Option& addNumber(CLI::App& command, const std::string& flag, Number& value, NumberLimits limits, const std::string& help) {
-    static_assert(std::is_arithmetic_v<Number>);
-    constexpr bool kWhole = std::is_integral_v<Number>;
-    std::string start;
-    appendShortest(start, value);
-    return *command
-                .add_option_function<std::string>(
-                    flag,
-                    [flag, limits, &value](const std::string& text) {
-                        value = static_cast<Number>(numberTyped(flag, text, limits, kWhole));
-                    },
-                    help)
-                ->type_name(rangeName(limits))
-                ->default_str(start);
-}
+template <class Value> struct NumberIn {
+    using Type = Value;
+};
+template <class Number> struct NumberIn<std::optional<Number>> {
+    using Type = Number;
+};
 
-template <class Number>
-CLI::Option& addNumber(CLI::App& command, const std::string& flag, std::optional<Number>& value, NumberLimits limits,
-                       const std::string& help) {
-    constexpr bool kWhole = std::is_integral_v<Number>;
-    return *command
-                .add_option_function<std::string>(
-                    flag,
-                    [flag, limits, &value](const std::string& text) {
-                        value = static_cast<Number>(numberTyped(flag, text, limits, kWhole));
-                    },
-                    help)
-                ->type_name(rangeName(limits));
+/// Adds `flag` for a number of any type, or for one that may stay unsaid; whole ones take no fractions. A default is told in the help.
+template <class Value>
+CLI::Option& addNumber(CLI::App& command, const std::string& flag, Value& value, NumberLimits limits, const std::string& help) {
+    using Number = typename NumberIn<Value>::Type;
+    static_assert(std::is_arithmetic_v<Number>);
+    const auto take = [flag, limits, &value](const std::string& text) {
+        value = static_cast<Number>(numberTyped(flag, text, limits, std::is_integral_v<Number>));
+    };
+    CLI::Option& option = *command.add_option_function<std::string>(flag, take, help)->type_name(rangeName(limits));
+    if constexpr (std::is_same_v<Value, Number>) {
+        std::string start;
+        appendShortest(start, value);
+        option.default_str(start);
+    }
+    return option;
 }
 
 } // namespace edgescan::cli

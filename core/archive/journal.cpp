@@ -95,7 +95,7 @@ Result<JournalRows> readJournals(const fs::path& results) {
     for (const fs::path& path : journalsIn(results)) {
         const auto bytes = readWholeFile(path);
         if (!bytes) return bytes.error();
-        const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        const std::string_view text = textOf(*bytes);
         int number = 0;
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = text.find('\n', at);

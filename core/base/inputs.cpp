@@ -1,6 +1,8 @@
 // Inputs by device and inode: names, links and cases of a name all lead there.
 #include "core/base/inputs.h"
 
+#include "core/base/whole_file.h"
+
 #include <sys/stat.h>
 
 #include <map>
@@ -57,6 +59,11 @@ void claimInput(const fs::path& path) {
     if (!number) return;
     const std::lock_guard lock(mutex);
     bound->add(inputs.emplace(*number, path));
+}
+
+Result<std::vector<std::byte>> readInput(const fs::path& path) {
+    claimInput(path);
+    return readWholeFile(path);
 }
 
 std::vector<fs::path> claimedPaths(const InputClaims& claims) {

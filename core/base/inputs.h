@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -15,6 +16,9 @@ class InputClaims;
 /// From now on `path` is an input, until the claims that this thread is bound to end. Nothing happens where the thread is bound to none, or
 /// the path does not exist.
 void claimInput(const std::filesystem::path& path);
+
+/// Claims the file and reads all of it, as readWholeFile().
+Result<std::vector<std::byte>> readInput(const std::filesystem::path& path);
 
 /// The paths that were claimed, in the order in which that was.
 [[nodiscard]] std::vector<std::filesystem::path> claimedPaths(const InputClaims& claims);

@@ -161,14 +161,6 @@ void syncFolder(const fs::path& file) {
     if (descriptor.number() >= 0) static_cast<void>(::fsync(descriptor.number()));
 }
 
-/// Renaming over /dev/null or a pipe would destroy it; those are written to as they are.
-bool isDevice(const fs::path& path) {
-    if (isStandardOutput(path)) return true;
-    std::error_code problem;
-    const fs::file_status status = fs::status(path, problem);
-    return !problem && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 constexpr std::chrono::seconds kReaderComesWithin{3};
 constexpr std::chrono::seconds kReaderReadsWithin{30};
 
@@ -233,6 +225,14 @@ Result<Done> writeDevice(const fs::path& path, std::span<const std::byte> bytes)
 } // namespace
 
 bool isStandardOutput(const fs::path& path) { return path == "-" || (!path.has_parent_path() && path.native().starts_with("-.")); }
+
+// Renaming over /dev/null or a pipe would destroy it; those are written to as they are.
+bool isDevice(const fs::path& path) {
+    if (isStandardOutput(path)) return true;
+    std::error_code problem;
+    const fs::file_status status = fs::status(path, problem);
+    return !problem && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     for (const FileContent& file : files) {

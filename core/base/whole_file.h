@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgescan {
@@ -28,10 +29,18 @@ Result<Done> writeWholeFile(const std::filesystem::path& path, const std::string
 /// "-", or "-.EXT" where the extension chooses a format: standard output, for every file that is written.
 [[nodiscard]] bool isStandardOutput(const std::filesystem::path& path);
 
+/// Whether what is written there is no regular file: standard output, a device, a pipe. It cannot be read again.
+[[nodiscard]] bool isDevice(const std::filesystem::path& path);
+
 /// Writes files that belong together: all temporaries are complete on the disk before the first is renamed, in the order given.
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files);
 
 /// All bytes of a regular file. Error: missing, a folder, not allowed, more than `most` bytes or the memory available ...
 Result<std::vector<std::byte>> readWholeFile(const std::filesystem::path& path, std::uint64_t most = UINT64_MAX);
+
+/// The bytes as text. Must outlive the view: `bytes`.
+[[nodiscard]] inline std::string_view textOf(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 } // namespace edgescan

@@ -7,23 +7,10 @@
 #include "core/rocks/rock_map.h"
 #include "core/scan/inverse_range.h"
 
-#include <algorithm>
 #include <array>
 
 namespace edgescan {
 namespace {
-
-// Enough cracks on the border of two regions, most of them one way, for one to lie in front; enough clear valleys for a contact.
-constexpr std::uint32_t kFewestJumps = 3;
-constexpr double kOneWay = 0.8;
-constexpr std::uint32_t kFewestValleys = 5;
-
-RockPair pairOf(const RegionBorder& border) {
-    const std::uint32_t jumps = border.jumpsA + border.jumpsB;
-    const std::uint32_t most = std::max(border.jumpsA, border.jumpsB);
-    const bool decided = jumps >= kFewestJumps && most >= kOneWay * jumps;
-    return {border.a, border.b, !decided ? 0 : border.jumpsA > border.jumpsB ? border.a : border.b, border.valleys >= kFewestValleys};
-}
 
 RockAnswer byRecipe(const std::shared_ptr<const Scan>& scan, const RockChoices& choices) {
     const auto detection = detectEdges(scan, choices.edges, KeepFor::Rocks);
@@ -38,7 +25,7 @@ RockAnswer byRecipe(const std::shared_ptr<const Scan>& scan, const RockChoices& 
     for (const Rock& row : rockRows(leaves, map))
         answer.claims[row.label] =
             RockClaim{.aM = row.longM, .bM = row.wideM, .uncertaintyM = row.toleranceM / 2, .confidence = row.confidence};
-    for (const RegionBorder& border : map.borders) answer.pairs.push_back(pairOf(border));
+    for (const RegionBorder& border : map.borders) answer.pairs.push_back({border.a, border.b, nearerSide(border), touch(border)});
     return answer;
 }
 

@@ -1,13 +1,13 @@
 // Watershed of the distance to edges.
 #include "core/compare/watershed_rocks.h"
 
+#include "core/rocks/leaf_basins.h"
 #include "core/scan/opencv_view.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -17,23 +17,6 @@ namespace {
 constexpr float kShallowBasin = 1.0F; // cells
 constexpr float kOnEdge = 1.5F;       // cells from an edge: the border runs along it
 constexpr double kLeastCovered = 0.5; // of a border by edges
-
-/// Groups that are joined one after the other.
-class Joined {
-public:
-    std::uint32_t add() {
-        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-        return parent_.back();
-    }
-    std::uint32_t of(std::uint32_t n) {
-        while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-        return n;
-    }
-    void join(std::uint32_t into, std::uint32_t from) { parent_[of(from)] = of(into); }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 cv::Mat distanceToEdges(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid) {
     Grid<std::uint8_t> open(edges.lines, edges.beams);
@@ -54,15 +37,14 @@ void forNeighbours(const Grid<std::uint32_t>& grid, std::size_t k, Visit visit) 
 }
 
 /// Floods from the highest cell down. Every solid cell gets the number of a basin, from 1.
-Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uint8_t>& solid, Joined& joined) {
+Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uint8_t>& solid, JoinedGroups& joined) {
     Grid<std::uint32_t> basin(solid.lines, solid.beams);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < solid.size(); ++k) {
         if (solid[k] != 0) order.push_back(k);
     }
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return height[a] > height[b]; });
-    std::vector<float> peak{0.0F};
-    joined.add();
+    std::vector<float> peak{0.0F}; // by basin
     for (const std::size_t k : order) {
         std::uint32_t own = 0;
         forNeighbours(basin, k, [&](std::size_t next) {
@@ -79,7 +61,7 @@ Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uin
             own = high; // the cell goes to the higher one
         });
         if (own == 0) {
-            own = joined.add();
+            own = static_cast<std::uint32_t>(peak.size());
             peak.push_back(height[k]);
         }
         basin[k] = own;
@@ -88,7 +70,7 @@ Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uin
 }
 
 /// Joins basins whose border no edge covers.
-void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& height, Joined& joined) {
+void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& height, JoinedGroups& joined) {
     struct Border {
         std::size_t cracks = 0, covered = 0;
     };
@@ -114,18 +96,11 @@ void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& h
 Grid<std::uint32_t> watershedRocks(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid) {
     const cv::Mat distance = distanceToEdges(edges, solid);
     const std::vector<float> height(distance.begin<float>(), distance.end<float>());
-    Joined joined;
+    JoinedGroups joined(height.size() + 1); // no more basins than cells
     Grid<std::uint32_t> piece = basins(height, solid, joined);
     joinUncovered(piece, height, joined);
-    std::vector<std::uint32_t> number;
-    std::uint32_t count = 0;
-    for (std::uint32_t& cell : piece.cells) {
-        if (cell == 0) continue;
-        const std::uint32_t group = joined.of(cell);
-        if (group >= number.size()) number.resize(group + 1);
-        if (number[group] == 0) number[group] = ++count;
-        cell = number[group];
-    }
+    for (std::uint32_t& cell : piece.cells) cell = joined.of(cell);
+    numberByFirstCell(piece);
     return piece;
 }
 

@@ -32,7 +32,7 @@ Grid<std::uint32_t> placesOf(const Grid<std::uint16_t>& object, const std::vecto
 Result<std::vector<TrueRock>> readRockList(const std::filesystem::path& path) {
     const auto bytes = readWholeFile(path, std::uint64_t{64} << 20U);
     if (!bytes) return bytes.error();
-    const auto json = parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+    const auto json = parseJson(textOf(*bytes), path.string());
     if (!json) return json.error();
     const Error wrong{"it holds no list of rocks", path.string(), kHint};
     if (!json->is_array()) return wrong;

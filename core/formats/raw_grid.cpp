@@ -147,8 +147,7 @@ Result<Scan> readRawGridJson(const Source& source) {
     if (grid->dataFile && fs::exists(source.path.parent_path() / *grid->dataFile, ignored))
         countsPath = source.path.parent_path() / *grid->dataFile;
     const bool renamed = grid->dataFile && countsPath.filename() != fs::path(*grid->dataFile).filename();
-    claimInput(countsPath);
-    const auto counts = readWholeFile(countsPath);
+    const auto counts = readInput(countsPath);
     if (!counts) return counts.error();
     Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
     if (scan && renamed) {
@@ -162,8 +161,7 @@ Result<Scan> readRawGridJson(const Source& source) {
 Result<Scan> readRawGridCounts(const Source& source) {
     if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
     const fs::path describedIn = withExtension(source.path, ".json");
-    claimInput(describedIn);
-    const auto json = readWholeFile(describedIn);
+    const auto json = readInput(describedIn);
     if (!json) {
         return source.refused("these counts need their description " + describedIn.filename().string() +
                                   " beside them, and it cannot be read",

@@ -94,10 +94,9 @@ Result<Calibration> parseCalibration(std::string_view json, const std::string& w
 }
 
 Result<Calibration> openCalibration(const std::filesystem::path& path) {
-    claimInput(path);
-    const auto bytes = readWholeFile(path);
+    const auto bytes = readInput(path);
     if (!bytes) return bytes.error();
-    return parseCalibration({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+    return parseCalibration(textOf(*bytes), path.string());
 }
 
 RigidTransform inclinometerFromAxisBase(const Calibration& c) {

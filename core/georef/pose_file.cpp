@@ -90,10 +90,9 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
 }
 
 Result<PoseTrack> openPoses(const std::filesystem::path& path) {
-    claimInput(path);
-    const auto bytes = readWholeFile(path);
+    const auto bytes = readInput(path);
     if (!bytes) return bytes.error();
-    return parsePoses({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+    return parsePoses(textOf(*bytes), path.string());
 }
 
 } // namespace edgescan

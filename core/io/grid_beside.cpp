@@ -41,10 +41,9 @@ struct GridBeside {
 
 std::optional<GridBeside> gridBeside(PointTable& table, const Source& source) {
     const fs::path path = sidecarPath(source.path);
-    claimInput(path);
-    const auto bytes = readWholeFile(path);
+    const auto bytes = readInput(path);
     if (!bytes) return std::nullopt;
-    const auto record = parseJsonObject({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, kSidecarFormat, path.string());
+    const auto record = parseJsonObject(textOf(*bytes), kSidecarFormat, path.string());
     if (!record || !record->contains("grid")) return std::nullopt;
     const nlohmann::json::json_pointer hash("/export/sha256"), way("/record/coordinates/frame");
     if (!record->contains(hash) || record->at(hash) != nlohmann::json(sha256Hex(source.bytes))) {

@@ -160,8 +160,7 @@ std::string pngRecord(std::string_view bytes) {
 }
 
 Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
-    claimInput(path);
-    const auto bytes = readWholeFile(path);
+    const auto bytes = readInput(path);
     if (!bytes) return bytes.error();
     png_image image{};
     image.version = PNG_IMAGE_VERSION;

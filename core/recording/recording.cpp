@@ -2,7 +2,6 @@
 #include "core/recording/recording.h"
 
 #include "core/base/inputs.h"
-#include "core/base/whole_file.h"
 
 #include <algorithm>
 
@@ -15,8 +14,7 @@ std::int64_t sane(std::uint64_t ns) { return static_cast<std::int64_t>(std::min(
 } // namespace
 
 Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path) {
-    claimInput(path);
-    const auto read = readWholeFile(path);
+    const auto read = readInput(path);
     if (!read) return read.error();
     const auto* first = reinterpret_cast<const std::uint8_t*>(read->data());
     return fromBytes(Bytes(first, first + read->size()), path.string());

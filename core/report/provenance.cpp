@@ -31,13 +31,6 @@ constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a wh
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-bool isDevice(const fs::path& path) {
-    if (isStandardOutput(path)) return true;
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// What has to hold of the file besides its bytes.

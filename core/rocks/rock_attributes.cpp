@@ -20,9 +20,6 @@ namespace {
 constexpr double kBeamM = 0.013;    // width of the beam (LMS511) ...
 constexpr double kBeamRad = 0.0046; // ... and its growth
 constexpr double kTolerance = 2.0;  // times the resolution: it covers 85 % of a and 94 % of b
-constexpr std::uint32_t kFewestJumps = 3;
-constexpr double kOneWay = 0.8;
-constexpr std::uint32_t kFewestValleys = 5;
 constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
 
 // Measured cells of each rock, one rock after the other.
@@ -157,20 +154,20 @@ private:
 
 void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
     for (const RegionBorder& border : map.borders) {
-        const bool touch = border.valleys >= kFewestValleys;
+        const bool contact = touch(border);
         if (border.b > map.rocks) { // ascending: b is the larger
-            if (touch && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
+            if (contact && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
             continue;
         }
         Rock& a = rocks[border.a - 1];
         Rock& b = rocks[border.b - 1];
-        if (touch) {
+        if (contact) {
             a.contacts.push_back(b.label);
             b.contacts.push_back(a.label);
         }
-        const std::uint32_t jumps = border.jumpsA + border.jumpsB;
-        if (jumps < kFewestJumps || std::max(border.jumpsA, border.jumpsB) < kOneWay * jumps) continue;
-        const bool isABefore = border.jumpsA > border.jumpsB;
+        const std::uint32_t nearer = nearerSide(border);
+        if (nearer == 0) continue;
+        const bool isABefore = nearer == border.a;
         (isABefore ? a : b).before.push_back((isABefore ? b : a).label);
         (isABefore ? b : a).behind.push_back((isABefore ? a : b).label);
     }

@@ -15,6 +15,10 @@
 namespace edgescan {
 namespace {
 
+constexpr std::uint32_t kFewestValleys = 5;
+constexpr std::uint32_t kFewestJumps = 3;
+constexpr double kOneWay = 0.8; // share of the jumps that go the same way
+
 // R, rock or not, and p, how sure (docs/rocks-method.md, "Step 7", "Confidence").
 constexpr double kPerBulge = 17.0;
 constexpr double kPerNear = 20.0;
@@ -158,6 +162,14 @@ RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSetti
 }
 
 Grid<std::uint32_t> regionLabels(const RockLeaves& leaves, const RockMap& map) { return painted(leaves, map.regionOfLeaf); }
+
+bool touch(const RegionBorder& border) { return border.valleys >= kFewestValleys; }
+
+std::uint32_t nearerSide(const RegionBorder& border) {
+    const std::uint32_t jumps = border.jumpsA + border.jumpsB;
+    if (jumps < kFewestJumps || std::max(border.jumpsA, border.jumpsB) < kOneWay * jumps) return 0;
+    return border.jumpsA > border.jumpsB ? border.a : border.b;
+}
 
 Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map) {
     std::vector<std::uint32_t> colours = map.regionOfLeaf;

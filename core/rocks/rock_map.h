@@ -58,6 +58,12 @@ struct CalledLeaf {
 [[nodiscard]] RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSettings& settings,
                               std::span<const CalledLeaf> called = {});
 
+/// Whether enough clear valleys run along the border for its two sides to touch.
+[[nodiscard]] bool touch(const RegionBorder& border);
+
+/// The side that lies in front, border.a or border.b; 0 where there are too few jumps, or where they go both ways.
+[[nodiscard]] std::uint32_t nearerSide(const RegionBorder& border);
+
 /// Lines x beams: 0 none, then the rocks 1 .. map.rocks, the largest visible area first.
 [[nodiscard]] Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map);
 

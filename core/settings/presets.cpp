@@ -73,7 +73,7 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     }
     const auto bytes = readWholeFile(path, kSettingsJson.bytes);
     if (!bytes) return bytes.error();
-    const auto json = parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, nameOrPath, kSettingsJson);
+    const auto json = parseJson(textOf(*bytes), nameOrPath, kSettingsJson);
     if (!json) return json.error();
     if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat || !json->contains("settings")) {
         return Error{std::string("this is not a preset of the format ") + kFormat, nameOrPath, "save one from the viewer"};
