@@ -20,11 +20,11 @@ const Eigen::Vector3d kNoPoint = Eigen::Vector3d::Constant(std::numeric_limits<d
 struct E57Columns {
     std::array<std::size_t, 3> place{}; ///< x y z, or range, azimuth, elevation
     bool spherical = false;
-    std::optional<std::size_t> invalid, row, column;
+    std::optional<std::size_t> invalid, row, column, intensity;
 
     [[nodiscard]] std::vector<std::size_t> all() const {
         std::vector<std::size_t> list(place.begin(), place.end());
-        for (const auto& more : {invalid, row, column}) {
+        for (const auto& more : {invalid, row, column, intensity}) {
             if (more) list.push_back(*more);
         }
         return list;
@@ -55,6 +55,7 @@ std::optional<E57Columns> columnsOf(const E57Scan& scan) {
         columns.invalid = scan.field(names.invalid);
         columns.row = wholeField(scan, "rowIndex");
         columns.column = wholeField(scan, "columnIndex");
+        columns.intensity = scan.field("intensity");
         if (!columns.row || !columns.column) columns.row = columns.column = std::nullopt;
         return columns;
     }
@@ -87,7 +88,7 @@ Precision precisionOf(const E57Scan& scan, const E57Columns& columns) {
 /// The numbers of a scan's points, one list per column.
 struct E57Numbers {
     std::vector<std::vector<double>> lists;
-    std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr;
+    std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr, *intensity = nullptr;
 };
 
 Result<E57Numbers> numbersOf(E57File& file, const E57Scan& scan, const E57Columns& columns, const Source& source) {
@@ -99,6 +100,7 @@ Result<E57Numbers> numbersOf(E57File& file, const E57Scan& scan, const E57Column
     if (columns.invalid) numbers.invalid = &numbers.lists[next++];
     if (columns.row) numbers.row = &numbers.lists[next++];
     if (columns.column) numbers.column = &numbers.lists[next++];
+    if (columns.intensity) numbers.intensity = &numbers.lists[next++];
     return numbers;
 }
 
@@ -166,6 +168,7 @@ bool hasRange(const Eigen::Vector3d& p) { return p.allFinite() && !p.isZero(0.0)
 /// The points in their cells. Where several share one the nearest stays.
 void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, bool linesAreRows) {
     std::vector<Eigen::Vector3d> cells(grid.lines * grid.beams, kNoPoint);
+    std::vector<float> intensities(table.intensity.empty() ? 0 : cells.size(), std::numeric_limits<float>::quiet_NaN());
     const std::vector<double>& line = linesAreRows ? *numbers.row : *numbers.column;
     const std::vector<double>& beam = linesAreRows ? *numbers.column : *numbers.row;
     std::size_t behind = 0;
@@ -173,11 +176,15 @@ void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, b
         if (!hasRange(table.points[n])) continue;
         const auto i = static_cast<std::uint64_t>(static_cast<std::int64_t>(line[n]) - grid.firstLine);
         const auto j = static_cast<std::uint64_t>(static_cast<std::int64_t>(beam[n]) - grid.firstBeam);
-        Eigen::Vector3d& cell = cells[i * grid.beams + j];
+        const std::uint64_t k = i * grid.beams + j;
+        Eigen::Vector3d& cell = cells[k];
         const bool taken = hasRange(cell);
         behind += taken ? 1 : 0;
-        if (!taken || table.points[n].squaredNorm() < cell.squaredNorm()) cell = table.points[n];
+        if (taken && table.points[n].squaredNorm() >= cell.squaredNorm()) continue;
+        cell = table.points[n];
+        if (!intensities.empty()) intensities[k] = table.intensity[n];
     }
+    table.intensity = std::move(intensities);
     table.points = std::move(cells);
     table.width = grid.beams;
     table.height = grid.lines;
@@ -254,6 +261,7 @@ Result<E57Choice> readChoice(const Source& source) {
     table.precision = precisionOf(scan, *columns);
     table.points = pointsOf(*numbers, columns->spherical, invalid);
     table.width = table.points.size();
+    if (numbers->intensity != nullptr) table.intensity.assign(numbers->intensity->begin(), numbers->intensity->end());
     if (auto taken = takeGrid(table, scan, *numbers, source); !taken) return taken.error();
     if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())

@@ -34,8 +34,9 @@ struct Format {
     Result<std::vector<FileBytes>> (*writeScan)(const Scan&, const std::filesystem::path&){};
     std::string (*record)(std::string_view bytes) = recordInComments; ///< the record of an export that is inside; empty = none
     Keeps keeps = Keeps::States;
-    bool keepsPlace = false;   ///< a whole scan in the scanner's frame opens again with its place in the mine
-    bool placesItself = false; ///< pose and calibration are taken into account by `read`
+    bool keepsIntensity = false; ///< writes the column of that name
+    bool keepsPlace = false;     ///< a whole scan in the scanner's frame opens again with its place in the mine
+    bool placesItself = false;   ///< pose and calibration are taken into account by `read`
 };
 
 } // namespace edgescan

@@ -131,18 +131,20 @@ OwnRecords ownRecords(const LasHeader& header, const Source& source) {
     return own;
 }
 
-Result<std::vector<Eigen::Vector3d>> readPoints(const LasHeader& header, const Source& source) {
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(header.points);
+Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
+    LasPoints read;
+    read.points.reserve(header.points);
+    read.intensity.reserve(header.points);
     for (std::uint64_t n = 0; n < header.points; ++n) {
         const std::uint64_t at = header.pointsAt + n * header.pointBytes;
         const Eigen::Vector3d whole(valueAt<std::int32_t>(source, at), valueAt<std::int32_t>(source, at + 4),
                                     valueAt<std::int32_t>(source, at + 8));
-        points.push_back(whole.cwiseProduct(header.scale) + header.offset);
+        read.points.push_back(whole.cwiseProduct(header.scale) + header.offset);
+        read.intensity.push_back(valueAt<std::uint16_t>(source, at + las::kIntensity));
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
             return source.cancelled();
     }
-    return points;
+    return read;
 }
 
 /// What the file does not hold of what its header promises behind the points, or holds beyond it.
@@ -186,6 +188,7 @@ void readColumns(PointTable& table, const LasHeader& header, const Source& sourc
 Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Source& source) {
     const std::size_t cells = own.cells.size() / las::kCellBytes;
     std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    std::vector<float> intensities(table.intensity.empty() ? 0 : cells, std::numeric_limits<float>::quiet_NaN());
     std::size_t next = 0;
     for (std::size_t k = 0; k < cells; ++k) {
         const std::byte* at = own.cells.data() + k * las::kCellBytes;
@@ -194,7 +197,10 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
         table.state.push_back(std::to_integer<std::uint8_t>(at[0]));
         table.rangeMm.push_back(range);
         if (table.state.back() != static_cast<std::uint8_t>(CellState::Valid)) continue;
-        if (next < table.points.size()) points[k] = table.points[next];
+        if (next < table.points.size()) {
+            points[k] = table.points[next];
+            if (!intensities.empty()) intensities[k] = table.intensity[next];
+        }
         ++next;
     }
     if (next != table.points.size()) {
@@ -203,6 +209,7 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
                               "save the scan again");
     }
     table.points = std::move(points);
+    table.intensity = std::move(intensities);
     table.description = own.description;
     return Done{};
 }
@@ -223,17 +230,16 @@ Result<PointTable> readLasPoints(const Source& source) {
     table.format = "LAS";
     table.unitMm = 1000.0;
     table.precision = {0.5 * header->scale.cwiseAbs().maxCoeff(), 1e-15};
-    if ((header->format & 0xC0U) != 0) { // LAZ marks its point format so
-        table.format = "LAZ";
-        auto points = readLazPoints(source);
-        if (!points) return points.error();
-        table.points = std::move(*points);
-    } else {
+    const bool packed = (header->format & 0xC0U) != 0; // LAZ marks its point format so
+    if (packed) table.format = "LAZ";
+    if (!packed) {
         if (auto fits = checkPoints(*header, source); !fits) return fits.error();
-        auto points = readPoints(*header, source);
-        if (!points) return points.error();
-        table.points = std::move(*points);
     }
+    auto read = packed ? readLazPoints(source) : readPoints(*header, source);
+    if (!read) return read.error();
+    table.points = std::move(read->points);
+    // Who has no intensities leaves the field 0.
+    if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     const OwnRecords own = ownRecords(*header, source);
     tellRest(table, *header, own, source);
     if (table.format == "LAS" && (own.description.empty() || own.cells.empty())) readColumns(table, *header, source);
@@ -255,6 +261,7 @@ Format lasFormat() {
             .points = readLasPoints,
             .write = lasBytes,
             .record = lasRecord,
+            .keepsIntensity = true,
             .keepsPlace = true};
 }
 

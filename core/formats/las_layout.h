@@ -17,6 +17,8 @@ inline constexpr std::size_t kGlobalEncoding = 6, kVersionMajor = 24, kVersionMi
                              kYear = 92, kHeaderSize = 94, kPointsAt = 96, kRecordCount = 100, kPointFormat = 104, kPointBytes = 105,
                              kLegacyPoints = 107, kScale = 131, kOffset = 155, kMaxMin = 179, kWaveformAt = 227, kExtendedAt = 235,
                              kExtendedCount = 243, kPoints = 247, kPointsByReturn = 255;
+/// Of a point of any format.
+inline constexpr std::size_t kIntensity = 12;
 inline constexpr std::size_t kHeader12 = 227, kHeader13 = 235, kHeader14 = 375;
 /// Records after the header: reserved 2, user 16, id 2, length 2 (extended: 8), description 32.
 inline constexpr std::size_t kRecordHeader = 54, kExtendedHeader = 60;

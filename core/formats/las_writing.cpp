@@ -49,7 +49,7 @@ struct Extra {
 std::vector<Extra> extrasOf(const CloudColumns& cloud) {
     std::vector<Extra> extras;
     for (std::size_t i = 3; i < cloud.columns.size(); ++i) {
-        if (isColour(cloud.columns[i].name)) continue;
+        if (isColour(cloud.columns[i].name) || cloud.columns[i].name == "intensity") continue;
         static constexpr std::array<std::uint8_t, 4> kTypes{9, 10, 5, 1}; // float, double, unsigned long, unsigned char
         static constexpr std::array<std::size_t, 4> kBytes{4, 8, 4, 1};
         const std::size_t kind = cloud.columns[i].values.index();
@@ -90,16 +90,38 @@ struct Extent {
     }
 };
 
+/// Intensities as the 16 bits that LAS has for them: whole numbers that fit as they are, any others from their least to their greatest
+/// stretched over 0 .. 65535; 0 where a point has none.
+class Intensity16 {
+public:
+    explicit Intensity16(const CloudColumn* column) {
+        const IntensitySpan span = column != nullptr ? intensitySpan(*column) : IntensitySpan{};
+        if (span.fits(kMost)) return;
+        least_ = span.least;
+        perStep_ = span.greatest > span.least ? kMost / (span.greatest - span.least) : 0;
+    }
+    [[nodiscard]] std::uint16_t operator()(double value) const {
+        return std::isfinite(value) ? static_cast<std::uint16_t>(std::lround((value - least_) * perStep_)) : std::uint16_t{0};
+    }
+
+private:
+    static constexpr double kMost = 65535;
+    double least_ = 0, perStep_ = 1;
+};
+
 /// The columns that the record itself has room for.
 struct Known {
     std::array<const CloudColumn*, 3> colours;
     const CloudColumn* edge;
     const CloudColumn* classes;
+    const CloudColumn* intensity;
+    Intensity16 as16;
     bool onlyEdges;
 
     explicit Known(const CloudColumns& cloud)
         : colours{columnNamed(cloud, "red"), columnNamed(cloud, "green"), columnNamed(cloud, "blue")}, edge(columnNamed(cloud, "edge")),
-          classes(columnNamed(cloud, "class")), onlyEdges(colours[0] != nullptr && edge == nullptr) {}
+          classes(columnNamed(cloud, "class")), intensity(columnNamed(cloud, "intensity")), as16(intensity),
+          onlyEdges(colours[0] != nullptr && edge == nullptr) {}
 
     [[nodiscard]] std::size_t pointFormat() const { return colours[0] != nullptr ? 7 : 6; }
     /// docs/formats.md, "LAS": 1 not classified; from 64 on the file's own: 64 an edge, 65 to 68 its class.
@@ -167,7 +189,7 @@ void appendPoints(std::string& bytes, const CloudColumns& cloud, const Extent& f
         if (!p.allFinite()) continue;
         const Eigen::Vector3d steps = frame.steps(p);
         for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<std::int32_t>(steps[axis]));
-        append<std::uint16_t>(bytes, 0);   // intensity
+        append(bytes, known.intensity != nullptr ? known.as16(numberIn(*known.intensity, row)) : std::uint16_t{0});
         append<std::uint8_t>(bytes, 0x11); // return 1 of 1
         append<std::uint8_t>(bytes, 0);    // flags
         append(bytes, known.classOf(row));

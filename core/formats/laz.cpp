@@ -98,7 +98,7 @@ struct Unpacker {
     }
 };
 
-Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& stream, const Source& source) {
+Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source& source) {
     const auto damaged = [&] { return source.refused("this LAZ file cannot be unpacked: " + unpacker.problem(), "copy it again"); };
     laszip_BOOL compressed = 0;
     if (unpacker.laszip == nullptr || laszip_open_reader_stream(unpacker.laszip, stream, &compressed) != 0) return damaged();
@@ -113,7 +113,9 @@ Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& st
                                   sizeText(source.bytes.size()) + " holds of a scan",
                               "copy it again, or save it as .las");
     if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d)}), source.path.string()); !enough) return enough.error();
-    std::vector<Eigen::Vector3d> points;
+    laszip_point* point = nullptr;
+    if (laszip_get_point_pointer(unpacker.laszip, &point) != 0) return damaged();
+    LasPoints read;
     for (std::uint64_t n = 0; n < count; ++n) {
         Eigen::Vector3d p;
         if (laszip_read_point(unpacker.laszip) != 0 || laszip_get_coordinates(unpacker.laszip, p.data()) != 0) {
@@ -121,16 +123,17 @@ Result<std::vector<Eigen::Vector3d>> unpack(Unpacker& unpacker, std::istream& st
                                       " (" + unpacker.problem() + ")",
                                   "copy it again");
         }
-        points.push_back(p);
+        read.points.push_back(p);
+        read.intensity.push_back(point->intensity);
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(count)))
             return source.cancelled();
     }
-    return points;
+    return read;
 }
 
 } // namespace
 
-Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
+Result<LasPoints> readLazPoints(const Source& source) {
     if (!isWhole(source.bytes)) return source.refused("this LAZ file is damaged or cut off", "copy it again, or save it as .las");
     MemoryBuffer buffer(source.bytes);
     std::istream stream(&buffer);
@@ -148,7 +151,7 @@ Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
 
 #else
 
-Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source) {
+Result<LasPoints> readLazPoints(const Source& source) {
     return source.refused("this LAS file is compressed (LAZ), and this build of the program was made without LASzip",
                           "save it uncompressed as .las, with CloudCompare or \"laszip -i IN.laz -o OUT.las\"");
 }

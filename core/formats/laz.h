@@ -7,7 +7,13 @@
 
 namespace edgescan {
 
-/// The points of a LAZ file, in its coordinates. Error: built without LASzip, damaged, larger than the memory.
-Result<std::vector<Eigen::Vector3d>> readLazPoints(const Source& source);
+/// Coordinates of the file and what it holds of each return's strength.
+struct LasPoints {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<float> intensity; ///< one per point
+};
+
+/// The points of a LAZ file. Error: built without LASzip, damaged, larger than the memory.
+Result<LasPoints> readLazPoints(const Source& source);
 
 } // namespace edgescan

@@ -277,6 +277,7 @@ Format pcdFormat() {
             .recognises = looksLikePcd,
             .points = readPcdPoints,
             .write = pcdBytes,
+            .keepsIntensity = true,
             .keepsPlace = true};
 }
 

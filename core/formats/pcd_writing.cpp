@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -33,17 +34,20 @@ std::string headerLine(const char* key, const CloudColumns& cloud, Word word) {
     return line;
 }
 
-/// red, green and blue as the one field that PCL and Open3D know.
+/// red, green and blue as the one field that PCL, Open3D, CloudCompare and three.js know: the bits 0x00RRGGBB as a number of type F.
 void packColours(CloudColumns& cloud) {
     const std::array<const CloudColumn*, 3> channels{columnNamed(cloud, "red"), columnNamed(cloud, "green"), columnNamed(cloud, "blue")};
     if (std::ranges::count(channels, nullptr) > 0) return;
-    std::vector<std::uint32_t> packed(rowsOf(cloud), 0xFF000000U);
-    for (std::size_t row = 0; row < packed.size(); ++row) {
+    std::vector<float> packed;
+    packed.reserve(rowsOf(cloud));
+    for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
+        std::uint32_t colour = 0;
         for (std::size_t channel = 0; channel < 3; ++channel)
-            packed[row] |= static_cast<std::uint32_t>(numberIn(*channels[channel], row)) << (16U - 8U * channel);
+            colour |= static_cast<std::uint32_t>(numberIn(*channels[channel], row)) << (16U - 8U * channel);
+        packed.push_back(std::bit_cast<float>(colour));
     }
     dropColumns(cloud, isColour);
-    cloud.columns.push_back({"rgba", std::move(packed)});
+    cloud.columns.push_back({"rgb", std::move(packed)});
 }
 
 /// PCL and Open3D read coordinates of 4 bytes only, which step by half a metre in a mine grid: metres from the origin instead.

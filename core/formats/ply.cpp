@@ -187,6 +187,7 @@ Format plyFormat() {
             .recognises = looksLikePly,
             .points = readPlyPoints,
             .write = plyBytes,
+            .keepsIntensity = true,
             .keepsPlace = true};
 }
 

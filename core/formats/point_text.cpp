@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace edgescan {
 namespace {
@@ -32,7 +33,8 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
-        if (column) columns.needed = std::max(columns.needed, *column + 1);
+        const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)];
+        if (column && !mayBeMissing) columns.needed = std::max(columns.needed, *column + 1);
     }
     return columns;
 }
@@ -44,6 +46,8 @@ bool areWords(const TextLayout& layout) {
 }
 
 Result<PointTable> readTextPoints(const Source& source) {
+    if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
+        return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
     if (const auto byte = firstByteThatIsNoText(source.text())) {
         return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
                                     "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
@@ -74,6 +78,10 @@ Result<PointTable> readTextPoints(const Source& source) {
         if (named[ColumnRole::State]) {
             const double state = value(ColumnRole::State);
             table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
+        }
+        if (const auto intensity = named[ColumnRole::Intensity]) {
+            table.intensity.push_back(*intensity < row.size() ? static_cast<float>(row[*intensity])
+                                                              : std::numeric_limits<float>::quiet_NaN());
         }
         if (named.hasCell()) {
             table.line.push_back(indexOf(value(ColumnRole::Line)));
@@ -194,7 +202,12 @@ Format pointListFormat() {
 }
 
 Format pointTableFormat() {
-    return {.title = "Point table", .writes = {".csv"}, .points = readTextPoints, .write = csvBytes, .keeps = Keeps::Beside};
+    return {.title = "Point table",
+            .writes = {".csv"},
+            .points = readTextPoints,
+            .write = csvBytes,
+            .keeps = Keeps::Beside,
+            .keepsIntensity = true};
 }
 
 Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }

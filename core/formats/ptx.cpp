@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kHeaderLines = 10;
 constexpr auto kMostAlongOneSide = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
+constexpr float kNoIntensity = 0.5F;
 constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
 
 struct PtxHeader {
@@ -165,6 +166,7 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
             return source.refusedAtLine(rows.lineNumber(), "holds " + std::to_string(row.size()) + " numbers where a point needs three",
                                         "copy the file again");
         table.points.emplace_back(row[0], row[1], row[2]);
+        table.intensity.push_back(row.size() > 3 ? static_cast<float>(row[3]) : kNoIntensity);
         if (table.points.size() % 16384 == 0 && !source.goOn("reading points", 0.1 + 0.4 * rows.fraction())) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();
@@ -174,6 +176,8 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
                               "copy the file again");
     }
     table.precision = precisionOf(rows.digits());
+    // Who writes PTX without intensities writes one half everywhere.
+    if (std::ranges::all_of(table.intensity, [](float value) { return value == kNoIntensity; })) table.intensity.clear();
     return Done{};
 }
 
@@ -201,6 +205,7 @@ Result<PointTable> readPtxPoints(const Source& source) {
     Source part = source;
     part.bytes = source.bytes.first(found->endByte);
     if (auto read = readPoints(table, found->header, part); !read) return read.error();
+    table.intensity.clear();
     std::erase_if(table.points, [](const Eigen::Vector3d& p) { return p.isZero(0.0); });
     for (Eigen::Vector3d& p : table.points) p = found->header.turn * p + found->header.place;
     return table;
@@ -276,13 +281,20 @@ Result<std::string> ptxBytes(CloudColumns cloud, const std::string& where, bool)
     appendThree(text, cloud.sensorM, 6);
     text += " 1\n";
     const CloudColumn* edge = columnNamed(cloud, "edge");
+    const CloudColumn* intensity = edge == nullptr ? columnNamed(cloud, "intensity") : nullptr;
+    const IntensitySpan span = intensity != nullptr ? intensitySpan(*intensity) : IntensitySpan{};
     for (const std::size_t row : rowOfCell(cloud)) {
         if (row == kNoRow) {
             text += "0 0 0 0.5\n";
             continue;
         }
         appendThree(text, cloud.turn.transpose() * (pointIn(cloud, row) - cloud.sensorM), 6);
-        text += edge != nullptr && numberIn(*edge, row) != 0 ? " 1\n" : " 0.5\n"; // intensity: edges stand out
+        text += ' ';
+        if (intensity != nullptr)
+            appendFixed(text, span.ofOne(numberIn(*intensity, row)), 6);
+        else
+            text += edge != nullptr && numberIn(*edge, row) != 0 ? "1" : "0.5"; // edges stand out
+        text += '\n';
     }
     return text;
 }
@@ -297,7 +309,8 @@ Format ptxFormat() {
             .points = readPtxPoints,
             .read = readPtx,
             .write = ptxBytes,
-            .keeps = Keeps::NoReturns};
+            .keeps = Keeps::NoReturns,
+            .keepsIntensity = true};
 }
 
 } // namespace edgescan

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -205,6 +206,9 @@ std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source) {
         const bool given = n < table.rangeMm.size() && table.rangeMm[n] > 0 && physical::kRangeMm.hold(table.rangeMm[n]);
         scan.rangeMm[*cell] = given ? table.rangeMm[n] : rangeOf(point.norm() * 1000.0, scan.unitMm);
         scan.state[*cell] = CellState::Valid;
+        if (table.intensity.empty()) continue;
+        if (scan.intensity.size() == 0) scan.intensity = Grid<float>(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
+        scan.intensity[*cell] = table.intensity[n];
     }
     scan.format = table.format;
     scan.warnings.insert(scan.warnings.end(), table.remarks.begin(), table.remarks.end());

@@ -86,6 +86,8 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     if (beside && !list)
         lost.push_back("The file holds numbers only: keep " + path.filename().string() +
                        ".provenance.json beside it, which holds the grid, or write it with --comments.");
+    if (scan.intensity.size() > 0 && !format->keepsIntensity && !(keepsBeside && options.choices.comments))
+        lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
     if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(keepsBeside && options.choices.comments))
         lost.emplace_back(
             "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");

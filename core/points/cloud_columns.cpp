@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace edgescan {
 namespace {
@@ -110,6 +111,13 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     addColumn<std::uint32_t>(cloud, "line", cells, [&](std::size_t k) { return k / beams; });
     addColumn<std::uint32_t>(cloud, "beam", cells, [&](std::size_t k) { return k % beams; });
     cloud.columns.push_back({"range_mm", std::move(ranges)});
+    if (scan.intensity.size() > 0) {
+        std::vector<float> intensity;
+        intensity.reserve(cells.size());
+        for (std::size_t n = 0; n < ownPoints; ++n) intensity.push_back(scan.intensity[cells[n]]);
+        intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // points attached to a cell bring none along
+        cloud.columns.push_back({"intensity", std::move(intensity)});
+    }
     if (!asRead.empty()) addPoints(cloud, asRead, false, "scanner_");
     if (!chosen.attached.empty()) {
         std::vector<std::uint8_t> attached(cells.size(), 0);

@@ -38,17 +38,18 @@ struct CloudColumns {
     WritingChoices choices;
 };
 
-/// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, state, and the description. A frame other
-/// than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as well.
+/// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, intensity where the scan has it, state, and the
+/// description. A frame other than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as
+/// well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, edge, class where `classes` is given, rock where `rocks` is, and red green blue. `edgeMask`
-/// may be null. With `withAttached` the points that are attached to these cells follow, and a column tells them.
+/// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, class where `classes` is given, rock where `rocks` is, and red green
+/// blue. `edgeMask` may be null. With `withAttached` the points that are attached to these cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
                                        const Grid<DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr);
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, class and colours as above; and what is attached to them.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, class and colours as above; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
                                       const Grid<DepthEdge>* classes = nullptr);

@@ -129,6 +129,7 @@ bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPo
     std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::vector<float> ranges(table.rangeMm.empty() ? 0 : cells, 0.0F);
     std::vector<std::uint8_t> states(table.state.size() == table.points.size() ? cells : 0, static_cast<std::uint8_t>(CellState::NoReturn));
+    std::vector<float> intensities(table.intensity.empty() ? 0 : cells, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t n = 0; n < table.points.size(); ++n) {
         const Eigen::Vector3d& p = table.points[n];
         if (table.line[n] == kNoIndex || table.beam[n] == kNoIndex) continue;
@@ -144,7 +145,9 @@ bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPo
         if (!nearer) continue;
         points[k] = p;
         if (!ranges.empty()) ranges[k] = table.rangeMm[n];
+        if (!intensities.empty()) intensities[k] = table.intensity[n];
     }
+    table.intensity = std::move(intensities);
     table.points = std::move(points);
     table.rangeMm = std::move(ranges);
     table.state = std::move(states);

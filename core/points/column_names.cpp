@@ -15,7 +15,7 @@ struct KnownName {
 using Role = ColumnRole;
 
 // A role's usual name first. Lower case, letters and digits only.
-constexpr std::array<KnownName, 60> kNames{{
+constexpr std::array<KnownName, 68> kNames{{
     {"x", Role::X},
     {"easting", Role::X},
     {"eastings", Role::X},
@@ -76,6 +76,14 @@ constexpr std::array<KnownName, 60> kNames{{
     {"scannery", Role::ScannerY},
     {"scannerz", Role::ScannerZ},
     {"hoehe", Role::Z},
+    {"intensity", Role::Intensity},
+    {"scalarintensity", Role::Intensity}, // as CloudCompare names it in PLY
+    {"reflectance", Role::Intensity},
+    {"reflectivity", Role::Intensity},
+    {"rssi", Role::Intensity},
+    {"rssi1", Role::Intensity},
+    {"remission", Role::Intensity},
+    {"amplitude", Role::Intensity},
 }};
 
 std::string plain(std::string_view text) {
@@ -90,6 +98,10 @@ std::string plain(std::string_view text) {
 std::optional<double> unitNamed(const std::string& text) {
     if (text == "mm" || text == "millimetre" || text == "millimetres" || text == "millimeter" || text == "millimeters") return 1.0;
     if (text == "cm" || text == "centimetre" || text == "centimetres" || text == "centimeter" || text == "centimeters") return 10.0;
+    if (text == "km" || text == "kilometre" || text == "kilometres" || text == "kilometer" || text == "kilometers") return 1e6;
+    if (text == "ft" || text == "feet" || text == "foot" || text == "ift") return 304.8;
+    if (text == "usft" || text == "ftus" || text == "ussurveyfeet") return 1200.0 / 3937.0 * 1000.0;
+    if (text == "in" || text == "inch" || text == "inches") return 25.4;
     if (text == "m" || text == "metre" || text == "metres" || text == "meter" || text == "meters") return 1000.0;
     return std::nullopt;
 }

@@ -11,8 +11,8 @@
 
 namespace edgescan {
 
-enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ };
-inline constexpr std::size_t kColumnRoles = 10;
+enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity };
+inline constexpr std::size_t kColumnRoles = 11;
 
 /// Which column has which role; empty where none has.
 struct NamedColumns {
@@ -28,7 +28,8 @@ struct NamedColumns {
 };
 
 /// By the usual names, in any case: x y z, Easting Northing Elevation, E N Z, East North Height, RL ..., line or row or ring, beam or
-/// column or col. A column that is the first of its name counts; a role's usual name goes before its others.
+/// column or col, intensity or reflectance or RSSI. A column that is the first of its name counts; a role's usual name goes before its
+/// others.
 [[nodiscard]] NamedColumns columnsNamed(std::span<const std::string> names);
 
 } // namespace edgescan

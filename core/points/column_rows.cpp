@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -16,6 +17,26 @@ static_assert(std::endian::native == std::endian::little, "binary PCD and PLY ar
 constexpr int kMineDecimals = 4; // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
 } // namespace
+
+IntensitySpan intensitySpan(const CloudColumn& column) {
+    IntensitySpan span;
+    bool first = true;
+    for (std::size_t row = 0; row < std::visit([](const auto& values) { return values.size(); }, column.values); ++row) {
+        const double value = numberIn(column, row);
+        if (!std::isfinite(value)) continue;
+        span.least = first ? value : std::min(span.least, value);
+        span.greatest = first ? value : std::max(span.greatest, value);
+        span.whole = span.whole && value == std::floor(value);
+        first = false;
+    }
+    return span;
+}
+
+double IntensitySpan::ofOne(double value) const {
+    if (!std::isfinite(value)) return 0.5;
+    if (least >= 0 && greatest <= 1) return value;
+    return greatest > least ? (value - least) / (greatest - least) : 0.5;
+}
 
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {

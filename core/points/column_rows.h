@@ -27,6 +27,17 @@ namespace edgescan {
     return {numberIn(cloud.columns[0], row), numberIn(cloud.columns[1], row), numberIn(cloud.columns[2], row)};
 }
 
+/// The finite numbers of a column of intensities.
+struct IntensitySpan {
+    double least = 0, greatest = 0;
+    bool whole = true;
+    /// 0 .. 1 for PTX: as it is where all lie there, else stretched from the least to the greatest; one half where there is none.
+    [[nodiscard]] double ofOne(double value) const;
+    /// All are whole numbers from 0 to `most`.
+    [[nodiscard]] bool fits(double most) const { return whole && least >= 0 && greatest <= most; }
+};
+[[nodiscard]] IntensitySpan intensitySpan(const CloudColumn& column);
+
 /// One line of text per row. Mine coordinates with four decimals, all else with as many digits as it takes.
 void appendRows(std::string& text, const CloudColumns& cloud, char separator);
 

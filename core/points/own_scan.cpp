@@ -42,6 +42,7 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     scan.format = table.format;
     scan.rangeMm = Grid<float>(lines, beams, std::move(table.rangeMm));
     scan.state = Grid<CellState>(lines, beams, std::move(*states));
+    if (table.intensity.size() == cells) scan.intensity = Grid<float>(lines, beams, std::move(table.intensity));
     for (std::size_t k = 0; k < cells; ++k) {
         if (scan.state[k] == CellState::Valid && !physical::kRangeMm.hold(scan.rangeMm[k]))
             return source.refused("a valid cell has a range that is no range", "save the scan again");

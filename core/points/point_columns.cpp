@@ -28,6 +28,7 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
                        field(ColumnRole::State),
                        {},
                        {},
+                       field(ColumnRole::Intensity),
                        {},
                        named.unitMm};
     if (named.hasCell()) {
@@ -50,6 +51,7 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
         table.points.emplace_back(value(fields.x, n), value(fields.y, n), value(fields.z, n));
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(value(*fields.rangeMm, n)));
         if (fields.state) table.state.push_back(stateByte(value(*fields.state, n)));
+        if (fields.intensity) table.intensity.push_back(static_cast<float>(value(*fields.intensity, n)));
         if (fields.line) table.line.push_back(indexOf(value(*fields.line, n)));
         if (fields.beam) table.beam.push_back(indexOf(value(*fields.beam, n)));
         if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(value(s[0], n), value(s[1], n), value(s[2], n));
@@ -89,6 +91,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
+        if (fields.intensity) table.intensity.push_back(static_cast<float>(row[fields.intensity->column]));
         if (fields.line) table.line.push_back(indexOf(row[fields.line->column]));
         if (fields.beam) table.beam.push_back(indexOf(row[fields.beam->column]));
         if (const auto& s = fields.scanner; !s.empty())

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
 #include "core/base/physical_limits.h"
+#include "core/points/cells_of_points.h"
 #include "core/points/column_grid.h"
 #include "core/points/own_scan.h"
 #include "core/recognition/recognise_axis.h"
@@ -21,7 +22,6 @@
 namespace edgescan {
 namespace {
 
-constexpr double kMetresPerMm = 0.001;
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
 
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
@@ -64,54 +64,6 @@ RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, con
     std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(returns), [](double r) { return r > 0; });
     const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
     return recogniseUnit(returns, table.precision, known);
-}
-
-std::string sizeOfReach() { return significantText(physical::kRangeMm.limits.most * 1e-6, 6) + " km"; }
-
-/// Ranges and states of a scan whose cells are points of the list.
-/// `given`: ranges in mm that the file holds beside the points; may be empty.
-void fillCells(Scan& scan, const std::vector<double>& ranges, const RangeUnit& unit, const Grid<std::uint32_t>& pointOf,
-               const std::vector<float>& given = {}) {
-    scan.rangeMm = Grid<float>(pointOf.lines, pointOf.beams);
-    scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
-    std::size_t tooFar = 0;
-    for (std::size_t k = 0; k < pointOf.size(); ++k) {
-        if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
-        const double mm = given.empty() ? ranges[pointOf[k]] * unit.mmPerUnit : static_cast<double>(given[pointOf[k]]);
-        if (!physical::kRangeMm.hold(mm)) { // no scanner reaches as far: as good as no return
-            ++tooFar;
-            continue;
-        }
-        scan.rangeMm[k] = static_cast<float>(unit.wholeMm && given.empty() ? std::round(mm) : mm);
-        scan.state[k] = CellState::Valid;
-    }
-    if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
-    if (tooFar == 0) return;
-    scan.warnings.push_back(std::to_string(tooFar) + " points lie farther than " + sizeOfReach() +
-                            " from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.");
-}
-
-/// States that a file gives its cells without a point.
-void takeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {
-    if (table.state.empty()) return;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::NoReturn || pointOf[k] == RecognisedGrid::kNoPoint) continue;
-        const std::uint8_t state = table.state[pointOf[k]];
-        if (state >= kCellStates || state == static_cast<std::uint8_t>(CellState::Valid)) continue;
-        scan.state[k] = static_cast<CellState>(state);
-        if (!table.rangeMm.empty()) scan.rangeMm[k] = table.rangeMm[pointOf[k]];
-    }
-}
-
-PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& pointOf, const RangeUnit& unit) {
-    const double metres = unit.mmPerUnit * kMetresPerMm;
-    const Eigen::Vector3d missing = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    PointGeometry geometry{Grid<Eigen::Vector3d>(pointOf.lines, pointOf.beams, missing), table.sensor * metres};
-    for (std::size_t k = 0; k < pointOf.size(); ++k) {
-        if (pointOf[k] == RecognisedGrid::kNoPoint || !isReturn(table.points[pointOf[k]])) continue;
-        geometry.pointsM[k] = metres == 1.0 ? table.points[pointOf[k]] : Eigen::Vector3d(table.points[pointOf[k]] * metres);
-    }
-    return geometry;
 }
 
 void takeStatusCodes(Scan& scan) {
@@ -170,7 +122,7 @@ Scan recognisedScan(const PointTable& table, RecognisedGrid grid, const Source& 
     scan.format = table.format;
     const std::vector<double> ranges = rangesOf(table);
     const RangeUnit unit = unitOf(table, ranges, source);
-    fillCells(scan, ranges, unit, grid.pointOf, table.rangeMm);
+    fillCells(scan, table, ranges, unit, grid.pointOf, true);
     takeStates(scan, table, grid.pointOf);
     if (table.leftHanded) {
         grid.geometry.lineDirection = -1.0;
@@ -202,7 +154,7 @@ Scan organisedScan(const PointTable& table, const Source& source) {
     unit.wholeMm = false; // the points stay as they are, so the ranges follow them
     Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
     for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
-    fillCells(scan, ranges, unit, inOrder, table.rangeMm);
+    fillCells(scan, table, ranges, unit, inOrder, true);
     takeStates(scan, table, inOrder);
     scan.geometry = pointGeometry(table, inOrder, unit);
     return scan;
@@ -364,7 +316,7 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
     }
     Scan scan;
     scan.format = table.format;
-    fillCells(scan, ranges, unit, grid->pointOf);
+    fillCells(scan, table, ranges, unit, grid->pointOf, false);
     scan.geometry = pointGeometry(table, grid->pointOf, unit);
     scan.attached.reserve(grid->hidden.size());
     for (const auto& hidden : grid->hidden) scan.attached.push_back({hidden.cell, table.points[hidden.point] * metres});

@@ -40,6 +40,7 @@ struct PointTable {
     // Our own columns; empty when the file has them not, else one per point.
     std::vector<float> rangeMm;
     std::vector<std::uint8_t> state;
+    std::vector<float> intensity;               ///< one per point, in any file; NaN where a point has none; empty where no point has one
     std::vector<std::uint32_t> line, beam;      ///< of columns of that name, in any file; kNoIndex where there is no whole number
     std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -184,6 +185,70 @@ void nameColumns(std::string_view header, std::size_t cells, std::string_view te
     layout.names = names.size() == layout.columns ? std::move(names) : std::vector<std::string>();
 }
 
+/// Columns that nothing is read from.
+std::vector<bool> unreadColumns(const std::vector<std::string>& names) {
+    const NamedColumns named = columnsNamed(names);
+    if (!named.hasPoint()) return {};
+    std::vector<bool> unread(names.size(), true);
+    for (const auto& column : named.of) {
+        if (column) unread[*column] = false;
+    }
+    return unread;
+}
+
+/// The first row behind a header that names x, y and z among other columns, some of which are words.
+struct RowAmongWords {
+    std::vector<std::string> names;
+    std::size_t firstByte = 0, firstLine = 0;
+    bool decimalComma = false;
+};
+std::optional<RowAmongWords> rowAmongWords(std::string_view text, char separator) {
+    TextLayout layout;
+    layout.separator = separator;
+    RowAmongWords found;
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size() && number < kSampleRows;) {
+        const TextLine line = textLineAt(text, at);
+        const std::size_t from = std::exchange(at, line.next);
+        ++number;
+        if (trimmed(line.text).empty()) continue;
+        const NamedColumns named = columnsNamed(found.names);
+        if (!named.hasPoint()) {
+            found.names = namesIn(line.text.substr(line.text.starts_with("\xEF\xBB\xBF") ? 3 : 0), layout);
+            continue;
+        }
+        const auto cells = cellsIn(line.text, layout);
+        if (cells.size() < found.names.size()) return std::nullopt;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::string cell(cells[*named.of[axis]]);
+            found.decimalComma = found.decimalComma || cell.find(',') != cell.npos;
+            std::ranges::replace(cell, ',', '.');
+            if (!isNumber(cell)) return std::nullopt;
+        }
+        found.firstByte = from;
+        found.firstLine = number;
+        return found;
+    }
+    return std::nullopt;
+}
+
+std::optional<TextLayout> layoutAmongWords(std::string_view text) {
+    for (const char separator : {',', ';', '\t'}) {
+        auto found = rowAmongWords(text, separator);
+        if (!found) continue;
+        TextLayout layout;
+        layout.firstByte = found->firstByte;
+        layout.firstLine = found->firstLine;
+        layout.separator = separator;
+        layout.decimalComma = found->decimalComma;
+        layout.columns = found->names.size();
+        layout.names = std::move(found->names);
+        layout.mayBeWords = unreadColumns(layout.names);
+        return layout;
+    }
+    return std::nullopt;
+}
+
 Error noNumbers(const Source& source) {
     return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
 }
@@ -224,6 +289,7 @@ Result<TextLayout> textLayoutOf(const Source& source) {
     TextHead head = readHead(text, false);
     const bool labels = !head.found;
     if (labels) head = readHead(text, true);
+    if (auto layout = head.found ? std::nullopt : layoutAmongWords(text)) return std::move(*layout);
     if (!head.found) return noNumbers(source);
     TextLayout layout;
     layout.firstByte = head.firstByte;
@@ -257,6 +323,7 @@ Result<TextLayout> textLayoutOf(const Source& source) {
     }
     nameColumns(head.header, cells.size(), text, layout);
     if (labels && layout.columns < kWide && !columnsNamed(layout.names).hasPoint()) return noNumbers(source);
+    layout.mayBeWords = unreadColumns(layout.names);
     return layout;
 }
 

@@ -105,6 +105,11 @@ bool RowReader::readCell(std::vector<double>& numbers) {
     }
     const bool ends = end == rowEnd_ || isBlank(*end) || *end == separator;
     if (parsed.ec == std::errc::invalid_argument || !ends) {
+        if (numbers.size() < layout_->mayBeWords.size() && layout_->mayBeWords[numbers.size()]) {
+            while (at_ < rowEnd_ && *at_ != separator && !(separator == ' ' && isBlank(*at_))) ++at_;
+            numbers.push_back(kMissing);
+            return true;
+        }
         const char* wordEnd = at_;
         while (wordEnd < rowEnd_ && !isBlank(*wordEnd) && *wordEnd != separator && wordEnd - at_ < 40) ++wordEnd;
         if (isMissingMark({at_, static_cast<std::size_t>(wordEnd - at_)})) {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -47,6 +48,19 @@ json rangeReport(const Scan& scan) {
     const RangeLimits limits = rangeLimits(scan);
     if (countCells(scan)[static_cast<std::size_t>(CellState::Valid)] == 0) return {{"min", nullptr}, {"max", nullptr}};
     return {{"min", limits.minMm}, {"max", limits.maxMm}};
+}
+
+/// Of the cells that have one.
+json intensityReport(const Scan& scan) {
+    std::size_t cells = 0;
+    float least = 0, greatest = 0;
+    for (const float value : scan.intensity.cells) {
+        if (!std::isfinite(value)) continue;
+        least = cells == 0 ? value : std::min(least, value);
+        greatest = cells == 0 ? value : std::max(greatest, value);
+        ++cells;
+    }
+    return {{"cells", cells}, {"min", least}, {"max", greatest}};
 }
 
 /// Where the scan stands, without the matrices.
@@ -88,6 +102,7 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
         report["geometry"] = "organised points";
         report["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
     }
+    if (scan.intensity.size() > 0) report["intensity"] = intensityReport(scan);
     if (!scan.attached.empty()) report["attached_points"] = scan.attached.size();
     if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
     if (scan.acquisition) report["acquisition"] = acquisitionToJson(*scan.acquisition);

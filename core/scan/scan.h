@@ -79,6 +79,9 @@ struct Scan {
     /// cell keeps its code times unitMm, so that nothing that was read is lost.
     Grid<float> rangeMm;
     Grid<CellState> state; ///< lines x beams
+    /// lines x beams: how bright the return was, as the file or the telegram (RSSI) gives it, without a unit; NaN where a cell has none.
+    /// Empty: the scan has none.
+    Grid<float> intensity;
     Geometry geometry;
     std::vector<AttachedPoint> attached; ///< by cell; empty unless the cloud had to be put onto a grid
 

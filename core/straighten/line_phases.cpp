@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -158,11 +159,14 @@ Scan withPhasesFolded(const Scan& scan, const std::vector<double>& phases) {
     }
     folded.rangeMm = Grid<float>(rows, beams * count);
     folded.state = Grid<CellState>(rows, beams * count, CellState::Lost);
+    const bool bright = scan.intensity.size() > 0;
+    if (bright) folded.intensity = Grid<float>(rows, beams * count, std::numeric_limits<float>::quiet_NaN());
     for (int i = 0; i < scan.lines(); ++i) {
         const int place = static_cast<int>(std::ranges::find(order, i % count) - order.begin());
         for (int j = 0; j < beams; ++j) {
             folded.rangeMm.at(i / count, j * count + place) = scan.rangeMm.at(i, j);
             folded.state.at(i / count, j * count + place) = scan.state.at(i, j);
+            if (bright) folded.intensity.at(i / count, j * count + place) = scan.intensity.at(i, j);
         }
     }
     folded.geometry = std::move(angles);

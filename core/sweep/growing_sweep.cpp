@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace edgescan {
@@ -14,16 +15,29 @@ constexpr int kMostCells = 50'000'000;  // of one sweep
 
 bool isRange(const ScanChannel& channel) { return std::string_view(channel.content).starts_with("DIST"); }
 
+/// The RSSI of the same echo and beams; null when the telegram has none.
+const ScanChannel* rssiOf(const ScanTelegram& telegram, const ScanChannel& range) {
+    if (range.content.size() != 5) return nullptr;
+    const ScanChannel* rssi = findChannel(telegram, "RSSI" + range.content.substr(4));
+    return rssi != nullptr && beamGrid(*rssi) == beamGrid(range) ? rssi : nullptr;
+}
+
+float intensityIn(const ScanChannel* rssi, std::size_t beam) {
+    return rssi != nullptr ? static_cast<float>(rssi->values[beam]) : std::numeric_limits<float>::quiet_NaN();
+}
+
 /// The farthest return of each beam over all echoes.
-void takeLastEcho(SweepLine& line, const std::vector<ScanChannel>& channels, const ScanChannel& first) {
-    for (const ScanChannel& channel : channels) {
+void takeLastEcho(SweepLine& line, const ScanTelegram& telegram, const ScanChannel& first) {
+    for (const ScanChannel& channel : telegram.channels16) {
         if (&channel == &first || !isRange(channel) || beamGrid(channel) != line.beams) continue;
         const ChannelRanges other = rangesMm(channel);
+        const ScanChannel* rssi = rssiOf(telegram, channel);
         for (std::size_t i = 0; i < other.state.size(); ++i) {
             if (other.state[i] != CellState::Valid) continue;
             if (line.ranges.state[i] == CellState::Valid && line.ranges.rangeMm[i] >= other.rangeMm[i]) continue;
             line.ranges.state[i] = CellState::Valid;
             line.ranges.rangeMm[i] = other.rangeMm[i];
+            if (!line.intensity.empty()) line.intensity[i] = intensityIn(rssi, i);
         }
     }
 }
@@ -48,7 +62,8 @@ SweepLine sweepLine(const ScanTelegram& telegram, Echo echo) {
     }
     line.ranges = rangesMm(*channel);
     line.unitMm = channel->scale > 0.0F ? static_cast<double>(channel->scale) : 1.0;
-    if (echo == Echo::Last) takeLastEcho(line, telegram.channels16, *channel);
+    if (const ScanChannel* rssi = rssiOf(telegram, *channel)) line.intensity.assign(rssi->values.begin(), rssi->values.end());
+    if (echo == Echo::Last) takeLastEcho(line, telegram, *channel);
     return line;
 }
 
@@ -158,7 +173,7 @@ void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
         ++leftOut_;
         return;
     }
-    grid_.write(row, part, beams_.parts, line.ranges.rangeMm, line.ranges.state);
+    grid_.write(row, part, beams_.parts, {line.ranges.rangeMm, line.ranges.state, line.intensity});
     --missing_[static_cast<std::size_t>(row)];
     LineFacts& facts = facts_[static_cast<std::size_t>(row)];
     if (!facts.received) {

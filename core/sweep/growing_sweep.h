@@ -14,6 +14,8 @@ namespace edgescan {
 struct SweepLine {
     BeamGrid beams;
     ChannelRanges ranges;
+    std::vector<float>
+        intensity; ///< RSSI of each beam's echo as the telegram counts it, NaN where that echo has none; empty: it has no RSSI
     double unitMm = 1.0;
     LineFacts facts;
     DeviceFlags device;

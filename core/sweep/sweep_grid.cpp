@@ -2,11 +2,13 @@
 #include "core/sweep/sweep_grid.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 namespace edgescan {
 namespace {
 
+constexpr float kNoIntensity = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kKeptCopies = 4; // being drawn, being worked on, waiting, and the next one
 
 } // namespace
@@ -44,6 +46,7 @@ void SweepGrid::grow(int count) {
     if (count <= rows_) return;
     rangeMm_.resize(index(count), 0.0F);
     state_.resize(index(count), CellState::Lost);
+    if (!intensity_.empty()) intensity_.resize(index(count), kNoIntensity);
     std::array<std::uint32_t, kCellStates> lost{};
     lost[static_cast<std::size_t>(CellState::Lost)] = static_cast<std::uint32_t>(beams_);
     rowCounts_.resize(static_cast<std::size_t>(count), lost);
@@ -51,7 +54,9 @@ void SweepGrid::grow(int count) {
     rows_ = count;
 }
 
-void SweepGrid::write(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state) {
+void SweepGrid::write(int row, int first, int stride, const RowCells& cells) {
+    const auto& [rangeMm, state, intensity] = cells;
+    if (!intensity.empty() && intensity_.empty()) intensity_.resize(index(rows_), kNoIntensity);
     auto& counts = rowCounts_[static_cast<std::size_t>(row)];
     std::size_t k = index(row) + static_cast<std::size_t>(first);
     const std::size_t end = index(row + 1);
@@ -60,6 +65,7 @@ void SweepGrid::write(int row, int first, int stride, const std::vector<float>& 
         ++counts[static_cast<std::size_t>(state[i])];
         rangeMm_[k] = rangeMm[i];
         state_[k] = state[i];
+        if (!intensity.empty()) intensity_[k] = intensity[i];
     }
     changed_[static_cast<std::size_t>(row)] = ++change_;
 }
@@ -90,6 +96,10 @@ SweepGrid SweepGrid::cutFrom(int row) {
     rest.changed_.assign(static_cast<std::size_t>(rest.rows_), ++rest.change_);
     rangeMm_.resize(index(row));
     state_.resize(index(row));
+    if (!intensity_.empty()) {
+        rest.intensity_.assign(intensity_.begin() + first, intensity_.end());
+        intensity_.resize(index(row));
+    }
     rowCounts_.resize(static_cast<std::size_t>(row));
     changed_.resize(static_cast<std::size_t>(row));
     rows_ = row;
@@ -111,6 +121,15 @@ std::shared_ptr<Scan> SweepGrid::scan(int rows) {
         scan.rangeMm.beams = scan.state.beams = beams_;
         copy->rows = 0;
     }
+    if ((scan.intensity.size() > 0) != !intensity_.empty()) { // the first of its rows came since
+        scan.intensity = {};
+        copy->rows = 0;
+    }
+    if (!intensity_.empty()) {
+        scan.intensity.lines = rows;
+        scan.intensity.beams = beams_;
+        scan.intensity.cells.resize(index(rows));
+    }
     scan.rangeMm.lines = scan.state.lines = rows;
     scan.rangeMm.cells.resize(index(rows));
     scan.state.cells.resize(index(rows));
@@ -119,6 +138,7 @@ std::shared_ptr<Scan> SweepGrid::scan(int rows) {
         if (row < copy->rows && changed_[static_cast<std::size_t>(row)] <= copy->change) continue;
         std::copy_n(rangeMm_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.rangeMm.line(row));
         std::copy_n(state_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.state.line(row));
+        if (!intensity_.empty()) std::copy_n(intensity_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.intensity.line(row));
     }
     copy->rows = rows;
     copy->change = change_;

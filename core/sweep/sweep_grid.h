@@ -10,6 +10,13 @@
 
 namespace edgescan {
 
+/// Cells of one row, as many as `rangeMm` has; no intensities where there are none.
+struct RowCells {
+    const std::vector<float>& rangeMm;
+    const std::vector<CellState>& state;
+    const std::vector<float>& intensity;
+};
+
 /// A value; copies share nothing.
 class SweepGrid {
 public:
@@ -21,7 +28,7 @@ public:
     /// Rows up to `count`, all cells of the new ones Lost.
     void grow(int count);
     /// Writes beam first + stride * i of the row for each i.
-    void write(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state);
+    void write(int row, int first, int stride, const RowCells& cells);
     /// Those beams of the row hold something: not all of them are Lost.
     [[nodiscard]] bool holds(int row, int first, int stride, std::size_t count) const;
     /// They hold just this.
@@ -35,8 +42,8 @@ public:
     /// Cells by state of the first `rows` rows.
     [[nodiscard]] std::array<std::size_t, kCellStates> counts(int rows) const;
 
-    /// A scan with the ranges and states of the first `rows` rows; what else it holds is left over from an earlier one. Scans that
-    /// nobody looks at any more are used again, and only rows that changed since are copied into them.
+    /// A scan with the ranges, states and intensities of the first `rows` rows; what else it holds is left over from an earlier one. Scans
+    /// that nobody looks at any more are used again, and only rows that changed since are copied into them.
     std::shared_ptr<Scan> scan(int rows);
 
 private:
@@ -63,6 +70,7 @@ private:
     int rows_ = 0;
     std::vector<float> rangeMm_;
     std::vector<CellState> state_;
+    std::vector<float> intensity_;                                  // empty until a row brings some
     std::vector<std::uint64_t> changed_;                            // per row: number of its last change
     std::vector<std::array<std::uint32_t, kCellStates>> rowCounts_; // per row
     std::uint64_t change_ = 0;

@@ -105,6 +105,44 @@ TEST(PointText, ColumnsAreFoundByName) {
     EXPECT_TRUE(scan->warnings.empty()) << scan->warnings.front(); // the header told the unit
 }
 
+// Survey and spreadsheet programs put names, codes and dates wherever they like.
+TEST(PointText, ColumnsOfWordsAreNoneOfThePoint) {
+    const Folder folder;
+    const Scan expected = makeScan({});
+    for (const char* separator : {",", ";", "\t"}) {
+        ListStyle style{.format = "%.7f", .separator = separator, .lineEnd = "\n"};
+        const std::string s = separator;
+        std::string text = "Code" + s + "X" + s + "Y" + s + "Z" + s + "When" + s + "\"Seen by\"\n";
+        bool comma = false;
+        for (const Eigen::Vector3d& p : listOf(expected, style)) {
+            std::string numbers;
+            for (int axis = 0; axis < 3; ++axis) numbers += numberText("%.7f", p[axis]) + s;
+            if (s == ";") replaceAll(numbers, ".", ",");
+            text += (comma ? "17" : "\"CREST A\"") + s + numbers + "2026-11-21 04:05" + s + "\"Jo\"\n"; // a code may be a number
+            comma = !comma;
+        }
+        writeText(folder / "survey.csv", text);
+        const auto opened = openScan(folder / "survey.csv");
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        EXPECT_EQ(opened->rangeMm, expected.rangeMm);
+        EXPECT_EQ(opened->state, expected.state);
+    }
+}
+
+TEST(PointText, UnitsInTheHeaderAreTheUnit) {
+    const Folder folder;
+    const Scan expected = makeScan({});
+    for (const auto& [unit, mm] : {std::pair("ft", 304.8), std::pair("mm", 1.0), std::pair("cm", 10.0), std::pair("in", 25.4)}) {
+        ListStyle style{.perMetre = 1000.0 / mm, .format = "%.8f", .separator = ",", .lineEnd = "\n"};
+        writeText(folder / "list.csv",
+                  "X [" + std::string(unit) + "],Y [" + unit + "],Z [" + unit + "]\n" + textOf(listOf(expected, style), style));
+        const auto opened = openScan(folder / "list.csv");
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        ASSERT_EQ(opened->state, expected.state) << unit;
+        for (std::size_t k = 0; k < expected.cells(); ++k) ASSERT_NEAR(opened->rangeMm[k], expected.rangeMm[k], 0.01) << unit;
+    }
+}
+
 TEST(PointText, LocaleChangesNothing) {
     const Folder folder;
     writeText(folder / "list.xyz", rows());

@@ -406,3 +406,49 @@ TEST(Sweep, RealInterlacedTelegrams) {
     EXPECT_EQ(scan->lines(), (telegrams + 1) / 2);
     EXPECT_TRUE(addsUp(*scan, assembler.progress()));
 }
+
+TEST(Sweep, IntensitiesComeWithTheEchoThatIsTakenAndOnlyWhereTheTelegramHasThem) {
+    const auto bright = [](int n, bool second) {
+        ScanTelegram telegram = telegramOfLine(n);
+        ScanChannel rssi = telegram.channels16[0];
+        rssi.content = "RSSI1";
+        for (std::size_t beam = 0; beam < rssi.values.size(); ++beam) rssi.values[beam] = static_cast<std::uint16_t>(10 * n + beam);
+        if (second) {
+            ScanChannel far = telegram.channels16[0];
+            far.content = "DIST2";
+            for (std::size_t beam = 0; beam < far.values.size(); ++beam)
+                far.values[beam] = beam % 2 == 0 ? static_cast<std::uint16_t>(far.values[beam] + 500) : std::uint16_t{0};
+            ScanChannel farRssi = rssi;
+            farRssi.content = "RSSI2";
+            for (std::uint16_t& value : farRssi.values) value = static_cast<std::uint16_t>(value + 1000);
+            telegram.channels16.push_back(std::move(far));
+            telegram.channels16.push_back(std::move(farRssi));
+        }
+        telegram.channels16.push_back(std::move(rssi));
+        return telegram;
+    };
+    for (const Echo echo : {Echo::First, Echo::Last}) {
+        SweepSettings settings;
+        settings.echo = echo;
+        SweepAssembler assembler(settings);
+        for (int n = 0; n < 6; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n)); // before somebody switched RSSI on
+        EXPECT_EQ(assembler.snapshot()->intensity.size(), 0U);
+        for (int n = 6; n < 30; ++n) {
+            if (n != 12) assembler.push(bright(n, true), hostNsOfLine(n));
+        }
+        const auto scan = assembler.snapshot();
+        ASSERT_TRUE(scan);
+        ASSERT_EQ(scan->intensity.size(), scan->cells());
+        for (int line = 0; line < scan->lines(); ++line) {
+            for (int beam = 0; beam < scan->beams(); ++beam) {
+                const float value = scan->intensity.at(line, beam);
+                if (line < 6 || line == 12) {
+                    ASSERT_TRUE(std::isnan(value)) << line;
+                    continue;
+                }
+                const float far = echo == Echo::Last && beam % 2 == 0 ? 1000.0F : 0.0F;
+                ASSERT_EQ(value, static_cast<float>(10 * line + beam) + far) << line << ' ' << beam;
+            }
+        }
+    }
+}
