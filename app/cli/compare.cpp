@@ -1,5 +1,6 @@
 // edgescan-cli compare: every method of the thesis, every PCL peer and EdgeScan+ on one scan in one run.
 #include "app/cli/commands.h"
+#include "app/cli/compare_two.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
@@ -25,7 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CompareFlags {
-    std::string file, truth, json, pictures;
+    std::vector<std::string> files, poses;
+    std::string truth, json, pictures;
+    double matchRadiusM = 0.1;
+    bool refine = false;
     ComparisonSettings settings;
     bool slow = false, noPeers = false;
     ReadFlags read;
@@ -64,6 +68,11 @@ Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std
 
 // Flags that would change nothing, or make every score 0.
 std::optional<Error> wrongUsage(const CompareFlags& flags) {
+    const bool two = flags.files.size() == 2;
+    if (two && (!flags.truth.empty() || !flags.pictures.empty()))
+        return Error{"two scans are compared with each other", flags.truth.empty() ? "--pictures" : "--truth", "give one scan for that"};
+    if (!two && (!flags.poses.empty() || flags.refine))
+        return Error{"one scan needs no pose", flags.poses.empty() ? "--refine" : "--poses", "give two scans of one place"};
     if (flags.settings.bestThreshold && flags.truth.empty())
         return Error{"without truth no threshold is the best", "--best", "give --truth DIR too"};
     return std::nullopt;
@@ -82,7 +91,19 @@ std::optional<Error> unknownKey(const std::vector<std::string>& only) {
 }
 
 Result<Done> compare(const CompareFlags& flags) {
-    Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
+    ComparisonSettings settings = flags.settings;
+    settings.peers = !flags.noPeers && flags.settings.only.empty();
+    if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
+    const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
+    const auto progress = [&](const char* name, double fraction) {
+        if (tell) tellProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
+        return true;
+    };
+    if (flags.files.size() == 2) {
+        settings.repeats = 1;
+        return compareTwo({flags.files, flags.poses, flags.json, flags.refine, flags.matchRadiusM, settings, flags.read}, progress);
+    }
+    Result<Scan> opened = openAsAsked(flags.files.front(), readingOptions(flags.read));
     if (!opened) return opened.error();
     if (auto enough = checkMemoryFor(Work::Compare, *opened); !enough) return enough.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));
@@ -95,14 +116,6 @@ Result<Done> compare(const CompareFlags& flags) {
         if (auto fits = checkTruthFits(*scan, *read, flags.truth); !fits) return fits.error();
         truth = std::move(*read);
     }
-    ComparisonSettings settings = flags.settings;
-    settings.peers = !flags.noPeers && flags.settings.only.empty();
-    if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
-    const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
-    const auto progress = [&](const char* name, double fraction) {
-        if (tell) tellProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
-        return true;
-    };
     const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
     if (tell) tellProgress("all compared", true);
     if (!flags.pictures.empty()) {
@@ -119,7 +132,16 @@ Result<Done> compare(const CompareFlags& flags) {
 void addCompare(CLI::App& app, int& code) {
     auto flags = std::make_shared<CompareFlags>();
     CLI::App& command = *app.add_subcommand("compare", "Every method of the thesis, the PCL peers and EdgeScan+ on one scan, in one run");
-    command.add_option("FILE", flags->file, "Scan")->required();
+    command.add_option("FILE", flags->files, "Scan; or two scans of one place: how many edges of each the other has too")
+        ->required()
+        ->expected(1, 2);
+    command
+        .add_option("--poses", flags->poses,
+                    "Of two scans: their .pose files of 3DTK, in the same order; else both need a place in the mine")
+        ->expected(2);
+    command.add_flag("--refine", flags->refine,
+                     "Of two scans: bring their surfaces onto each other first, and tell how far they lie apart");
+    addNumber(command, "--match-radius", flags->matchRadiusM, {0.001, 10}, "Of two scans: how near the other one's edge must lie [m]");
     command.add_option("--truth", flags->truth, "Folder with ground truth of simulate --truth: also scores");
     command.add_option("--json", flags->json, "All figures; - is stdout, instead of the tables");
     command.add_option("--pictures", flags->pictures,

@@ -165,19 +165,22 @@ void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own,
                             std::to_string(next - end) + " bytes, which may be more points; they were left out.");
 }
 
-/// Lines, beams and ranges of the points, where extra bytes hold them.
-void readColumns(PointTable& table, const LasHeader& header, const Source& source) {
+/// Lines, beams and ranges of the points, where extra bytes hold them. Each record is `stride` bytes long and begins `from` bytes into its
+/// point.
+void readColumns(PointTable& table, const LasHeader& header, std::span<const std::byte> records, std::size_t stride, std::size_t from,
+                 const Source& source) {
+    if (header.format >= las::kFormatBytes.size()) return;
     const std::vector<RecordField> fields = las::extraFields(source.bytes, header.headerBytes, header.records, header.pointsAt,
                                                              las::kFormatBytes[header.format], header.pointBytes);
     std::vector<std::string> names;
     for (const RecordField& field : fields) names.push_back(field.name);
     const NamedColumns named = columnsNamed(names);
-    if (!named.hasCell()) return;
-    const auto value = [&](ColumnRole role, std::uint64_t n) {
+    if (!named.hasCell() || records.size() < table.points.size() * stride) return;
+    const auto value = [&](ColumnRole role, std::size_t n) {
         const RecordField& field = fields[*named[role]];
-        return readScalar(field.scalar, source.bytes.data() + header.pointsAt + n * header.pointBytes + field.offset, false);
+        return readScalar(field.scalar, records.data() + n * stride + (field.offset - from), false);
     };
-    for (std::uint64_t n = 0; n < header.points; ++n) {
+    for (std::size_t n = 0; n < table.points.size(); ++n) {
         table.line.push_back(indexOf(value(ColumnRole::Line, n)));
         table.beam.push_back(indexOf(value(ColumnRole::Beam, n)));
         if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm, n)));
@@ -224,7 +227,7 @@ std::string lasRecord(std::string_view bytes) {
 
 /// The points and what our own records say of them.
 Result<PointTable> readLasPoints(const Source& source) {
-    const auto header = readLasHeader(source);
+    auto header = readLasHeader(source);
     if (!header) return header.error();
     PointTable table;
     table.format = "LAS";
@@ -232,6 +235,7 @@ Result<PointTable> readLasPoints(const Source& source) {
     table.precision = {0.5 * header->scale.cwiseAbs().maxCoeff(), 1e-15};
     const bool packed = (header->format & 0xC0U) != 0; // LAZ marks its point format so
     if (packed) table.format = "LAZ";
+    header->format &= 0x3FU;
     if (!packed) {
         if (auto fits = checkPoints(*header, source); !fits) return fits.error();
     }
@@ -242,7 +246,13 @@ Result<PointTable> readLasPoints(const Source& source) {
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     const OwnRecords own = ownRecords(*header, source);
     tellRest(table, *header, own, source);
-    if (table.format == "LAS" && (own.description.empty() || own.cells.empty())) readColumns(table, *header, source);
+    if (own.description.empty() || own.cells.empty()) {
+        const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point
+        if (!packed)
+            readColumns(table, *header, source.bytes.subspan(header->pointsAt), header->pointBytes, 0, source);
+        else if (extra < header->pointBytes)
+            readColumns(table, *header, read->extra, extra, header->pointBytes - extra, source);
+    }
     if (!own.description.empty() && !own.cells.empty()) {
         if (auto enough = checkMemory(productOf({own.cells.size(), 8}), source.path.string()); !enough) return enough.error();
         if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();

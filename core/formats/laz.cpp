@@ -112,7 +112,9 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
         return source.refused("the header promises " + std::to_string(count) + " points, more than a file of " +
                                   sizeText(source.bytes.size()) + " holds of a scan",
                               "copy it again, or save it as .las");
-    if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d)}), source.path.string()); !enough) return enough.error();
+    if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d) + header->point_data_record_length}), source.path.string());
+        !enough)
+        return enough.error();
     laszip_point* point = nullptr;
     if (laszip_get_point_pointer(unpacker.laszip, &point) != 0) return damaged();
     LasPoints read;
@@ -125,6 +127,10 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
         }
         read.points.push_back(p);
         read.intensity.push_back(point->intensity);
+        if (point->num_extra_bytes > 0) {
+            const auto extra = std::as_bytes(std::span(point->extra_bytes, static_cast<std::size_t>(point->num_extra_bytes)));
+            read.extra.insert(read.extra.end(), extra.begin(), extra.end());
+        }
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(count)))
             return source.cancelled();
     }

@@ -3,6 +3,7 @@
 
 #include "core/points/source.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace edgescan {
@@ -11,6 +12,7 @@ namespace edgescan {
 struct LasPoints {
     std::vector<Eigen::Vector3d> points;
     std::vector<float> intensity; ///< one per point
+    std::vector<std::byte> extra; ///< of a LAZ file: what stands behind the fixed part of each point, one after the other
 };
 
 /// The points of a LAZ file. Error: built without LASzip, damaged, larger than the memory.

@@ -59,6 +59,7 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     EXPECT_EQ(laz->format, "LAZ");
     EXPECT_EQ(laz->rangeMm, las->rangeMm);
     EXPECT_EQ(laz->state, las->state);
+    EXPECT_EQ(las->rangeMm, scan.rangeMm); // by the columns line, beam and range_mm, which both hold as extra bytes
     // Cut anywhere it is refused or, where only the table of chunks is gone, whole; never less.
     const std::string bytes = readText(folder / "cloud.laz");
     for (std::size_t cut = 10; cut < bytes.size(); cut += bytes.size() / 60) {

@@ -1,0 +1,64 @@
+// Two scans of one place.
+#include "app/cli/compare_two.h"
+
+#include "app/shared/json_output.h"
+#include "core/method/work_memory.h"
+#include "core/report/repeat_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::cli {
+namespace {
+
+constexpr double kReachM = 0.5; // how far rough poses may be off
+
+Result<std::shared_ptr<const Scan>> opened(const std::string& file, const ReadFlags& read) {
+    Result<Scan> scan = openAsAsked(file, readingOptions(read));
+    if (!scan) return scan.error();
+    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
+    return std::make_shared<const Scan>(std::move(*scan));
+}
+
+Result<std::vector<PlacedScan>> placed(const CompareTwo& asked) {
+    std::vector<PlacedScan> scans;
+    std::optional<Eigen::Vector3d> origin;
+    for (std::size_t n = 0; n < asked.files.size(); ++n) {
+        const auto scan = opened(asked.files[n], asked.read);
+        if (!scan) return scan.error();
+        if (!asked.poses.empty()) {
+            const auto pose = open3dtkPose(asked.poses[n]);
+            if (!pose) return pose.error();
+            scans.push_back(placedBy(*scan, *pose));
+            continue;
+        }
+        if (!(*scan)->placement)
+            return Error{"the scan has no place in the mine, so nobody knows how it lies to the other one", asked.files[n],
+                         "give --poses A.pose B.pose, or --pose and --calibration"};
+        if (!origin) origin = (*scan)->placement->originEnhM;
+        scans.push_back(placedInMine(*scan, *origin));
+    }
+    return scans;
+}
+
+} // namespace
+
+Result<Done> compareTwo(const CompareTwo& asked, const ComparisonProgress& progress) {
+    auto scans = placed(asked);
+    if (!scans) return scans.error();
+    RepeatRun run;
+    run.radiusM = asked.radiusM;
+    if (asked.refine) {
+        auto alignment = alignScans((*scans)[0], (*scans)[1], kReachM);
+        if (!alignment) return Error{alignment.error().what, asked.files[1], alignment.error().hint};
+        (*scans)[1] = corrected(std::move((*scans)[1]), alignment->correction);
+        run.alignment = *alignment;
+    }
+    run.methods = methodRepeatability((*scans)[0], (*scans)[1], asked.radiusM, asked.settings, progress);
+    if (asked.json != "-") say(repeatText(run));
+    if (asked.json.empty()) return Done{};
+    nlohmann::ordered_json report{{"inputs", asked.files}};
+    report.update(repeatReport(run));
+    return writeDocument(asked.json, document("compare-two", report));
+}
+
+} // namespace edgescan::cli

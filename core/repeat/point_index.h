@@ -1,0 +1,32 @@
+// Which of many points is nearest.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace edgescan {
+
+/// Points that are not finite are left out.
+class PointIndex {
+public:
+    explicit PointIndex(std::span<const Eigen::Vector3d> points);
+    PointIndex(PointIndex&&) noexcept;
+    PointIndex& operator=(PointIndex&&) noexcept;
+    ~PointIndex();
+
+    /// Places in the list, the nearest first, `count` at most.
+    [[nodiscard]] std::vector<std::uint32_t> nearest(const Eigen::Vector3d& p, unsigned count) const;
+    [[nodiscard]] std::optional<std::uint32_t> nearest(const Eigen::Vector3d& p) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+    std::vector<Eigen::Vector3d> points_;
+};
+
+} // namespace edgescan
