@@ -94,6 +94,8 @@ void bindScan(py::module_& module) {
              "float32, lines x beams, mm. A range only where state is 0. No copy, read only.");
     property("state", [](const ScanPtr& s) { return gridArray(s->state, s); },
              "uint8, lines x beams: 0 valid, 1 no return, 2 device status, 3 outside the window, 4 masked, 5 lost. No copy, read only.");
+    property("intensity", [](const ScanPtr& s) -> py::object { return s->intensity.size() > 0 ? gridArray(s->intensity, s) : py::object(py::none()); },
+             "float32, lines x beams: as it was read, NaN where a cell has none. None where the scan has none. No copy, read only.");
     property("beam_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::beamDeg); },
              "float64, beams: angle of each beam in the fan, degrees. None where the scan holds points without angles.");
     property("line_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::lineDeg); },

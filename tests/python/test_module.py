@@ -156,6 +156,7 @@ class Arrays(unittest.TestCase):
             with self.assertRaises(ValueError):
                 first[...] = 1
         self.assertIs(type(self.scan.range_mm), np.ndarray)
+        self.assertIsNone(self.scan.intensity)
         self.assertEqual(self.scan.range_mm.dtype, np.float32)
         self.assertEqual((result.mask.dtype, result.strength.dtype), (np.uint8, np.float64))
 
