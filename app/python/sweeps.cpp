@@ -2,6 +2,7 @@
 #include "app/python/module.h"
 
 #include "app/shared/host_port.h"
+#include "app/shared/mounting.h"
 #include "core/io/open_scan.h"
 #include "core/live/live_feed.h"
 
@@ -204,20 +205,23 @@ private:
     std::unique_ptr<LiveFeed> feed_; // last: its thread uses the above
 };
 
-std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines, const std::string& axis,
-                                          double firstLine, double lineStep, std::optional<double> ticksPerDegree) {
-    if (axis != "spin" && axis != "sweep") throw Refused{{"\"" + axis + "\" is no axis", "axis", "use spin or sweep"}};
+std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines,
+                                          const std::optional<std::string>& axis, std::optional<double> firstLine,
+                                          std::optional<double> lineStep, std::optional<double> ticksPerDegree,
+                                          const std::string& calibration, bool standing) {
+    if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is no axis", "axis", "use spin or sweep"}};
     if (expectedLines < 0 || expectedLines > 20000)
         throw Refused{{std::to_string(expectedLines) + " lines are out of reason", "expected_lines", "give 0 to 20000"}};
-    if (!physical::kBeamDeg.hold(firstLine) || !NumberLimits{-90, 90}.hold(lineStep))
+    if (!physical::kBeamDeg.hold(firstLine.value_or(0)) || !NumberLimits{-90, 90}.hold(lineStep.value_or(0)))
         throw Refused{{"the line angles are out of reason", "first_line, line_step", "give degrees, -360 to 360 and -90 to 90"}};
-    SweepSettings sweep;
-    sweep.expectedLines = expectedLines;
-    sweep.axis = axis == "spin" ? Axis::Spin : Axis::Sweep;
-    sweep.firstLineDeg = firstLine;
-    sweep.degPerLine = lineStep;
-    sweep.ticksPerDeg = ticksPerDegree;
-    return std::make_unique<ConnectionObject>(address, sweep, record);
+    cli::Mounting mounting{.lineStepDeg = lineStep,
+                           .firstLineDeg = firstLine,
+                           .ticksPerDeg = ticksPerDegree,
+                           .calibration = calibration,
+                           .expectedLines = expectedLines,
+                           .standing = standing};
+    if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
+    return std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record);
 }
 
 void bindSweep(py::module_& module) {
@@ -268,8 +272,9 @@ void bindSweeps(py::module_& module) {
         .def("stop", &ConnectionObject::stop, "Ends the session and closes the recording.")
         .def_property_readonly("status", &ConnectionObject::status,
                                "A dict: phase, sentence, scanner, lines, undecodable, reconnects, sweep, recording.");
-    module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis"),
-               py::arg("first_line"), py::arg("line_step"), py::arg("ticks_per_degree").none(true));
+    module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis").none(true),
+               py::arg("first_line").none(true), py::arg("line_step").none(true), py::arg("ticks_per_degree").none(true),
+               py::arg("calibration"), py::arg("standing"));
 }
 
 } // namespace edgescan::python

@@ -396,6 +396,12 @@ class Sweeps(unittest.TestCase):
         self.assertTrue(sweep.complete)
         np.testing.assert_array_equal(sweep.scan.range_mm, wanted.range_mm)
         np.testing.assert_array_equal(edgescan.open(record).range_mm, wanted.range_mm)
+        # The axis was said and the step was not.
+        for scan in (sweep.scan, edgescan.open(record)):
+            told = [w for w in scan.warnings if "ASSUMED" in w]
+            self.assertEqual(len(told), 1, scan.warnings)
+            self.assertIn("the step from line to line", told[0])
+            self.assertNotIn("the axis", told[0])
 
     def test_nobody_there(self):
         with edgescan.connect("127.0.0.1:1") as scanner, self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):

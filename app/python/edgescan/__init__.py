@@ -187,12 +187,14 @@ def replay(path, *, every=1, speed=0, pose="", calibration=""):
     return Replay(_os.fspath(path), every, speed, _os.fspath(pose), _os.fspath(calibration))
 
 
-def connect(address, *, record="", expected_lines=0, axis="spin", first_line=0.0, line_step=0.18, ticks_per_degree=None):
+def connect(address, *, record="", expected_lines=0, axis=None, first_line=None, line_step=None, ticks_per_degree=None, calibration="",
+            standing=False):
     """Connects to an LMS5xx: an iterator of Sweep, the newest state whenever a line came, and each sweep once more when it is finished.
 
     address: HOST or HOST:PORT. Nothing but reads and a subscription is sent to it. record: new recording (.mcap) of every telegram.
     expected_lines: of a whole sweep, 0 = not known. axis: mounting of the stepper, 'spin' or 'sweep'. first_line, line_step: stepper angles,
-    degrees. ticks_per_degree: encoder counts, where there is an encoder.
+    degrees. ticks_per_degree: encoder counts, where there is an encoder. calibration: the robot's file, which says axis and step. What neither
+    says is assumed, and the scan's warnings and the recording tell so. standing: the stepper stands while a line is measured.
 
     The session ends with stop(), or at the end of a with block. A lost connection is made again by itself; next(timeout=SECONDS) raises
     edgescan.Error where nothing comes.
@@ -204,7 +206,8 @@ def connect(address, *, record="", expected_lines=0, axis="spin", first_line=0.0
     >>> sweep.scan.lines
     40
     """
-    return _edgescan.connect(address, _os.fspath(record), expected_lines, axis, first_line, line_step, ticks_per_degree)
+    return _edgescan.connect(address, _os.fspath(record), expected_lines, axis, first_line, line_step, ticks_per_degree,
+                             _os.fspath(calibration), standing)
 
 
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
