@@ -265,7 +265,7 @@ Result<E57Choice> readChoice(const Source& source) {
     if (auto taken = takeGrid(table, scan, *numbers, source); !taken) return taken.error();
     if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
-        table.remarks.push_back("Beside its coordinates a point of this file has " + unread + ", which are not read.");
+        table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
     if (scan.poseIsNone) table.remarks.emplace_back("The pose in the file is no turn and shift, so the scan stays in the scanner's frame.");
     return choice;
 }

@@ -265,6 +265,7 @@ TEST(E57, OneOfSeveralScansIsOpenedWithItsPlace) {
         made.columns.push_back(e57Whole("rowIndex", cells.beams));
         made.columns.push_back(e57Whole("columnIndex", cells.lines));
         made.columns.push_back(e57Whole("intensity", cells.lines));
+        made.columns.push_back(e57Whole("colorRed", cells.beams));
         return made;
     };
     const std::string both = e57Bytes({part(first, ""), part(second, pose)});
@@ -273,7 +274,13 @@ TEST(E57, OneOfSeveralScansIsOpenedWithItsPlace) {
     EXPECT_EQ(opened->rangeMm, first.rangeMm);
     EXPECT_FALSE(opened->placement);
     EXPECT_TRUE(e57Told(*opened, "holds 2 scans; this is number 1, --scan chooses another"));
-    EXPECT_TRUE(e57Told(*opened, "has intensity, which are not read"));
+    EXPECT_TRUE(e57Told(*opened, "is not read: colorRed."));
+    ASSERT_EQ(opened->intensity.size(), opened->cells());
+    for (int line = 0; line < opened->lines(); ++line) {
+        for (int beam = 0; beam < opened->beams(); ++beam) {
+            if (opened->state.at(line, beam) == CellState::Valid) ASSERT_EQ(opened->intensity.at(line, beam), static_cast<float>(line));
+        }
+    }
     ReadingOptions options;
     options.scanIndex = 1;
     const auto other = readBytes(both, ".e57", options);
