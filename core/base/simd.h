@@ -3,6 +3,9 @@
 // sanitizers that cannot bear the choosing, once.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 
 #if !defined(__x86_64__) || !defined(__GNUC__) || defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -18,11 +21,11 @@
 
 namespace edgescan {
 
-/// Cells of a line that are worked on together, where the compiler alone cannot make vectors of a loop over a line: eight where the
+/// Cells of a line that are worked on together, where the compiler alone cannot make vectors of a loop over a line: sixteen where the
 /// processor has EDGESCAN_SIMD_WIDE, else four, for what it has not is done cell by cell.
 using FourLanes = float __attribute__((vector_size(16)));
-using EightLanes = float __attribute__((vector_size(32)));
-inline constexpr int kMostLanes = 8;
+using SixteenLanes = float __attribute__((vector_size(64)));
+inline constexpr int kMostLanes = 16;
 template <class Lanes>
 inline constexpr int kLanes = sizeof(Lanes) / sizeof(float);
 
@@ -33,6 +36,23 @@ inline __attribute__((always_inline)) void load(Lanes& lanes, const float* from)
 template <class Lanes>
 inline __attribute__((always_inline)) void store(float* to, const Lanes& lanes) {
     std::memcpy(to, &lanes, sizeof lanes);
+}
+/// 0 or 1 times 0 or 1, by the bits: a product takes four times as long.
+template <class Lanes>
+inline __attribute__((always_inline)) void both(Lanes& a, const Lanes& b) {
+    using Bits = decltype(a < b);
+    a = std::bit_cast<Lanes>(std::bit_cast<Bits>(a) & std::bit_cast<Bits>(b));
+}
+/// The largest of `kCount` values, a power of two, by halves.
+template <int kCount>
+inline __attribute__((always_inline)) float largest(const float* values) {
+    if constexpr (kCount == 1) {
+        return *values;
+    } else {
+        std::array<float, kCount / 2> larger;
+        for (int n = 0; n < kCount / 2; ++n) larger[n] = std::max(values[n], values[n + kCount / 2]);
+        return largest<kCount / 2>(larger.data());
+    }
 }
 
 } // namespace edgescan

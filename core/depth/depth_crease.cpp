@@ -57,8 +57,10 @@ inline __attribute__((always_inline)) void add(LaneSums<Lanes>& side, const Lane
     load(there, u);
     load(linked, link);
     load(goesOn, nextLink);
-    side.alive = distance <= reach ? side.alive * linked : Lanes{};
-    const Lanes taken = distance > 1 ? side.alive * goesOn : side.alive;
+    both(linked, side.alive);
+    side.alive = distance <= reach ? linked : Lanes{};
+    Lanes taken = side.alive;
+    if (distance > 1) both(taken, goesOn);
     const Lanes difference = taken * (there - here);
     side.cells += taken;
     side.sum += difference;
@@ -76,7 +78,7 @@ inline __attribute__((always_inline)) void put(SideSums& side, int beam, const L
 template <class Lanes>
 inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
     for (int j = 0; j < at.beams; j += kLanes<Lanes>) {
-        const float farthest = *std::max_element(reach + j, reach + j + kLanes<Lanes>);
+        const float farthest = largest<kLanes<Lanes>>(reach + j);
         Lanes here, cells;
         load(here, at.u + j);
         load(cells, reach + j);
@@ -91,13 +93,13 @@ inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float*
     }
 }
 
-EDGESCAN_SIMD void addUpByEight(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    addUpBy<EightLanes>(at, reach, left, right);
+EDGESCAN_SIMD void addUpBySixteen(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
+    addUpBy<SixteenLanes>(at, reach, left, right);
 }
 
 void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
     if (EDGESCAN_SIMD_WIDE)
-        addUpByEight(at, reach, left, right);
+        addUpBySixteen(at, reach, left, right);
     else
         addUpBy<FourLanes>(at, reach, left, right);
 }

@@ -1,7 +1,7 @@
-// EdgeScan+: its stages one after the other.
+// EdgeScan+: its stages one after the other, up to the decision.
 #include "core/depth/depth_edges.h"
 
-#include "core/base/huge_pages.h"
+#include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/depth/gap_detour.h"
 #include "core/depth/surface_lines.h"
@@ -10,9 +10,7 @@
 #include "core/straighten/interlace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace edgescan {
@@ -37,67 +35,79 @@ double noiseShare(const RangeNoise& noise, double spacingMm) {
     return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
 }
 
-// The responses of both ways as one: the stronger alone, or with `both` the root of the sum of squares where they have the same sign: a
-// fold that runs askew shows only part of itself in each way.
-float together(float stronger, float weaker, bool both) {
-    const float add = both && stronger * weaker > 0 ? weaker * weaker : 0.0F;
-    return std::copysign(std::sqrt(stronger * stronger + add), stronger);
-}
+// Both ways of one line.
+struct BothWays {
+    const float* beamwise;
+    const float* linewise;
+    std::ptrdiff_t stride;
 
-// One line: along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
-EDGESCAN_SIMD void suppressLine(const float* beamwise, const float* linewise, std::ptrdiff_t stride, const Support* support, int beams,
-                                bool both, float* __restrict out) {
-    for (int j = 0; j < beams; ++j) {
+    /// Along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
+    [[nodiscard]] bool isKept(int j) const {
         const float b = std::abs(beamwise[j]);
         const float l = std::abs(linewise[j]);
         const bool keepB = (b >= l) & (std::abs(beamwise[j - 1]) <= b) & (std::abs(beamwise[j + 1]) < b);
         const bool keepL = (b < l) & (std::abs(linewise[j - stride]) <= l) & (std::abs(linewise[j + stride]) < l);
-        const float stronger = b >= l ? beamwise[j] : linewise[j];
-        const float weaker = b >= l ? linewise[j] : beamwise[j];
-        const float value = together(stronger, weaker, both);
-        out[j] = ((keepB | keepL) & (support[j] != Support::Void)) ? value : 0.0F;
+        return keepB | keepL;
     }
-}
-
-// The next line of `kept`.
-void suppress(const Lines& alongBeams, const Lines& alongLines, int line, const Grid<Support>& support, bool both,
-              std::vector<float>& kept) {
-    if (line < 0 || line >= support.lines) return;
-    std::vector<float> values(static_cast<std::size_t>(support.beams));
-    suppressLine(alongBeams.line(line), alongLines.line(line), alongLines.stride, support.line(line), support.beams, both, values.data());
-    kept.insert(kept.end(), values.begin(), values.end());
-}
-
-// Appends a line of `window` to `cells` where the line is one of the sweep.
-void append(std::vector<float>& cells, const Lines& window, int line, int lines) {
-    if (line < 0 || line >= lines) return;
-    const float* values = window.line(line);
-    cells.insert(cells.end(), values, values + window.beams);
-}
-
-// The grids of DepthCracks while they grow.
-class CrackCopies {
-public:
-    CrackCopies(DepthCracks& cracks, int lines, int beams) : cracks_(&cracks), lines_(lines) {
-        for (Grid<float>* grid : grids()) {
-            *grid = Grid<float>(lines, beams, hugePageVector<float>(static_cast<std::size_t>(lines) * static_cast<std::size_t>(beams)));
-        }
-    }
-    void take(const SurfaceLines& surface) {
-        append(cracks_->jumpBeams.cells, surface.cracks(Along::Beams), surface.jumpLine(), lines_);
-        append(cracks_->jumpLines.cells, surface.cracks(Along::Lines), surface.jumpLine(), lines_);
-        append(cracks_->smoothed.cells, surface.smoothed(), surface.foldLine(), lines_);
-        append(cracks_->foldBeams.cells, surface.folds(Along::Beams), surface.foldLine(), lines_);
-        append(cracks_->foldLines.cells, surface.folds(Along::Lines), surface.foldLine(), lines_);
-    }
-
-private:
-    [[nodiscard]] std::array<Grid<float>*, 5> grids() const {
-        return {&cracks_->smoothed, &cracks_->jumpBeams, &cracks_->jumpLines, &cracks_->foldBeams, &cracks_->foldLines};
-    }
-    DepthCracks* cracks_;
-    int lines_;
+    [[nodiscard]] bool isBeamwise(int j) const { return std::abs(beamwise[j]) >= std::abs(linewise[j]); }
 };
+
+// The stronger of both ways.
+EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float value = jumps.isBeamwise(j) ? jumps.beamwise[j] : jumps.linewise[j];
+        out[j] = (jumps.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
+    }
+}
+
+// The root of the sum of squares where both ways have the same sign: a fold that runs askew shows only part of itself in each way.
+EDGESCAN_SIMD void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float stronger = folds.isBeamwise(j) ? folds.beamwise[j] : folds.linewise[j];
+        const float weaker = folds.isBeamwise(j) ? folds.linewise[j] : folds.beamwise[j];
+        const float add = stronger * weaker > 0 ? weaker * weaker : 0.0F;
+        const float value = std::copysign(std::sqrt(stronger * stronger + add), stronger);
+        out[j] = (folds.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
+    }
+}
+
+BothWays bothWays(const Lines& beamwise, const Lines& linewise, int line) {
+    return {beamwise.line(line), linewise.line(line), linewise.stride};
+}
+
+// Lines that a thread works on; it looks at those around them as well.
+struct Band {
+    int first, last; // the line after the band
+    [[nodiscard]] bool contains(int line) const { return line >= first && line < last; }
+};
+
+void copyLine(const Lines& window, int line, const Band& band, Grid<float>& grid) {
+    if (band.contains(line)) std::copy_n(window.line(line), window.beams, grid.line(line));
+}
+
+void copyCracks(const SurfaceLines& surface, const Band& band, DepthCracks& cracks) {
+    copyLine(surface.cracks(Along::Beams), surface.jumpLine(), band, cracks.jumpBeams);
+    copyLine(surface.cracks(Along::Lines), surface.jumpLine(), band, cracks.jumpLines);
+    copyLine(surface.smoothed(), surface.foldLine(), band, cracks.smoothed);
+    copyLine(surface.folds(Along::Beams), surface.foldLine(), band, cracks.foldBeams);
+    copyLine(surface.folds(Along::Lines), surface.foldLine(), band, cracks.foldLines);
+}
+
+void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks) {
+    const Grid<Support>& support = surface.inverse.support;
+    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLooksBack));
+    while (lines.foldLine() < band.last) {
+        lines.advance();
+        if (cracks != nullptr) copyCracks(lines, band, *cracks);
+        // One line behind the newest: suppression looks at the lines on both sides.
+        if (const int line = lines.jumpLine() - 1; band.contains(line))
+            suppressJumps(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line), support.beams,
+                          result.jump.line(line));
+        if (const int line = lines.foldLine() - 1; band.contains(line))
+            suppressFolds(bothWays(lines.folds(Along::Beams), lines.folds(Along::Lines), line), support.line(line), support.beams,
+                          result.crease.line(line));
+    }
+}
 
 // 1 at measured cells with a void beside them. Before the first and after the last line the line itself is given: that adds no void.
 EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
@@ -127,9 +137,9 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 } // namespace
 
-DepthSurface depthSurface(const Scan& scan, bool straightened) {
+DepthSurface depthSurface(const Scan& scan, bool straightened, int threads) {
     DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0};
-    surface.slips = straightened ? straighten(surface.inverse) : noSlips(scan.lines());
+    surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     surface.noise = rangeNoise(surface.inverse);
     flattenSpikes(surface.inverse, surface.noise);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
@@ -154,87 +164,16 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
     return limits;
 }
 
-DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks) {
+DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks, int threads) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
-    auto jumps = hugePageVector<float>(support.size());
-    auto folds = hugePageVector<float>(support.size());
-    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits);
-    std::optional<CrackCopies> copies;
-    if (cracks != nullptr) copies.emplace(*cracks, support.lines, support.beams);
-    while (folds.size() < support.size()) {
-        lines.advance();
-        if (copies) copies->take(lines);
-        // One line behind the newest: suppression looks at the lines on both sides.
-        suppress(lines.jumps(Along::Beams), lines.jumps(Along::Lines), lines.jumpLine() - 1, support, false, jumps);
-        suppress(lines.folds(Along::Beams), lines.folds(Along::Lines), lines.foldLine() - 1, support, true, folds);
-    }
-    DepthResponses result;
-    result.jump = Grid<float>(support.lines, support.beams, std::move(jumps));
-    result.crease = Grid<float>(support.lines, support.beams, std::move(folds));
+    const auto grid = [&support] { return Grid<float>(support.lines, support.beams); };
+    if (cracks != nullptr) *cracks = {grid(), grid(), grid(), grid(), grid()};
+    DepthResponses result{grid(), grid(), limits.noise, static_cast<double>(limits.jumpMm), borderCells(support)};
+    inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {
+        respond(surface, limits, {first, last}, result, cracks);
+    });
     goRoundGaps(surface.inverse, result.jump, result.crease);
-    result.noise = limits.noise;
-    result.jumpMm = static_cast<double>(limits.jumpMm);
-    result.border = borderCells(support);
-    return result;
-}
-
-Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum) {
-    Grid<std::uint8_t> state(strength.lines, strength.beams); // 1 = waiting, 255 = edge
-    for (std::size_t k = 0; k < strength.size(); ++k) state[k] = strength[k] > low ? 1 : 0;
-    const auto beams = static_cast<std::size_t>(strength.beams);
-    std::vector<std::size_t> chain;
-    for (std::size_t seed = 0; seed < state.size(); ++seed) {
-        if (state[seed] != 1) continue;
-        chain.assign(1, seed);
-        state[seed] = 2;
-        bool strong = false;
-        for (std::size_t at = 0; at < chain.size(); ++at) {
-            const std::size_t k = chain[at];
-            strong = strong || strength[k] > high;
-            const int line = static_cast<int>(k / beams);
-            const int beam = static_cast<int>(k % beams);
-            for (int i = line - 1; i <= line + 1; ++i) {
-                for (int j = beam - 1; j <= beam + 1; ++j) {
-                    if (!state.contains(i, j) || state.at(i, j) != 1) continue;
-                    state.at(i, j) = 2;
-                    chain.push_back(state.index(i, j));
-                }
-            }
-        }
-        const bool kept = strong && static_cast<int>(chain.size()) >= minimum;
-        for (const std::size_t k : chain) state[k] = kept ? 255 : 0;
-    }
-    return state;
-}
-
-DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
-    const int lines = responses.jump.lines;
-    const int beams = responses.jump.beams;
-    DepthEdges result{Grid<std::uint8_t>(lines, beams), Grid<DepthEdge>(lines, beams, DepthEdge::None), Grid<float>(lines, beams),
-                      responses.noise};
-    const float convex = settings.convex ? 1.0F : 0.0F;
-    const float concave = settings.concave ? 1.0F : 0.0F;
-    const float jumps = settings.jumps ? 1.0F : 0.0F;
-    for (std::size_t k = 0; k < result.strength.size(); ++k) {
-        const float crease = responses.crease[k];
-        result.strength[k] = std::max({jumps * responses.jump[k], convex * crease, -concave * crease});
-    }
-    const auto high = static_cast<float>(settings.sensitivity);
-    const Grid<std::uint8_t> kept =
-        linkedChains(result.strength, high, high * static_cast<float>(settings.hysteresisLow), settings.minimumLength);
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-        if (kept[k] == 0) continue;
-        result.mask[k] = 255;
-        const bool jump = settings.jumps && responses.jump[k] >= result.strength[k];
-        result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;
-    }
-    if (!settings.border) return result;
-    for (const std::uint32_t k : responses.border) {
-        if (result.mask[k] != 0) continue;
-        result.mask[k] = 255;
-        result.kind[k] = DepthEdge::Border;
-    }
     return result;
 }
 

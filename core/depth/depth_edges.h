@@ -41,7 +41,6 @@ struct DepthResponses {
 struct DepthEdges {
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a measured range
     Grid<DepthEdge> kind;    ///< lines x beams
-    Grid<float> strength;    ///< suppressed response of the classes wanted, 1 = at the threshold
     RangeNoise noise;        ///< measured or typed
 };
 
@@ -53,7 +52,7 @@ struct DepthSurface {
     RangeNoise noise;
     double spacingMm = 0;
 };
-[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten);
+[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0);
 
 /// The thresholds of all stages, from sliders and noise.
 [[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
@@ -67,8 +66,13 @@ struct DepthCracks {
     Grid<float> foldLines; ///< likewise along the lines
 };
 
-/// Steps 2 to 5. `cracks`: filled on the way where it is not null; the responses are the same.
-[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks = nullptr);
+/// Steps 2 to 5. `cracks`: filled on the way where it is not null; the responses are the same, with any number of threads
+/// (0: as many as pay).
+[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks = nullptr,
+                                            int threads = 0);
+
+/// What is decided on: the response of the classes that are wanted, 1 = at the threshold. Lines x beams.
+[[nodiscard]] Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettings& settings);
 
 /// Chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least: 255, else 0.
 [[nodiscard]] Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum);

@@ -171,7 +171,7 @@ DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int l
     const DepthSurface sweep = depthSurface(scan, settings.straighten);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});
-    SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits);
+    SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLooksBack - 2));
     while (surface.foldLine() <= line) {
         surface.advance();
         prober.look(surface);

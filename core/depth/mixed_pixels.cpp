@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <span>
 
 namespace edgescan {
 namespace {
@@ -138,10 +138,10 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
            std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
-// A first look at a whole line: not 0 at every cell that the closer looks could snap, and at a few more.
-EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int beams,
+// A first look at some cells: not 0 at every one that the closer looks could snap, and at a few more.
+EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
                                  const DepthLimits& limits, float* __restrict worth) {
-    for (int j = 0; j < beams; ++j) {
+    for (int j = 0; j < cells; ++j) {
         const float b3 = u[j - 3 * s], b2 = u[j - 2 * s], b1 = u[j - s], here = u[j];
         const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s];
         const float spot = kWiderSpot * (kSpotM * here + kSpotRad);
@@ -157,8 +157,20 @@ EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float
     }
 }
 
-EDGESCAN_SIMD void toMarked(const float* look, int beams, std::uint8_t* __restrict marked) {
-    for (int j = 0; j < beams; ++j) marked[j] = look[j] != 0 ? 1 : 0;
+EDGESCAN_SIMD void toMarked(const float* look, int cells, std::uint8_t* __restrict marked) {
+    for (int j = 0; j < cells; ++j) marked[j] = look[j] != 0 ? 1 : 0;
+}
+
+// The closer look at one cell; `angle` of an index step.
+void snapAt(const Place& at, float angle, const DepthLimits& limits, float* out) {
+    if (!isWorthwhile(at, limits)) return;
+    if (snapOne(at, limits, *out)) return;
+    const float rangeM = 1.0F / at.u[0];
+    const float cell = rangeM * angle;
+    const float spot = kSpotM + kSpotRad * rangeM;
+    std::array<float, kRun> run{};
+    if (kRun * cell > spot || !snapRun(at, limits, run)) return;
+    for (int n = 0; n < kRun; ++n) out[n * at.step] = run[static_cast<std::size_t>(n)];
 }
 
 } // namespace
@@ -168,21 +180,18 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     const float* u = field.u.line(line);
     const float* solid = field.solid.line(line);
     float* out = snapped.line(line);
-    std::vector<std::uint8_t> marked(static_cast<std::size_t>(field.u.beams));
-    std::vector<float> look(marked.size());
-    takeFirstLook(u, solid, angle, step, field.u.beams, limits, look.data());
-    toMarked(look.data(), field.u.beams, marked.data());
-    forEachMarked(marked, [&](std::size_t j) {
-        const Place at{u + j, solid + j, step};
-        if (!isWorthwhile(at, limits)) return;
-        if (snapOne(at, limits, out[j])) return;
-        const float rangeM = 1.0F / at.u[0];
-        const float cell = rangeM * angle[j];
-        const float spot = kSpotM + kSpotRad * rangeM;
-        std::array<float, kRun> run{};
-        if (kRun * cell > spot || !snapRun(at, limits, run)) return;
-        for (int n = 0; n < kRun; ++n) out[static_cast<std::ptrdiff_t>(j) + n * step] = run[static_cast<std::size_t>(n)];
-    });
+    constexpr int kBlock = 256; // cells that are looked at together
+    std::array<float, kBlock> look;
+    std::array<std::uint8_t, kBlock> marked;
+    for (int from = 0; from < field.u.beams; from += kBlock) {
+        const int cells = std::min(kBlock, field.u.beams - from);
+        takeFirstLook(u + from, solid + from, angle + from, step, cells, limits, look.data());
+        toMarked(look.data(), cells, marked.data());
+        forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
+            const std::size_t j = static_cast<std::size_t>(from) + place;
+            snapAt({u + j, solid + j, step}, angle[j], limits, out + j);
+        });
+    }
 }
 
 } // namespace edgescan

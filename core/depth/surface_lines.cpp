@@ -18,6 +18,8 @@ constexpr int kToCracks = kToSnapped + kJumpLooksOn;
 constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;
 constexpr int kFoldLines = 2 * kFoldLooks + 1;
 
+constexpr int kMostPasses = 2;
+static_assert(SurfaceLines::kLooksBack >= 1 + kFoldLooks + kMostPasses + kJumpLooksBack + kMixedWritesOn + kMixedLooksBack + 1);
 static_assert(kMixedWritesOn <= kMixedLooksOn && kMixedLooksBack <= kJumpLooksOn + kJumpLooksBack);
 
 EDGESCAN_SIMD void takeSolid(const Support* support, int beams, float* __restrict solid) {
@@ -26,17 +28,18 @@ EDGESCAN_SIMD void takeSolid(const Support* support, int beams, float* __restric
 
 } // namespace
 
-SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits)
-    : inverse_(inverse), steps_(steps), slips_(slips), limits_(limits), lines_(inverse.u.lines), crackLine_(-1 - kToCracks),
-      measured_(inverse.u.beams, 1, kMarginU), solid_(inverse.u.beams, kSurfaceLines),
-      snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU), snapped_(inverse.u.beams, kSurfaceLines, kMarginU),
-      crackBeams_(inverse.u.beams, 1, 0.0F, -1), crackLines_(inverse.u.beams, 2, 0.0F, -1),
-      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0.0F, -1),
-      linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0.0F, -1), jumpBeams_(inverse.u.beams, kAround),
-      jumpLines_(inverse.u.beams, kAround),
-      work_(inverse.u.beams), folds_{Lines(inverse.u.beams, kAround), Lines(inverse.u.beams, kAround)} {
+SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits,
+                           int from)
+    : inverse_(inverse), steps_(steps), slips_(slips), limits_(limits), from_(from), lines_(inverse.u.lines),
+      crackLine_(from - 1 - kToCracks), measured_(inverse.u.beams, 1, kMarginU, from), solid_(inverse.u.beams, kSurfaceLines, 0.0F, from),
+      snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU, from), snapped_(inverse.u.beams, kSurfaceLines, kMarginU, from),
+      crackBeams_(inverse.u.beams, 1, 0.0F, from - 1), crackLines_(inverse.u.beams, 2, 0.0F, from - 1),
+      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0.0F, from - 1),
+      linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0.0F, from - 1), jumpBeams_(inverse.u.beams, kAround, 0.0F, from),
+      jumpLines_(inverse.u.beams, kAround, 0.0F, from),
+      work_(inverse.u.beams), folds_{Lines(inverse.u.beams, kAround, 0.0F, from), Lines(inverse.u.beams, kAround, 0.0F, from)} {
     for (int pass = 0; pass < limits.passes; ++pass)
-        passes_.push_back({Lines(inverse.u.beams, 3, kMarginU), Lines(inverse.u.beams, kFoldLines, kMarginU)});
+        passes_.push_back({Lines(inverse.u.beams, 3, kMarginU, from), Lines(inverse.u.beams, kFoldLines, kMarginU, from)});
 }
 
 void SurfaceLines::advance() {
@@ -44,7 +47,7 @@ void SurfaceLines::advance() {
     takeLine(line);
     snapAlongBeams(line);
     snapAlongLines(line - kToSnapped);
-    if (++crackLine_ < -1) return;
+    if (++crackLine_ < from_ - 1) return;
     findCracks(crackLine_);
     for (std::size_t pass = 0; pass < passes_.size(); ++pass) smooth(pass, crackLine_ - static_cast<int>(pass));
     fitFolds(foldLine());

@@ -13,8 +13,11 @@ namespace edgescan {
 /// say of a line depends on no more than a few dozen lines round it, and no more are held.
 class SurfaceLines {
 public:
-    /// The references are kept.
-    SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits);
+    /// What is said of a line depends on no more than so many lines before it.
+    static constexpr int kLooksBack = 32;
+
+    /// The references are kept. Begins at line `from`, as if no lines were before it.
+    SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0);
 
     /// Takes up one more line of the sweep; after the last one, lines of the margin.
     void advance();
@@ -38,7 +41,7 @@ public:
     [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldLooks; }
 
 private:
-    [[nodiscard]] bool isInside(int line) const { return line >= 0 && line < lines_; }
+    [[nodiscard]] bool isInside(int line) const { return line >= from_ && line < lines_; }
     void takeLine(int line);
     void snapAlongBeams(int line);
     void snapAlongLines(int line);
@@ -50,6 +53,7 @@ private:
     const AngularSteps& steps_;
     const SweepSlips& slips_;
     const DepthLimits& limits_;
+    int from_;
     int lines_;
     int crackLine_;  // newest line of cracks
     Lines measured_; // u

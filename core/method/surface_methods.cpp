@@ -19,7 +19,7 @@ FoundEdges surfaceEdges(const Detection& detection) {
 ThresholdMap surfaceThresholds(const Detection& detection) {
     const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
     const DepthResponses& responses = *detection.responses;
-    ThresholdMap map = linkedThresholdMap(decideDepthEdges(responses, settings).strength, settings.hysteresisLow, settings.minimumLength);
+    ThresholdMap map = linkedThresholdMap(depthStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
     if (settings.border) {
         for (const std::uint32_t k : responses.border) map.highest[k] = std::numeric_limits<double>::infinity();
     }
@@ -32,7 +32,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     Judgement found;
     found.takesPart = withoutOwnRange(*detection.scan)[k] == 0;
-    found.linked = decideDepthEdges(responses, settings).strength;
+    found.linked = depthStrength(responses, settings);
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * settings.hysteresisLow;
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams));

@@ -1,7 +1,6 @@
 // The sweep in inverse range.
 #include "core/scan/inverse_range.h"
 
-#include "core/base/huge_pages.h"
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/scan/cartesian.h"
@@ -129,8 +128,8 @@ AngularSteps cameraSteps(const Scan& scan) {
 
 InverseRange inverseRange(const Scan& scan) {
     const auto beams = static_cast<std::size_t>(scan.beams());
-    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), hugePageVector<float>(scan.cells())),
-                         Grid<Support>(scan.lines(), scan.beams())};
+    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), std::vector<float>()), Grid<Support>(scan.lines(), scan.beams())};
+    inverse.u.cells.reserve(scan.cells());
     IsolatedLines isolatedLines(scan);
     std::vector<std::uint8_t> isolated(beams);
     LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0

@@ -42,7 +42,7 @@ public:
 
 private:
     static constexpr int kBeyond = 64; // cells after the last line, for loops that work on whole lanes
-    static constexpr int kRoom = 16;   // lines that come before the newest ones are moved to the front again
+    static constexpr int kRoom = 32;   // lines that come before the newest ones are moved to the front again
     T fill_;
     int held_;
     int end_;    // line after the newest one

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
+#include <span>
 
 namespace edgescan {
 
-/// Calls visit(place) for each value that is 1, in order; the others must be 0. Fast where only few are 1.
+/// Calls visit(place) for each value that is 1, in order. Fast where only few are.
 template <class Visit>
-void forEachMarked(const std::vector<std::uint8_t>& marked, Visit visit) {
+void forEachMarked(std::span<const std::uint8_t> marked, Visit visit) {
     for (std::size_t place = 0; place < marked.size(); ++place) {
         const void* next = std::memchr(marked.data() + place, 1, marked.size() - place);
         if (next == nullptr) return;

@@ -104,7 +104,7 @@ SweepSlips noSlips(int lines) {
     return {none, {none, none}, {none, none}, false, 0};
 }
 
-SweepSlips straighten(InverseRange& inverse) {
+SweepSlips straighten(InverseRange& inverse, int threads) {
     const int lines = inverse.u.lines;
     // A sample of the lines tells whether it is worth looking at all of them.
     SweepSlips result{parities(inverse, std::max(1, lines / kSampledLines)), {}, {}, false, 0};
@@ -113,7 +113,7 @@ SweepSlips straighten(InverseRange& inverse) {
         result.parity = parities(inverse, 1);
         moveBeams(inverse, result.parity);
     }
-    result.measured = lineSlips(inverse);
+    result.measured = lineSlips(inverse, threads);
     result.extra = bringToLines(inverse, result.measured);
     for (const std::vector<float>& steps : result.measured)
         result.slipCount += static_cast<int>(std::count_if(steps.begin(), steps.end(), [](float extra) { return extra != 0; }));

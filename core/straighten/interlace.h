@@ -24,7 +24,7 @@ struct SweepSlips {
 
 /// Measures the displacements as weighted medians over the slanted cells of each line. Brings interlaced beams to the angle of their line,
 /// odd and even ones by half of the displacement each, and slipped lines to their places; never across a jump. Where the cells of a line do
-/// not agree, nothing is reported or moved.
-[[nodiscard]] SweepSlips straighten(InverseRange& inverse);
+/// not agree, nothing is reported or moved. The same with any number of threads (0: as many as pay).
+[[nodiscard]] SweepSlips straighten(InverseRange& inverse, int threads = 0);
 
 } // namespace edgescan

@@ -1,11 +1,13 @@
 // Stalls and leaps of the stepper.
 #include "core/straighten/line_slips.h"
 
+#include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/straighten/slip_votes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace edgescan {
@@ -42,6 +44,66 @@ EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int re
     }
 }
 
+// Shares of u between kLeastSlant and kMostSlant are whole multiples of this: as whole numbers they add up the same in any order.
+constexpr float kUnitOfWeight = 0x1p-31F;
+static_assert(kLeastSlant >= 0x1p-8F && kMostSlant < 1);
+
+// The votes of a line as their weighted middle counts them.
+struct StepVotes {
+    explicit StepVotes(int beams)
+        : weight(static_cast<std::size_t>(beams)), below(static_cast<std::size_t>(beams)), upTo(static_cast<std::size_t>(beams)) {}
+    std::vector<std::int32_t> weight; // in units; 0 where the cell has no vote
+    std::vector<std::int32_t> below;  // of these, votes for a step at most -limit ...
+    std::vector<std::int32_t> upTo;   // ... and less than limit
+};
+
+EDGESCAN_SIMD void weigh(const float* u, const Support* support, const LineSlants& slants, std::ptrdiff_t stride, int reach, float limit,
+                         StepVotes& votes) {
+    const std::ptrdiff_t far = reach * stride;
+    const auto beams = static_cast<std::ptrdiff_t>(votes.weight.size());
+    const float* slant = slants.slant.data();
+    const std::uint8_t* slanted = slants.slanted.data();
+    std::int32_t* __restrict weights = votes.weight.data();
+    std::int32_t* __restrict below = votes.below.data();
+    std::int32_t* __restrict upTo = votes.upTo.data();
+    for (std::ptrdiff_t j = 0; j < beams; ++j) {
+        const bool measured = (support[j - far] == Support::Measured) & (support[j] == Support::Measured) &
+                              (support[j + stride] == Support::Measured) & (support[j + stride + far] == Support::Measured);
+        const float share = (slanted[j] != 0) & measured ? std::abs(slant[j]) / u[j] : 0.0F;
+        const float steps = (u[j + stride] - u[j]) / slant[j] - 1;
+        const auto weight = static_cast<std::int32_t>(share / kUnitOfWeight);
+        weights[j] = weight;
+        below[j] = steps <= -limit ? weight : 0;
+        upTo[j] = steps < limit ? weight : 0;
+    }
+}
+
+struct Sum {
+    std::int64_t votes = 0, weight = 0, below = 0, upTo = 0;
+};
+EDGESCAN_SIMD Sum sumOfParity(const StepVotes& votes, std::size_t parity) {
+    Sum sum;
+    for (std::size_t j = parity; j < votes.weight.size(); j += 2) {
+        sum.votes += votes.weight[j] != 0 ? 1 : 0;
+        sum.weight += votes.weight[j];
+        sum.below += votes.below[j];
+        sum.upTo += votes.upTo[j];
+    }
+    return sum;
+}
+
+bool areEnough(std::size_t votes, int beams) { return votes >= std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25); }
+
+// Whether the weighted middle of either parity may be beyond the limit: on most lines it is not, and no vote need be looked at again.
+bool canBeSlip(const StepVotes& votes, int beams) {
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        const Sum sum = sumOfParity(votes, parity);
+        if (areEnough(static_cast<std::size_t>(sum.votes), beams) && (2 * sum.below >= sum.weight || 2 * sum.upTo < sum.weight))
+            return true;
+    }
+    return false;
+}
+
 using StepSlips = std::array<std::vector<SlipVote>, 2>;
 
 void addStep(const InverseRange& inverse, int line, int beam, float slant, StepSlips& slips) {
@@ -50,9 +112,8 @@ void addStep(const InverseRange& inverse, int line, int beam, float slant, StepS
     slips[static_cast<std::size_t>(beam % 2)].push_back({(next - u) / slant - 1, std::abs(slant) / u, slant});
 }
 
-void addSteps(const InverseRange& inverse, int line, LineSlants& slants, StepSlips& slips) {
+void addSteps(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
     const int reach = reachAt(line, inverse.u.lines);
-    slantsRoundStep(inverse.u.line(line), inverse.u.beams, reach, inverse.u.beams, slants.slant.data(), slants.slanted.data());
     slants.forEach([&](int j, float slant) {
         for (const int i : {line - reach, line, line + 1, line + 1 + reach}) {
             if (!inverse.isMeasured(i, j)) return;
@@ -90,11 +151,37 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
 
 // The slip that beams of one parity show; 0 when none explains what is seen.
 float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
-    if (slips.size() < std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25)) return 0;
+    if (!areEnough(slips.size(), beams)) return 0;
     if (isMiddleWithin(least, slips)) return 0;
     const float steps = weightedMiddle(slips);
     if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
     return explained(slips, steps) < kExplained ? 0 : steps;
+}
+
+// Memory for the work on a line.
+struct LineWork {
+    explicit LineWork(int beams) : slants(beams), votes(beams) {}
+    LineSlants slants;
+    StepVotes votes;
+    StepSlips slips;
+};
+
+// The slip from this line to the next, as beams of both parities show it.
+void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& steps) {
+    const int reach = reachAt(line, inverse.u.lines);
+    const int beams = inverse.u.beams;
+    slantsRoundStep(inverse.u.line(line), beams, reach, beams, work.slants.slant.data(), work.slants.slanted.data());
+    weigh(inverse.u.line(line), inverse.support.line(line), work.slants, beams, reach, kLeastExtra, work.votes);
+    if (!canBeSlip(work.votes, beams)) return;
+    StepSlips& slips = work.slips;
+    for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
+    addSteps(inverse, line, work.slants, slips);
+    if (extraStep(slips[0], beams, kLeastExtra) == 0 && extraStep(slips[1], beams, kLeastExtra) == 0) return;
+    addStepsAgain(inverse, line, work.slants, slips);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        const float extra = extraStep(slips[parity], beams, kSureExtra);
+        steps[parity][static_cast<std::size_t>(line)] = std::abs(extra) <= kMostExtra ? extra : 0;
+    }
 }
 
 // Slips that follow each other closely, of even or odd beams.
@@ -166,23 +253,14 @@ float leftOver(const InverseRange& inverse, int line, int parity, float otherwis
 
 } // namespace
 
-LineSteps lineSlips(const InverseRange& inverse) {
+LineSteps lineSlips(const InverseRange& inverse, int threads) {
     const int lines = inverse.u.lines;
     LineSteps steps;
     steps.fill(std::vector<float>(static_cast<std::size_t>(lines)));
-    LineSlants slants(inverse.u.beams);
-    StepSlips slips;
-    for (int i = kNearest; i + 1 + kNearest < lines; ++i) {
-        addSteps(inverse, i, slants, slips);
-        if (extraStep(slips[0], inverse.u.beams, kLeastExtra) != 0 || extraStep(slips[1], inverse.u.beams, kLeastExtra) != 0) {
-            addStepsAgain(inverse, i, slants, slips);
-            for (std::size_t parity = 0; parity < 2; ++parity) {
-                const float extra = extraStep(slips[parity], inverse.u.beams, kSureExtra);
-                steps[parity][static_cast<std::size_t>(i)] = std::abs(extra) <= kMostExtra ? extra : 0;
-            }
-        }
-        for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
-    }
+    inBands(std::max(0, lines - 1 - 2 * kNearest), bandsFor(inverse.u.size(), threads), [&](int first, int last) {
+        LineWork work(inverse.u.beams);
+        for (int i = first; i < last; ++i) findSlip(inverse, i + kNearest, work, steps);
+    });
     return steps;
 }
 

@@ -13,8 +13,8 @@ namespace edgescan {
 using LineSteps = std::array<std::vector<float>, 2>;
 
 /// -1 is a stall, +2 a leap that makes up for two stalls. Measured as the weighted median over the slanted cells of a line, with slopes
-/// taken over many lines, because those beside the slip may have slipped too.
-[[nodiscard]] LineSteps lineSlips(const InverseRange& inverse);
+/// taken over many lines, because those beside the slip may have slipped too. The same with any number of threads (0: as many as pay).
+[[nodiscard]] LineSteps lineSlips(const InverseRange& inverse, int threads = 0);
 
 /// Brings displaced lines back to the angle they are said to have, on slanted surfaces and never across a jump. Returns what remains of the
 /// slips: one longer or shorter step where the stepper did not make up for all of them.

@@ -8,7 +8,6 @@
 #include "core/rocks/rock_study.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
-#include "tests/support/depth_edges.h"
 
 #include <opencv2/core/utility.hpp>
 
@@ -78,11 +77,12 @@ int main(int argc, char** argv) {
     };
     std::vector<Timed> stages{
         {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
-        {"EdgeScan+ responses, from the scan on", [&] { (void)test::depthResponses(scan, depth); }},
+        {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
         {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
-        {"  slips of beams and lines", [&] { (void)straighten(inverse); }},
+        {"  slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
         {"  noise", [&] { (void)rangeNoise(surface.inverse); }},
-        {"  mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth); }},
+        {"  mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth, nullptr, 1); }},
+        {"  the same, this thread's half", [&] { (void)depthResponses(surface, depth, nullptr, 2); }},
         {"EdgeScan+ decision", [&] { (void)decideDepthEdges(responses, depth); }},
         {"rocks from finished edges, rows included", [&] { (void)studyRocks(inputs, {}); }},
         {"  leaves and their borders", [&] { (void)rockLeaves(inputs); }},

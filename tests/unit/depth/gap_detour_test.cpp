@@ -73,8 +73,8 @@ TEST(GapDetour, GoesRoundAsCellByCell) {
 
 TEST(DepthEdges, RangesThatAreHardlyAnyAreNone) {
     const Scan scan = test::makeScan(30, 30, [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 1e-40; });
-    const DepthEdges edges = test::depthEdges(scan, {});
-    for (const float strength : edges.strength.cells) EXPECT_TRUE(std::isfinite(strength));
+    const Grid<float> strengths = depthStrength(test::depthResponses(scan, {}), {});
+    for (const float strength : strengths.cells) EXPECT_TRUE(std::isfinite(strength));
     const std::array<float, 4> zeros{-0.0F, 0.0F, 2.0F, 1.0F};
     EXPECT_EQ(nthSmallest(zeros, 1), 0.0F);
     EXPECT_EQ(nthSmallest(zeros, 3), 2.0F);

@@ -1,0 +1,145 @@
+// Prints a hash of every mask, class, response and strength that the methods make of simulated sweeps, of sweeps of noise, and of the
+// scans that are named: what a faster program must print as well.
+// build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same of an older build > old; diff old new
+#include "core/depth/depth_settings.h"
+#include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
+#include "core/settings/method_traits.h"
+#include "core/settings/presets.h"
+#include "core/sim/simulate.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace edgescan;
+
+namespace {
+
+// FNV-1a over the bytes of values without padding.
+struct Hash {
+    std::uint64_t value = 0xcbf29ce484222325U;
+    template <class T>
+    void add(const std::vector<T>& values) {
+        for (const std::byte byte : std::as_bytes(std::span(values))) value = (value ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3U;
+    }
+};
+
+std::vector<std::pair<std::string, Settings>> allSettings() {
+    std::vector<std::pair<std::string, Settings>> all;
+    for (const Preset& preset : builtInPresets()) all.emplace_back(preset.name, preset.settings);
+    for (int n = 0; n <= static_cast<int>(Method::Log); ++n) {
+        Settings settings;
+        settings.method = static_cast<Method>(n);
+        all.emplace_back("method " + std::to_string(n), settings);
+    }
+    const auto turned = [&all](const char* name, const std::function<void(Settings&)>& turn) {
+        Settings settings;
+        turn(settings);
+        all.emplace_back(name, settings);
+    };
+    turned("noise 1", [](Settings& s) { s.noiseMm = 1; });
+    turned("noise 20", [](Settings& s) { s.noiseMm = 20; });
+    turned("jump 5", [](Settings& s) { s.jumpMm = 5; });
+    turned("grazing 1", [](Settings& s) { s.grazing = 1; });
+    turned("fold 5", [](Settings& s) { s.creaseDeg = 5; });
+    turned("sensitive", [](Settings& s) { s.sensitivity = 0.3, s.hysteresisPercent = 20, s.minimumLength = 1; });
+    turned("not straightened", [](Settings& s) { s.straighten = false; });
+    turned("concave and border", [](Settings& s) { s.classes = kClassConcave | kClassBorder; });
+    turned("convex", [](Settings& s) { s.classes = kClassConvex; });
+    turned("all", [](Settings& s) { s.classes = kClassRock | kClassBorder; });
+    return all;
+}
+
+void print(const std::string& name, const Scan& scan) {
+    const auto shared = std::make_shared<const Scan>(scan);
+    for (const auto& [title, settings] : allSettings()) {
+        const auto found = detectEdges(shared, settings, KeepFor::Rocks);
+        Hash mask, rest;
+        mask.add(found->mask->cells);
+        rest.add(*found->edges);
+        if (found->classes) rest.add(found->classes->cells);
+        if (found->responses) {
+            rest.add(found->responses->jump.cells);
+            rest.add(found->responses->crease.cells);
+            rest.add(found->responses->border);
+            rest.add(depthStrength(*found->responses, depthEdgeSettings(settings)).cells);
+            rest.add(found->surface->inverse.u.cells);
+            rest.add(found->surface->slips.extra[0]);
+            rest.add(found->surface->slips.extra[1]);
+            for (const Grid<float>* grid : {&found->cracks->smoothed, &found->cracks->jumpBeams, &found->cracks->jumpLines,
+                                            &found->cracks->foldBeams, &found->cracks->foldLines})
+                rest.add(grid->cells);
+        }
+        std::printf("%s, %s: %zu edges, mask %016llx, rest %016llx\n", name.c_str(), title.c_str(), found->edges->size(),
+                    static_cast<unsigned long long>(mask.value), static_cast<unsigned long long>(rest.value));
+    }
+}
+
+void printSimulated(const char* name, const std::function<void(SimulationSettings&)>& set) {
+    SimulationSettings settings;
+    settings.lines = 300;
+    settings.beams = 571;
+    set(settings);
+    const auto simulated = simulate(settings);
+    if (simulated) print(name, simulated->scan);
+}
+
+// Ranges that stand for no surface at all, of every size from one cell on.
+Scan noise(int lines, int beams) {
+    std::mt19937 random(static_cast<unsigned>(1000 * lines + beams));
+    Scan scan;
+    scan.rangeMm = Grid<float>(lines, beams);
+    scan.state = Grid<CellState>(lines, beams, CellState::NoReturn);
+    PolarGeometry polar;
+    for (int j = 0; j < beams; ++j) polar.beamDeg.push_back(90 + 0.1667 * j);
+    for (int i = 0; i < lines; ++i) polar.lineDeg.push_back(0.18 * i);
+    scan.geometry = polar;
+    const std::uint32_t share = random() % 8;
+    const std::uint32_t most = 1U << (1 + random() % 14U);
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (random() % 8 < share) continue;
+        scan.state[k] = CellState::Valid;
+        scan.rangeMm[k] = 1000.0F + static_cast<float>(random() % most) + 200.0F * static_cast<float>(k / 97 % 5);
+    }
+    return scan;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    printSimulated("full", [](SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
+    printSimulated("fine", [](SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
+    printSimulated("noisy", [](SimulationSettings& s) { s.seed = 3, s.noise = 4; });
+    printSimulated("interlaced", [](SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
+    printSimulated("slipped", [](SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
+    printSimulated("spin", [](SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
+    printSimulated("holes", [](SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
+    for (const auto& [lines, beams] : {std::pair{1, 1},
+                                       {1, 2},
+                                       {2, 1},
+                                       {1, 70},
+                                       {70, 1},
+                                       {3, 3},
+                                       {5, 17},
+                                       {17, 16},
+                                       {40, 33},
+                                       {64, 128},
+                                       {97, 129},
+                                       {130, 255},
+                                       {200, 40}})
+        print("noise of " + std::to_string(lines) + " x " + std::to_string(beams), noise(lines, beams));
+    for (int n = 1; n < argc; ++n) {
+        const auto scan = openScan(argv[n]);
+        if (scan)
+            print(argv[n], *scan);
+        else
+            std::fprintf(stderr, "edgescan_edge_hashes: %s\n", scan.error().sentence().c_str());
+    }
+    return 0;
+}
