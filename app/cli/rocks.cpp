@@ -4,7 +4,6 @@
 #include "app/shared/options.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
-#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/formats/formats.h"
@@ -13,7 +12,9 @@
 #include "core/method/work_memory.h"
 #include "core/report/provenance.h"
 #include "core/report/rock_report.h"
+#include "core/rocks/rock_preset.h"
 #include "core/rocks/rock_study.h"
+#include "core/rocks/size_curve.h"
 
 #include <nlohmann/json.hpp>
 
@@ -48,12 +49,21 @@ constexpr RockOutput kRockOutputs[]{
      "Convex hulls of the visible points, never a volume: .ply or .obj"},
 };
 constexpr std::size_t kOutputs = std::size(kRockOutputs);
+constexpr std::size_t placeOf(ExportContent content) {
+    for (std::size_t n = 0; n < kOutputs; ++n) {
+        if (kRockOutputs[n].content == content) return n;
+    }
+    return kOutputs;
+}
+constexpr std::size_t kReport = placeOf(ExportContent::RockReport);
+constexpr std::size_t kOutlines = placeOf(ExportContent::RockOutlines);
 
 struct RocksFlags {
     std::string file, folder, edits, region, writeEdits;
     std::array<std::string, kOutputs> paths;
     std::vector<std::string> why, split;
-    RockSettings settings;
+    std::vector<std::pair<const RockParameter*, double>> typed; // settings
+    std::vector<RegionCorner> typedRegion;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
@@ -77,8 +87,8 @@ std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
         }
         if (!path.empty()) files.push_back({&output, path});
     }
-    if (!flags.folder.empty() && flags.paths[4].empty())
-        files.push_back({&kRockOutputs[4], (fs::path(flags.folder) / scan.name).string() + "_rocks.geojson"});
+    if (!flags.folder.empty() && flags.paths[kOutlines].empty()) // in the picture too
+        files.push_back({&kRockOutputs[kOutlines], (fs::path(flags.folder) / scan.name).string() + "_rocks.geojson"});
     return files;
 }
 
@@ -92,11 +102,19 @@ Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const ch
     return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
 }
 
-Result<std::vector<RockEdit>> editsOf(const RocksFlags& flags, const Scan& scan) {
-    if (flags.edits.empty()) return std::vector<RockEdit>{};
-    const auto bytes = readWholeFile(flags.edits);
-    if (!bytes) return bytes.error();
-    return rockEditsFromText({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, scan.lines(), scan.beams(), flags.edits);
+// What the file of edits says; of the settings what is typed goes before what the file has.
+Result<RockPreset> presetOf(const RocksFlags& flags, const Scan& scan) {
+    RockPreset preset;
+    if (!flags.edits.empty()) {
+        auto read = readRockPreset(flags.edits, scan);
+        if (!read) return read.error();
+        preset = std::move(*read);
+    }
+    RockSettings settings = preset.settings.value_or(RockSettings{});
+    for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
+    if (!flags.typedRegion.empty()) settings.region = flags.typedRegion;
+    preset.settings = settings;
+    return preset;
 }
 
 // A click at each of these cells, one after the other.
@@ -117,9 +135,9 @@ Result<Done> split(const RocksFlags& flags, const RockInputs& inputs, RockStudy&
 
 std::string summary(const RockStudy& study, const std::string& file) {
     const SizeCurve curve = sizeCurve(study.rocks, study.settings.oversizeM);
-    const Fines fines = finesOf(study.map);
+    const RegionCounts fines = regionCounts(study.map, RegionKind::Fines);
     std::string text = printable(file) + ": " + std::to_string(study.rocks.size()) + " rocks (" + kRockCaveat + ")";
-    if (curve.rocks > 0)
+    if (curve.rocks() > 0)
         text += ", visible width P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
                 fixedText(curve.p80M, 2) + " largest " + fixedText(curve.topM, 2) + " m";
     return text + ", " + std::to_string(fines.regions) + " pieces of fines";
@@ -148,8 +166,9 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
         if (!written && !failure) failure = written.error();
     }
     if (!flags.writeEdits.empty()) {
-        const auto json = rockEditsToJson(study->edits, detection.scan->lines(), detection.scan->beams());
-        const auto written = writeWholeFile(flags.writeEdits, jsonText(json, 1) + "\n");
+        const Scan& scan = *detection.scan;
+        const RockPreset preset{study->settings, study->edits, scan.sha256};
+        const auto written = writeWholeFile(flags.writeEdits, rockPresetText(preset, scan.lines(), scan.beams()));
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
@@ -163,12 +182,12 @@ Result<Done> findRocks(const RocksFlags& flags) {
     if (auto enough = checkMemoryFor(Work::Rocks, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
-    const auto edits = editsOf(flags, *opened);
-    if (!edits) return edits.error();
+    const auto preset = presetOf(flags, *opened);
+    if (!preset) return preset.error();
     if (const auto sentence = leftOutSentence(*opened)) complain(flags.file + ": " + *sentence);
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, KeepFor::Rocks);
     const RockInputs inputs = rockInputs(*detection);
-    auto study = std::make_shared<RockStudy>(studyRocks(inputs, flags.settings, *edits));
+    auto study = std::make_shared<RockStudy>(studyRocks(inputs, *preset->settings, preset->edits));
     if (const auto done = split(flags, inputs, *study); !done) return done.error();
     if (!flags.why.empty()) {
         if (const auto done = answerWhy(flags, *study); !done) return done.error();
@@ -181,7 +200,7 @@ Result<Done> checkUsage(RocksFlags& flags) {
     if (!flags.region.empty()) {
         const auto region = parseRegion(flags.region);
         if (!region) return region.error();
-        flags.settings.region = *region;
+        flags.typedRegion = *region;
     }
     std::set<fs::path> outputs;
     std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
@@ -225,7 +244,7 @@ int run(RocksFlags& flags) {
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
     complain(result.error());
-    if (flags.paths[1] == "-") say(refusal("rocks", flags.file, result.error()), true);
+    if (flags.paths[kReport] == "-") say(refusal("rocks", flags.file, result.error()), true);
     return kRefused;
 }
 
@@ -247,19 +266,22 @@ void addRocks(CLI::App& app, int& code) {
         const std::string flag = std::string("--") + p.key;
         const NumberLimits limits{p.minimum, p.maximum};
         const auto take = [flags, flag, limits, &p](const std::string& text) {
-            p.set(flags->settings, numberTyped(flag, text, limits, p.decimals == 0));
+            flags->typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
         };
         const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
         command.add_option_function<std::string>(flag, take, p.help + unit)
             ->type_name(rangeName(limits))
-            ->default_str(shortestText(p.get(flags->settings)))
+            ->default_str(shortestText(p.get(RockSettings{})))
             ->group(group);
     }
     command.add_option("--region", flags->region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
         ->group(group);
-    command.add_option("--edits", flags->edits, "Edits by hand, JSON (docs/rocks-method.md)")->group(group);
+    command
+        .add_option("--edits", flags->edits,
+                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/rocks-method.md)")
+        ->group(group);
     command.add_option("--split", flags->split, "Splits the rock at this cell, as LINE,BEAM, as a click would")->expected(1)->group(group);
-    command.add_option("--write-edits", flags->writeEdits, "Where the edits go, those of --split included")->group(group);
+    command.add_option("--write-edits", flags->writeEdits, "Where settings and edits go, those of --split included")->group(group);
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     addWriteFlags(command, flags->write);

@@ -40,6 +40,8 @@ std::string shortestText(double value) {
     return std::string(write(digits, value, std::abs(value) < 1e15 ? std::chars_format::fixed : std::chars_format::general));
 }
 
+double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
 std::optional<double> numberOf(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     double value = 0;

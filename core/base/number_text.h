@@ -31,6 +31,9 @@ void appendShortest(std::string& text, Number value) {
     text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
+/// The nearest multiple of 1 / `parts`: a number that is written with few digits.
+[[nodiscard]] double rounded(double value, double parts);
+
 /// The number that a text is from its first character to its last: "12", "-1.5e3", "+2", "nan", "inf". Empty for anything else.
 [[nodiscard]] std::optional<double> numberOf(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/georef/calibration.h"
 
@@ -12,9 +13,6 @@ namespace edgescan {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Rounded so that it is written with few digits: steps are 1 / `parts`.
-double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 Json errorsJson(const AssemblyErrors& e) {
     constexpr double kMm = 1e3, kDeg = 1e5;

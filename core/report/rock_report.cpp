@@ -5,11 +5,11 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/georef/placed_points.h"
+#include "core/rocks/size_curve.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace edgescan {
@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 double millimetres(double metres) { return rounded(metres, 1000); }
 double thousandths(double share) { return rounded(share, 1000); }
 
 // A row's columns in order, as JSON: the table writes the same.
 class RowWriter {
 public:
-    RowWriter(const RockStudy& study, CoordinateFrame frame) : scan_(*study.leaves->inputs.scan), frame_(frame) {
+    RowWriter(const RockStudy& study, CoordinateFrame frame)
+        : scan_(*study.leaves->inputs.scan), frame_(frame), curve_(sizeCurve(study.rocks, study.settings.oversizeM)) {
         if (frame != CoordinateFrame::Scanner) placed_.emplace(scan_);
     }
 
@@ -54,38 +54,34 @@ public:
                 {"arch_deg", rock.archDeg ? Json(rounded(*rock.archDeg, 1)) : Json()},
                 {"arch_tolerance_deg", rock.archDeg ? Json(kArchToleranceDeg) : Json()},
                 {"hangs_below", rock.archDeg ? Json(rock.hangsBelow) : Json()},
+                {"finer_share", thousandths(curve_.shareUpTo(rock.wideM))},
                 {"confidence", thousandths(rock.confidence)},
                 {"by_hand", rock.byHand},
                 {"note", kRockCaveat}};
     }
+    [[nodiscard]] const SizeCurve& curve() const { return curve_; }
 
 private:
     const Scan& scan_;
     CoordinateFrame frame_;
+    SizeCurve curve_;
     std::optional<PlacedPoints> placed_;
 };
 
-Json curveJson(const SizeCurve& curve, double oversizeM) {
-    return {{"rocks", curve.rocks},
+Json curveJson(const SizeCurve& curve) {
+    const bool isSaid = curve.oversizeM > 0;
+    return {{"rocks", curve.rocks()},
             {"visible_wide_p20_m", millimetres(curve.p20M)},
             {"visible_wide_p50_m", millimetres(curve.p50M)},
             {"visible_wide_p80_m", millimetres(curve.p80M)},
             {"visible_wide_top_m", millimetres(curve.topM)},
-            {"oversize_share", oversizeM > 0 ? Json(thousandths(curve.oversizeShare)) : Json()},
-            {"note", "by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more"}};
+            {"oversize_m", isSaid ? Json(millimetres(curve.oversizeM)) : Json()},
+            {"oversize_share", isSaid ? Json(thousandths(curve.oversizeShare)) : Json()},
+            {"note", kSizeCurveCaveat}};
 }
 
-Json countsJson(const RockMap& map, RegionKind kind) {
-    std::uint64_t regions = 0;
-    std::uint64_t cells = 0;
-    double areaM2 = 0;
-    for (std::size_t n = 1; n < map.regions.size(); ++n) {
-        if (map.regions[n].kind != kind || map.regions[n].sums.cells == 0) continue;
-        ++regions;
-        cells += map.regions[n].sums.cells;
-        areaM2 += map.regions[n].sums.areaM2;
-    }
-    return {{"regions", regions}, {"cells", cells}, {"visible_area_m2", rounded(areaM2, 1e4)}};
+Json countsJson(const RegionCounts& counts) {
+    return {{"regions", counts.regions}, {"cells", counts.cells}, {"visible_area_m2", rounded(counts.areaM2, 1e4)}};
 }
 
 std::string cellText(const Json& value) {
@@ -119,10 +115,10 @@ Json rocksReport(const RockStudy& study, CoordinateFrame frame) {
                 {"frame", frameName(frame)},
                 {"up", {{"direction", {up.up.x(), up.up.y(), up.up.z()}}, {"assumed", up.assumed}}},
                 {"rock_count", study.rocks.size()},
-                {"size_curve", curveJson(sizeCurve(study.rocks, study.settings.oversizeM), study.settings.oversizeM)},
-                {"fines", countsJson(study.map, RegionKind::Fines)},
-                {"not_rock", countsJson(study.map, RegionKind::NotRock)},
-                {"outside_region", countsJson(study.map, RegionKind::Outside)},
+                {"size_curve", curveJson(writer.curve())},
+                {"fines", countsJson(regionCounts(study.map, RegionKind::Fines))},
+                {"not_rock", countsJson(regionCounts(study.map, RegionKind::NotRock))},
+                {"outside_region", countsJson(regionCounts(study.map, RegionKind::Outside))},
                 {"labels_sha256", labelsSha256(rockLabels(*study.leaves, study.map))},
                 {"rocks", rows},
                 {"warnings", scan.warnings},

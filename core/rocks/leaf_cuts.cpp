@@ -71,6 +71,16 @@ void giveBack(const CellLinks& links, const std::vector<std::size_t>& taken, con
 
 } // namespace
 
+std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams) {
+    std::vector<std::uint32_t> cells;
+    for (const LineCell& cell : cellsOf(line, lines, beams)) {
+        const std::uint32_t k =
+            static_cast<std::uint32_t>(cell.line) * static_cast<std::uint32_t>(beams) + static_cast<std::uint32_t>(cell.beam);
+        if (cells.empty() || cells.back() != k) cells.push_back(k);
+    }
+    return cells;
+}
+
 void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf) {
     std::vector<std::size_t> taken;
     Grid<std::uint8_t> isTaken(leaf.lines, leaf.beams);

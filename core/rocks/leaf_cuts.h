@@ -14,6 +14,9 @@ namespace edgescan {
 /// Cells one after the other, joined by straight lines of cells.
 using CutLine = std::vector<std::uint32_t>;
 
+/// All cells of the line, one after the other; corners that do not exist are left out.
+[[nodiscard]] std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams);
+
 /// Cuts each leaf that a line crosses into what lies on its two sides, and numbers all leaves anew by first cells. Cells that do not
 /// exist are left out.
 void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf);

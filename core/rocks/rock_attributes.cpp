@@ -4,6 +4,7 @@
 #include "core/base/order_statistic.h"
 #include "core/georef/placed_points.h"
 #include "core/rocks/free_below.h"
+#include "core/rocks/rock_cells.h"
 #include "core/rocks/visible_spans.h"
 #include "core/scan/cartesian.h"
 
@@ -21,34 +22,6 @@ constexpr double kBeamM = 0.013;    // width of the beam (LMS511) ...
 constexpr double kBeamRad = 0.0046; // ... and its growth
 constexpr double kTolerance = 2.0;  // times the resolution: it covers 85 % of a and 94 % of b
 constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
-
-// Measured cells of each rock, one rock after the other.
-struct CellsOfRocks {
-    std::vector<std::uint32_t> cells;
-    std::vector<std::size_t> first; // by label; one more at the end
-
-    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t label) const {
-        return std::span(cells).subspan(first[label], first[label + 1] - first[label]);
-    }
-};
-
-/// `known`: by label, rocks whose cells nobody will ask for.
-CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const std::vector<const Rock*>& known) {
-    CellsOfRocks sorted;
-    sorted.first.assign(static_cast<std::size_t>(map.rocks) + 2, 0);
-    for (std::uint32_t label = 1; label <= map.rocks; ++label)
-        sorted.first[label + 1] = sorted.first[label] + (known[label] != nullptr ? 0 : map.regions[label].sums.cells);
-    if (sorted.first.back() == 0) return sorted;
-    sorted.cells.resize(sorted.first.back());
-    std::vector<std::size_t> at = sorted.first;
-    const Grid<Support>& support = leaves.inputs.surface->inverse.support;
-    for (std::size_t k = 0; k < leaves.leaf.size(); ++k) {
-        const std::uint32_t region = map.regionOfLeaf[leaves.leaf[k]];
-        if (region == 0 || region > map.rocks || known[region] != nullptr || support[k] != Support::Measured) continue;
-        sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
-    }
-    return sorted;
-}
 
 /// By label: the row of the rock that had the same leaves before; null where there was none.
 std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* before) {
@@ -75,8 +48,9 @@ std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* befo
 class RowMaker {
 public:
     RowMaker(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before)
-        : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)), cells_(cellsOfRocks(leaves, map, known_)),
-          tables_(*leaves.inputs.scan), up_(upOf(*leaves.inputs.scan).up) {}
+        : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)),
+          cells_(cellsOfRocks(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
+          up_(upOf(*leaves.inputs.scan).up) {}
 
     [[nodiscard]] Rock row(std::uint32_t label) const {
         const RockRegion& region = map_.regions[label];
@@ -223,32 +197,15 @@ std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const R
     return rocks;
 }
 
-SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
-    SizeCurve curve;
-    curve.rocks = static_cast<std::uint32_t>(rocks.size());
-    if (rocks.empty()) return curve;
-    std::vector<double> sizes;
-    for (const Rock& rock : rocks) sizes.push_back(rock.wideM);
-    curve.p20M = quantile(sizes, 0.2);
-    curve.p50M = quantile(sizes, 0.5);
-    curve.p80M = quantile(sizes, 0.8);
-    curve.topM = *std::max_element(sizes.begin(), sizes.end());
-    if (oversizeM > 0) {
-        const auto over = std::count_if(sizes.begin(), sizes.end(), [&](double size) { return size > oversizeM; });
-        curve.oversizeShare = static_cast<double>(over) / static_cast<double>(sizes.size());
-    }
-    return curve;
-}
-
-Fines finesOf(const RockMap& map) {
-    Fines fines;
+RegionCounts regionCounts(const RockMap& map, RegionKind kind) {
+    RegionCounts counts;
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
-        if (map.regions[n].kind != RegionKind::Fines || map.regions[n].sums.cells == 0) continue;
-        ++fines.regions;
-        fines.cells += map.regions[n].sums.cells;
-        fines.areaM2 += map.regions[n].sums.areaM2;
+        if (map.regions[n].kind != kind || map.regions[n].sums.cells == 0) continue;
+        ++counts.regions;
+        counts.cells += map.regions[n].sums.cells;
+        counts.areaM2 += map.regions[n].sums.areaM2;
     }
-    return fines;
+    return counts;
 }
 
 } // namespace edgescan

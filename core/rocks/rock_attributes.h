@@ -63,22 +63,12 @@ struct RowsBefore {
 /// measured again; the rows are the same without it.
 [[nodiscard]] std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before = nullptr);
 
-/// Of the rocks shown, by number of rocks and by their visible b. Hidden parts make it finer than the pile is, by 40 % and more.
-struct SizeCurve {
-    std::uint32_t rocks = 0;
-    double p20M = 0.0, p50M = 0.0, p80M = 0.0; ///< so many per cent of the rocks are smaller
-    double topM = 0.0;
-    double oversizeShare = 0.0; ///< 0..1: rocks with b over the site's oversize; 0 where none was given
-};
-/// `oversizeM`: 0 = none.
-[[nodiscard]] SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM = 0.0);
-
-/// What is too small to be shown as rocks.
-struct Fines {
+/// The regions of one kind together.
+struct RegionCounts {
     std::uint32_t regions = 0;
     std::uint64_t cells = 0;
     double areaM2 = 0.0;
 };
-[[nodiscard]] Fines finesOf(const RockMap& map);
+[[nodiscard]] RegionCounts regionCounts(const RockMap& map, RegionKind kind);
 
 } // namespace edgescan

@@ -7,7 +7,6 @@
 namespace edgescan {
 namespace {
 
-constexpr std::uint32_t kFewestSplit = 50;
 constexpr double kLeastZ = -14.5; // less than that no evidence can be: a leaf lives from there on
 
 std::uint32_t leafAt(const RockLeaves& leaves, std::uint32_t k) { return k < leaves.leaf.size() ? leaves.leaf[k] : kOpen; }
@@ -49,10 +48,10 @@ std::vector<CalledLeaf> calledOf(const RockLeaves& leaves, std::span<const RockE
     return called;
 }
 
-std::vector<RockAncestor> ancestorsAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k) {
-    std::vector<RockAncestor> ancestors;
+RockLine rockLine(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+    RockLine line;
     const std::uint32_t leaf = leafAt(leaves, k);
-    if (leaf == kOpen) return ancestors;
+    if (leaf == kOpen) return line;
     std::vector<std::uint32_t> firstCell(leaves.sums.size(), UINT32_MAX);
     for (std::uint32_t n = 0; n < leaves.leaf.size(); ++n) firstCell[leaves.leaf[n]] = std::min(firstCell[leaves.leaf[n]], n);
     std::vector<std::vector<std::uint32_t>> members(leaves.sums.size());
@@ -63,33 +62,50 @@ std::vector<RockAncestor> ancestorsAt(const RockLeaves& leaves, const MergeTree&
     };
     std::uint32_t own = leaf;
     double made = kLeastZ;
+    bool isLarger = false; // than the region
+    RockEdit join{RockEditKind::Join, {k}};
+    const auto add = [&](double until, RockEdit edit) {
+        std::vector<std::uint32_t> sorted = members[own];
+        std::ranges::sort(sorted);
+        line.pieces.push_back({sorted, cellsOf(sorted), until - made, std::move(edit)});
+    };
+    const auto endRegion = [&](double until) {
+        isLarger = true;
+        line.region = line.pieces.size();
+        add(until, {});
+    };
     for (const Merge& merge : tree.merges) {
-        if (merge.height > level) break;
+        if (merge.height > level && !isLarger && (merge.kept == own || merge.gone == own)) endRegion(merge.height);
+        if (isLarger && line.pieces.size() > line.region + mostLarger) break;
         if (merge.kept == own || merge.gone == own) {
             const std::vector<std::uint32_t>& other = members[merge.kept == own ? merge.gone : merge.kept];
             const auto seen = std::ranges::find_if(other, [&](std::uint32_t n) { return firstCell[n] != UINT32_MAX; });
-            if (seen != other.end() && merge.height >= kLeastZ) {
-                std::vector<std::uint32_t> sorted = members[own];
-                std::ranges::sort(sorted);
-                ancestors.push_back({sorted, cellsOf(sorted), merge.height - made, {RockEditKind::Part, {k, firstCell[*seen]}}});
-            }
+            if (seen != other.end() && merge.height >= kLeastZ && !isLarger) add(merge.height, {RockEditKind::Part, {k, firstCell[*seen]}});
+            if (seen != other.end() && isLarger) join.cells.push_back(firstCell[*seen]);
             own = merge.kept;
             made = std::max(made, merge.height);
         }
         std::vector<std::uint32_t>& kept = members[merge.kept];
         kept.insert(kept.end(), members[merge.gone].begin(), members[merge.gone].end());
         members[merge.gone].clear();
+        if (isLarger && merge.kept == own && join.cells.size() > line.pieces.size() - line.region) add(merge.height, join);
     }
-    return ancestors;
+    if (!isLarger) endRegion(made);
+    return line;
+}
+
+std::size_t bestSplit(const RockLine& line) {
+    std::size_t best = line.region;
+    for (std::size_t n = 0; n < line.region; ++n) {
+        if (line.pieces[n].cells >= kFewestSplit && (best == line.region || line.pieces[n].life > line.pieces[best].life)) best = n;
+    }
+    return best;
 }
 
 std::optional<RockEdit> splitAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k) {
-    const std::vector<RockAncestor> ancestors = ancestorsAt(leaves, tree, level, k);
-    const RockAncestor* best = nullptr;
-    for (const RockAncestor& ancestor : ancestors) {
-        if (ancestor.cells >= kFewestSplit && (best == nullptr || ancestor.life > best->life)) best = &ancestor;
-    }
-    return best == nullptr ? std::nullopt : std::optional(best->part);
+    const RockLine line = rockLine(leaves, tree, level, k, 0);
+    const std::size_t best = bestSplit(line);
+    return best == line.region ? std::nullopt : std::optional(line.pieces[best].part);
 }
 
 } // namespace edgescan

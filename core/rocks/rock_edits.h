@@ -40,24 +40,34 @@ struct RockEdit {
 [[nodiscard]] std::vector<LeafPair> pairsOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
 [[nodiscard]] std::vector<CalledLeaf> calledOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
 
-/// A piece that was there before something else was merged with it.
+/// Smaller pieces are no rocks that anybody would want.
+inline constexpr std::uint32_t kFewestSplit = 50;
+
+/// A piece round a cell: at some level it is a region.
 struct RockAncestor {
     std::vector<std::uint32_t> leaves; ///< ascending
     std::uint32_t cells = 0;           ///< measured
-    double life = 0.0;                 ///< levels between its making and its merging
-    RockEdit part;                     ///< keeps it apart from what it was merged with
+    double life = 0.0;                 ///< levels between its making and its merging; 0 for what is larger than the region
+    RockEdit part;                     ///< makes a rock of it: keeps it apart from what it was merged with, or joins it up
 };
 
-/// The pieces round cell `k` within its region at that level, the smallest first; empty where the region is one leaf.
-[[nodiscard]] std::vector<RockAncestor> ancestorsAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
+/// The pieces round a cell from its leaf on, each inside the next.
+struct RockLine {
+    std::vector<RockAncestor> pieces;
+    std::size_t region =
+        0; ///< place of the region at the level, whose `part` has no cells; before it what is smaller, behind what is larger
+};
+/// Empty where the cell belongs to no leaf. At most `mostLarger` pieces are larger than the region.
+[[nodiscard]] RockLine rockLine(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger);
 
-/// The one that a click splits off: of 50 cells and more the one with the longest life. Empty where there is none.
+/// Place of the one that a click splits off: of 50 cells and more the one with the longest life; that of the region where there is none.
+[[nodiscard]] std::size_t bestSplit(const RockLine& line);
+/// Its edit. Empty where there is none.
 [[nodiscard]] std::optional<RockEdit> splitAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
 
 /// {"format": "edgescan-rock-edits/1", "lines": N, "beams": N, "edits": [{"kind": "join", "cells": [[line, beam], ...]}, ...]}
 [[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int lines, int beams);
 /// Error: damaged, of another format, for another grid than lines x beams, unknown kinds, cells that do not exist.
 Result<std::vector<RockEdit>> rockEditsFromJson(const nlohmann::json& object, int lines, int beams, const std::string& where);
-Result<std::vector<RockEdit>> rockEditsFromText(std::string_view text, int lines, int beams, const std::string& where);
 
 } // namespace edgescan

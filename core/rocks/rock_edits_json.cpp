@@ -1,8 +1,6 @@
 // Edits as JSON.
 #include "core/rocks/rock_edits.h"
 
-#include "core/base/bounded_json.h"
-
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -87,12 +85,6 @@ Result<std::vector<RockEdit>> rockEditsFromJson(const Json& object, int lines, i
         edits.push_back(std::move(edit));
     }
     return edits;
-}
-
-Result<std::vector<RockEdit>> rockEditsFromText(std::string_view text, int lines, int beams, const std::string& where) {
-    const auto object = parseJson(text, where);
-    if (!object) return object.error();
-    return rockEditsFromJson(*object, lines, beams, where);
 }
 
 } // namespace edgescan

@@ -1,6 +1,7 @@
 // Hulls grown from the outermost points of many directions.
 #include "core/rocks/rock_hulls.h"
 
+#include "core/rocks/rock_cells.h"
 #include "core/scan/cartesian.h"
 #include "core/sim/convex_hull.h"
 
@@ -8,16 +9,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace edgescan {
 namespace {
 
 constexpr int kMostRounds = 40;
-
-struct RockPoints {
-    std::vector<std::uint32_t> cells;
-    std::vector<Eigen::Vector3d> points;
-};
 
 // 26 directions, to the corners, edges and sides of a cube.
 std::vector<Eigen::Vector3d> directions() {
@@ -68,28 +65,30 @@ bool grow(const std::vector<Eigen::Vector3d>& points, std::vector<std::size_t>& 
     return !outside.empty() && !triangles.empty();
 }
 
-RockHull hullOf(std::uint32_t label, const RockPoints& rock) {
+RockHull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const CartesianTables& tables) {
     static const std::vector<Eigen::Vector3d> kCubeWays = directions();
     RockHull hull;
     hull.label = label;
-    if (rock.points.empty()) return hull;
+    if (cells.empty()) return hull;
+    std::vector<Eigen::Vector3d> points;
+    for (const std::uint32_t k : cells) points.push_back(tables.point(k));
     std::vector<std::size_t> chosen;
     for (const Eigen::Vector3d& way : kCubeWays) {
         std::size_t best = 0;
-        for (std::size_t n = 1; n < rock.points.size(); ++n) {
-            if (way.dot(rock.points[n]) > way.dot(rock.points[best])) best = n;
+        for (std::size_t n = 1; n < points.size(); ++n) {
+            if (way.dot(points[n]) > way.dot(points[best])) best = n;
         }
         chosen.push_back(best);
     }
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-    std::vector<std::size_t> outside(rock.points.size());
+    std::vector<std::size_t> outside(points.size());
     for (std::size_t n = 0; n < outside.size(); ++n) outside[n] = n;
     std::vector<sim::HullTriangle> triangles;
     std::vector<std::size_t> corners = chosen;
     for (int round = 0; round < kMostRounds; ++round) {
         corners = chosen;
-        if (!grow(rock.points, chosen, outside, triangles)) break;
+        if (!grow(points, chosen, outside, triangles)) break;
     }
     std::vector<std::uint32_t> place(corners.size(), std::numeric_limits<std::uint32_t>::max());
     for (const sim::HullTriangle& triangle : triangles) {
@@ -98,7 +97,7 @@ RockHull hullOf(std::uint32_t label, const RockPoints& rock) {
     for (std::size_t n = 0; n < corners.size(); ++n) {
         if (place[n] != 0) continue;
         place[n] = static_cast<std::uint32_t>(hull.cells.size());
-        hull.cells.push_back(rock.cells[corners[n]]);
+        hull.cells.push_back(cells[corners[n]]);
     }
     for (const sim::HullTriangle& t : triangles)
         hull.triangles.push_back(
@@ -109,16 +108,10 @@ RockHull hullOf(std::uint32_t label, const RockPoints& rock) {
 } // namespace
 
 std::vector<RockHull> rockHulls(const RockLeaves& leaves, const RockMap& map) {
-    std::vector<RockPoints> rocks(static_cast<std::size_t>(map.rocks) + 1);
+    const CellsOfRocks cells = cellsOfRocks(leaves, map);
     const CartesianTables tables(*leaves.inputs.scan);
-    for (std::uint32_t k = 0; k < leaves.leaf.size(); ++k) {
-        const std::uint32_t region = map.regionOfLeaf[leaves.leaf[k]];
-        if (region == 0 || region > map.rocks || leaves.inputs.surface->inverse.support[k] != Support::Measured) continue;
-        rocks[region].cells.push_back(k);
-        rocks[region].points.push_back(tables.point(k));
-    }
     std::vector<RockHull> hulls;
-    for (std::uint32_t label = 1; label <= map.rocks; ++label) hulls.push_back(hullOf(label, rocks[label]));
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) hulls.push_back(hullOf(label, cells.of(label), tables));
     return hulls;
 }
 

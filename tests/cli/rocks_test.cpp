@@ -116,6 +116,12 @@ TEST_F(CliRocks, AClickSplitsAndTheEditsGiveTheSameLabelsAgain) {
     EXPECT_NE(split["labels_sha256"], plain["labels_sha256"]);
     ASSERT_EQ(split["edits"].size(), 1U);
     EXPECT_EQ(rocks("--edits " + path("edits.json"))["labels_sha256"], split["labels_sha256"]);
+    // Settings go with them, and what is typed goes before.
+    const json coarse = rocks("--level 3 --min-cells 150 --region '10,10 200,200' --write-edits " + path("coarse.json"));
+    EXPECT_NE(coarse["labels_sha256"], plain["labels_sha256"]);
+    EXPECT_EQ(rocks("--edits " + path("coarse.json"))["labels_sha256"], coarse["labels_sha256"]);
+    EXPECT_EQ(rocks("--edits " + path("coarse.json") + " --level 1")["settings"]["level"], 1);
+    EXPECT_EQ(rocks("--edits " + path("coarse.json") + " --level 1")["settings"]["min-cells"], 150);
     const json& cells = split["edits"][0]["cells"];
     const auto text = [](const json& pair) { return std::to_string(pair[0].get<int>()) + "," + std::to_string(pair[1].get<int>()); };
     const auto why = runCli("rocks " + path("bell.json") + " --why " + text(cells[0]) + " " + text(cells[1]));

@@ -7,6 +7,7 @@
 #include "ui/rocks/rock_colours.h"
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
+#include "ui/rocks/size_curve_view.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
@@ -72,6 +73,15 @@ class RocksWindowTest : public QObject {
         return {0, 0};
     }
 
+    // A left drag over an image, cell by cell.
+    static void draw(ImageView& view, const std::vector<QPoint>& pixels) {
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, pixels.front());
+        for (std::size_t n = 1; n < pixels.size(); ++n) {
+            for (int step = 1; step <= 20; ++step) QTest::mouseMove(&view, pixels[n - 1] + (pixels[n] - pixels[n - 1]) * step / 20);
+        }
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, pixels.back());
+    }
+
 private slots:
     void initTestCase() {
         qRegisterMetaType<ExportContent>("edgescan::ExportContent");
@@ -84,6 +94,11 @@ private slots:
         scan_ = simulation->scan;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(saveScan(scan_, bell_));
+    }
+
+    void init() { // what a test before edited is kept beside the scan
+        std::error_code none;
+        std::filesystem::remove(rockPresetPath(bell_), none);
     }
 
     void aKeyShowsThemInAllViewsAndTakesThemAway() {
@@ -241,6 +256,37 @@ private slots:
         QCOMPARE(on.window.views().marked(), std::optional<std::size_t>(on.window.rocks().selected().back()));
     }
 
+    void theSizeCurveIsDrawnWithItsMarksAndTheOversize() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        SizeCurveView* view = on.window.rockTable().sizeCurve();
+        const std::vector<Rock>& rocks = picture(on).study.rocks;
+        QCOMPARE(view->curve().rocks(), rocks.size());
+        const auto over = [&](double wideM) {
+            return static_cast<double>(std::count_if(rocks.begin(), rocks.end(), [&](const Rock& r) { return r.wideM > wideM; })) /
+                   static_cast<double>(rocks.size());
+        };
+        QVERIFY(std::abs(over(view->curve().p80M) - 0.2) < 0.03);
+        QVERIFY(view->textAt(view->placeOf(view->curve().p50M, 0.3)).startsWith("50 %") ||
+                view->textAt(view->placeOf(view->curve().p50M, 0.3)).startsWith("51 %"));
+        QVERIFY(view->accessibleDescription().contains("40 % and more"));
+        on.window.rocksPanel().number("oversize")->setValue(0.5);
+        QVERIFY(settled(on));
+        QCOMPARE(view->curve().oversizeM, 0.5);
+        QVERIFY(std::abs(view->curve().oversizeShare - over(0.5)) < 1e-9);
+        const QString share = QString("%1 % over 0.50 m").arg(100 * over(0.5), 0, 'f', 0);
+        QVERIFY2(view->accessibleDescription().contains(share), qPrintable(view->accessibleDescription()));
+        QVERIFY(on.window.rocksPanel().text().contains(share));
+        // The dot of the rock that is selected, in the ink of nothing else.
+        const QImage before = view->grab().toImage();
+        click(on, 2);
+        QCOMPARE(view->marked(), std::vector<double>{picture(on).rock(2)->wideM});
+        const QPoint dot = view->placeOf(view->marked()[0], view->curve().shareUpTo(view->marked()[0])).toPoint();
+        QVERIFY(view->grab().toImage().pixel(dot) != before.pixel(dot));
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QCOMPARE(view->curve().rocks(), std::size_t{0});
+    }
+
     void mergeSplitAndUndoStayWhateverIsTurned() {
         WindowFixture on;
         QVERIFY(showRocks(on));
@@ -280,9 +326,9 @@ private slots:
             if (!splitAt(*study.leaves, *study.tree, study.settings.level, k)) continue;
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
-            QVERIFY(on.window.rocks().splitting());
+            QVERIFY(on.window.rocks().tool() == RockTool::Split);
             QTest::mouseClick(&on.window.views().gray(), Qt::LeftButton, Qt::NoModifier, pixel);
-            QVERIFY(!on.window.rocks().splitting());
+            QVERIFY(on.window.rocks().tool() == RockTool::None);
             QVERIFY(settled(on));
             QCOMPARE(on.window.rocks().edits().size(), std::size_t{2});
             QVERIFY(picture(on).study.map.regions.size() > regions);
@@ -292,6 +338,162 @@ private slots:
             return;
         }
         QFAIL("no rock of the scene can be split");
+    }
+
+    void aLineJoinsWhatItCrossesAndAnotherCuts() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        ImageView& view = on.window.views().gray();
+        const auto [a, b] = neighbours(on);
+        const QPoint from = pixelOn(on, view, a), to = pixelOn(on, view, b);
+        const auto cellAt = [&](QPoint pixel) {
+            const auto cell = view.cellAt(pixel);
+            return picture(on).labels.index(cell->y(), cell->x());
+        };
+        const std::size_t cellA = cellAt(from), cellB = cellAt(to);
+        const Grid<std::uint32_t> before = picture(on).labels;
+        const QPointF centre = view.viewPort()->toCell(QPointF(0, 0), view.size());
+        QTest::keyClick(&on.window, Qt::Key_J);
+        QVERIFY(on.window.rocks().tool() == RockTool::Join);
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+        QTest::mouseMove(&view, (from + to) / 2);
+        QVERIFY2(!view.trail().cells.empty(), "the line is seen while it is drawn");
+        QTest::mouseMove(&view, to);
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+        QVERIFY(view.trail().cells.empty());
+        QCOMPARE(view.viewPort()->toCell(QPointF(0, 0), view.size()), centre); // it did not pan
+        QVERIFY(on.window.rocks().tool() == RockTool::None);
+        QVERIFY(settled(on));
+        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QVERIFY(picture(on).regionAt(cellA) == picture(on).regionAt(cellB));
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).labels == before);
+
+        // Through the largest rock, from side to side.
+        const Rock rock = *picture(on).rock(1);
+        const QPoint middle = on.window.views().placeOf(rock.cell);
+        int left = middle.x(), right = middle.x();
+        while (before.contains(middle.y(), left - 1) && before.at(middle.y(), left - 1) == 1) --left;
+        while (before.contains(middle.y(), right + 1) && before.at(middle.y(), right + 1) == 1) ++right;
+        QTest::keyClick(&on.window, Qt::Key_X);
+        draw(view, {pixelOf(view, {left, middle.y()}), pixelOf(view, {right, middle.y()})});
+        QVERIFY(settled(on));
+        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QVERIFY(on.window.rocks().edits()[0].kind == RockEditKind::Cut);
+        const auto over = static_cast<std::size_t>(before.index(middle.y() - 4, middle.x()));
+        const auto under = static_cast<std::size_t>(before.index(middle.y() + 4, middle.x()));
+        QVERIFY(before[over] == 1 && before[under] == 1);
+        QVERIFY(picture(on).regionAt(over) != picture(on).regionAt(under));
+
+        // Esc leaves the tool, and a drag pans again.
+        QTest::keyClick(&on.window, Qt::Key_X);
+        QVERIFY(on.window.rocks().tool() == RockTool::Cut);
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(on.window.rocks().tool() == RockTool::None);
+    }
+
+    void theWheelTakesALargerOrSmallerPiece() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        ImageView& view = on.window.views().gray();
+        const QPoint at = pixelOn(on, view, 2);
+        const auto place = view.cellAt(at);
+        const std::size_t cell = picture(on).labels.index(place->y(), place->x());
+        const std::uint32_t cells = picture(on).rockAt(cell)->cells;
+        QTest::keyClick(&on.window, Qt::Key_S);
+        QTest::mouseMove(&view, at);
+        QVERIFY(QTest::qWaitFor([&] { return view.tip().contains("wheel"); }, 5000));
+        const double scale = view.viewPort()->cellSize().width();
+        QString tip = view.tip();
+        for (int n = 0; n < 20 && !tip.contains("larger than the rock"); ++n) {
+            QWheelEvent turn(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&view, &turn);
+            tip = view.tip();
+        }
+        QVERIFY2(tip.contains("larger than the rock"), qPrintable(tip));
+        QCOMPARE(view.viewPort()->cellSize().width(), scale); // it did not zoom
+        QVERIFY(!view.outline().empty());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);
+        QVERIFY(settled(on));
+        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QVERIFY(on.window.rocks().edits()[0].kind == RockEditKind::Join);
+        QVERIFY(picture(on).regionAt(cell)->sums.cells > cells);
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(settled(on));
+        QCOMPARE(picture(on).regionAt(cell)->sums.cells, cells);
+    }
+
+    void regionAndEditsAreThereAgainWhenTheScanIsOpenedAgain() {
+        const std::string file = (folder_ / "kept.json").string();
+        QVERIFY(saveScan(scan_, file));
+        const std::filesystem::path beside = rockPresetPath(file);
+        Grid<std::uint32_t> labels;
+        const auto showKept = [&](WindowFixture& on) {
+            on.window.resize(1600, 950);
+            if (!on.showWith(file) || !on.activate()) return false;
+            QTest::keyClick(&on.window, Qt::Key_K);
+            return settled(on);
+        };
+        {
+            WindowFixture on;
+            QVERIFY(showKept(on));
+            QVERIFY(!std::filesystem::exists(beside));
+            const std::size_t all = picture(on).study.rocks.size();
+            ImageView& view = on.window.views().gray();
+            QTest::keyClick(&on.window, Qt::Key_G);
+            draw(view, {pixelOf(view, {80, 60}), pixelOf(view, {380, 60}), pixelOf(view, {380, 340}), pixelOf(view, {80, 340}),
+                        pixelOf(view, {80, 62})});
+            QVERIFY(settled(on));
+            const RockSettings& settings = on.window.rocks().settings();
+            QVERIFY2(settings.region.size() >= 4 && settings.region.size() < 12, qPrintable(QString::number(settings.region.size())));
+            QVERIFY(picture(on).study.rocks.size() < all);
+            QVERIFY2(on.window.rocksPanel().text().contains("outside the region of interest"), qPrintable(on.window.rocksPanel().text()));
+            click(on, 1);
+            QTest::keyClick(&on.window, Qt::Key_N);
+            QVERIFY(settled(on));
+            on.window.rocksPanel().slider()->setFocus();
+            QTest::keyClick(on.window.rocksPanel().slider(), Qt::Key_PageUp);
+            QVERIFY(settled(on));
+            labels = picture(on).labels;
+        }
+        QVERIFY2(std::filesystem::exists(beside), "the window is closed, and nothing is lost");
+        {
+            WindowFixture on;
+            QVERIFY(showKept(on));
+            QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+            QVERIFY(picture(on).labels == labels);
+            // The command line takes the same.
+            const auto run = test::runCli("rocks '" + file + "' --edits '" + beside.string() + "' --json -");
+            QVERIFY2(run.code == 0, run.err.c_str());
+            QCOMPARE(nlohmann::json::parse(run.out)["rock_count"].get<std::size_t>(), picture(on).study.rocks.size());
+            // Another scan has none of it.
+            QVERIFY(on.open(bell_));
+            QVERIFY(settled(on));
+            QVERIFY(on.window.rocks().edits().empty());
+            QVERIFY(on.window.rocks().settings().region.empty());
+            // Taken back by hand there is nothing to keep.
+            QVERIFY(on.open(file));
+            QVERIFY(settled(on));
+            QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+            on.window.rocks().setByHand({});
+            QVERIFY(settled(on));
+        }
+        QVERIFY(!std::filesystem::exists(beside));
+        // A file of another scan is told, left alone, and nothing is written over it.
+        const std::string other = rockPresetText({std::nullopt, {{RockEditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
+        QVERIFY(writeWholeFile(beside, other));
+        {
+            WindowFixture on;
+            QVERIFY(showKept(on));
+            QVERIFY(on.window.rocks().edits().empty());
+            QVERIFY2(on.window.findChild<NoticeBar*>()->text().contains("other content"),
+                     qPrintable(on.window.findChild<NoticeBar*>()->text()));
+            click(on, 1);
+            QTest::keyClick(&on.window, Qt::Key_N);
+            QVERIFY(settled(on));
+        }
+        QCOMPARE(test::fileText(beside), other);
     }
 
     void aRockIsCalledNoneAndOneAgain() {
@@ -353,7 +555,9 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_N);
         QVERIFY(settled(on));
         QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
-        QVERIFY(on.open(bell_));
+        const std::string other = (folder_ / "other.json").string();
+        QVERIFY(saveScan(scan_, other));
+        QVERIFY(on.open(other));
         QVERIFY(settled(on));
         QVERIFY(on.window.rocks().edits().empty());
         QVERIFY(on.window.rocks().selected().empty());

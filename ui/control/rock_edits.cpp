@@ -1,6 +1,7 @@
 // Edits of rocks by hand: merge, split, rock or not, undo.
 #include "ui/base/notice_bar.h"
 #include "ui/control/rocks.h"
+#include "ui/rocks/rocks_panel.h"
 
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -12,17 +13,17 @@ namespace {
 
 class RockEditStep : public QUndoCommand {
 public:
-    RockEditStep(const QString& name, Rocks& rocks, const Session& session, std::vector<RockEdit> after)
-        : QUndoCommand(name), rocks_(rocks), session_(session), stream_(streamNow()), before_(rocks.edits()), after_(std::move(after)) {}
+    RockEditStep(const QString& name, Rocks& rocks, const Session& session, RockByHand after)
+        : QUndoCommand(name), rocks_(rocks), session_(session), stream_(streamNow()), before_(rocks.byHand()), after_(std::move(after)) {}
 
     void undo() override { apply(before_); }
     void redo() override { apply(after_); }
 
 private:
     [[nodiscard]] std::uint64_t streamNow() const { return session_.picture() ? session_.picture()->source.stream : 0; }
-    void apply(const std::vector<RockEdit>& edits) {
+    void apply(const RockByHand& byHand) {
         if (streamNow() == stream_)
-            rocks_.setEdits(edits);
+            rocks_.setByHand(byHand);
         else
             setObsolete(true); // the scan is gone, and its edits with it
     }
@@ -30,21 +31,26 @@ private:
     Rocks& rocks_;
     const Session& session_;
     std::uint64_t stream_;
-    std::vector<RockEdit> before_, after_;
+    RockByHand before_, after_;
 };
 
 } // namespace
 
-void Rocks::setEdits(const std::vector<RockEdit>& edits) {
-    if (edits == edits_) return;
-    edits_ = edits;
+void Rocks::setByHand(const RockByHand& byHand) {
+    if (byHand == this->byHand()) return;
+    edits_ = byHand.edits;
+    settings_.region = byHand.region;
+    panel_.showSettings(settings_);
+    beside_.keep(settings_, edits_);
     ask();
 }
 
+void Rocks::pushByHand(const QString& name, RockByHand after) { undo_.push(new RockEditStep(name, *this, session_, std::move(after))); }
+
 void Rocks::push(const QString& name, RockEdit edit) {
-    std::vector<RockEdit> after = edits_;
-    after.push_back(std::move(edit));
-    undo_.push(new RockEditStep(name, *this, session_, std::move(after)));
+    RockByHand after = byHand();
+    after.edits.push_back(std::move(edit));
+    pushByHand(name, std::move(after));
 }
 
 void Rocks::mergeSelected() {
@@ -59,29 +65,6 @@ void Rocks::mergeSelected() {
     }
     select({selected_.back()});
     push(tr("merge of rocks"), std::move(join));
-}
-
-void Rocks::setSplitting(bool on) {
-    if (on && (!on_ || !picture_)) return emit splittingChanged(false);
-    if (splitting_ == on) return;
-    splitting_ = on;
-    emit splittingChanged(on);
-}
-
-void Rocks::splitAt(std::size_t cell) {
-    setSplitting(false);
-    if (picture_->labelAt(cell) == 0) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: click on a rock, on the part that is a rock of its own."));
-        return;
-    }
-    const RockStudy& study = picture_->study;
-    std::optional<RockEdit> part = edgescan::splitAt(*study.leaves, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell));
-    if (!part) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece with nothing to tell its parts by."));
-        return;
-    }
-    select({cell});
-    push(tr("split of a rock"), std::move(*part));
 }
 
 void Rocks::callSelected(bool rock) {

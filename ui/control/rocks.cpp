@@ -26,7 +26,8 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 } // namespace
 
 Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : session_(session), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo) {
+    : session_(session), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
+      beside_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::follow);
@@ -46,10 +47,18 @@ Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable&
     connect(&table_, &RockTable::exportWanted, this, &Rocks::askExport);
     RockCard& card = panel_.card();
     connect(&card, &RockCard::closeWanted, this, [this] { select({}); });
-    connect(&card, &RockCard::splitWanted, this, &Rocks::setSplitting);
+    connect(&card, &RockCard::splitWanted, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
     connect(&card, &RockCard::mergeWanted, this, &Rocks::mergeSelected);
     connect(&card, &RockCard::callWanted, this, &Rocks::callSelected);
-    connect(this, &Rocks::splittingChanged, card.split(), &QPushButton::setChecked);
+    connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
+    connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
+    connect(&beside_, &RocksBeside::readEnded, this, &Rocks::follow);
+    connect(&beside_, &RocksBeside::failed, this,
+            [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
+    connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
+    connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
+    connect(&drag_, &CellDrag::stepped, this, &Rocks::stepPiece);
+    connect(&drag_, &CellDrag::givenUp, this, [this] { useTool(RockTool::None); });
     connectViews();
 }
 
@@ -79,7 +88,7 @@ void Rocks::setShown(bool on) {
 }
 
 void Rocks::forget() {
-    setSplitting(false);
+    useTool(RockTool::None);
     nextOfSweep_.stop();
     picture_ = nullptr;
     asked_ = nullptr;
@@ -90,7 +99,7 @@ void Rocks::forget() {
 
 bool Rocks::ofAnotherPicture() const { return !picture_ || !session_.picture() || picture_->detection != session_.picture()->detection; }
 
-bool Rocks::behind() const { return on_ && session_.picture() != nullptr && (finder_.behind() || ofAnotherPicture()); }
+bool Rocks::behind() const { return on_ && session_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
 
 // A new picture is on the screen.
 void Rocks::follow() {
@@ -98,9 +107,15 @@ void Rocks::follow() {
     if (!shown) return;
     if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {
         edits_.clear();
+        settings_.region.clear();
         if (on_) forget();
     }
     if (!on_) return;
+    if (std::exchange(besideStream_, stream_) != stream_) {
+        const bool isFile = shown->source.growth.sweep < 0;
+        beside_.follow(isFile ? shown->detection->scan : nullptr);
+    }
+    if (beside_.reading()) return show();
     if (asked_ != shown->detection) {
         if (shown->source.growth.growing && nextOfSweep_.isActive()) {
             show(); // what is known stays, and is marked as older
@@ -122,7 +137,14 @@ void Rocks::useSettings(const RockSettings& settings) {
     if (settings == settings_) return;
     settings_ = settings;
     panel_.showSettings(settings);
+    beside_.keep(settings_, edits_);
     ask();
+}
+
+void Rocks::takePreset(const RockPreset& preset) {
+    if (preset.settings) settings_ = *preset.settings;
+    edits_ = preset.edits;
+    panel_.showSettings(settings_);
 }
 
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
@@ -174,7 +196,7 @@ void Rocks::showFaces() {
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {
-    if (cells.empty()) setSplitting(false);
+    if (cells.empty()) useTool(RockTool::None);
     selected_ = std::move(cells);
     showSelection();
 }
@@ -203,6 +225,10 @@ void Rocks::showSelection() {
 }
 
 void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
+    if (tool_ == RockTool::Split && cell && picture_ && picture_->regionAt(*cell) != nullptr) {
+        choosePieceAt(*cell);
+        return showPiece(from);
+    }
     const Rock* rock = picture_ && cell ? picture_->rockAt(*cell) : nullptr;
     const QString tip = rock != nullptr ? rockTip(*rock) : QString();
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
@@ -216,7 +242,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 
 void Rocks::click(std::size_t cell) {
     if (!picture_) return;
-    if (splitting_) return splitAt(cell);
+    if (tool_ == RockTool::Split) return splitAt(cell);
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {

@@ -1,7 +1,9 @@
 // The rocks of the picture shown: their faces in all views, what pointing and clicking at one does, table, card, edits by hand.
 #pragma once
 
-#include "core/rocks/rock_settings.h"
+#include "core/rocks/rock_strokes.h"
+#include "ui/control/cell_drag.h"
+#include "ui/control/rocks_beside.h"
 #include "ui/rocks/rock_finder.h"
 #include "ui/session/session.h"
 
@@ -23,6 +25,22 @@ class Memory;
 class NoticeBar;
 class RocksPanel;
 class RockTable;
+
+/// What the operator does with the mouse.
+enum class RockTool : std::uint8_t {
+    None,
+    Split,  ///< a click splits off the piece that is outlined; the wheel takes a smaller or a larger one
+    Join,   ///< a line joins what it crosses
+    Cut,    ///< a line cuts what it crosses
+    Region, ///< a line goes round the region of interest
+};
+
+/// What is of one scan and survives closing it.
+struct RockByHand {
+    std::vector<RockEdit> edits{};
+    std::vector<RegionCorner> region{};
+    bool operator==(const RockByHand&) const = default;
+};
 
 /// GUI thread only. What it is given must outlive it.
 class Rocks : public QObject {
@@ -48,11 +66,13 @@ public:
 
     /// Edits by hand stay with the scan whatever is turned; each is one step of undo.
     [[nodiscard]] const std::vector<RockEdit>& edits() const { return edits_; }
-    void setEdits(const std::vector<RockEdit>& edits);
+    [[nodiscard]] RockByHand byHand() const { return {edits_, settings_.region}; }
+    void setByHand(const RockByHand& byHand);
     void mergeSelected();
-    /// On: the next click on a rock splits off what was clicked.
-    void setSplitting(bool on);
-    [[nodiscard]] bool splitting() const { return splitting_; }
+    /// What the next click or drag does; afterwards none.
+    void useTool(RockTool tool);
+    [[nodiscard]] RockTool tool() const { return tool_; }
+    void clearRegion();
     void callSelected(bool rock);
     /// A rock becomes none, anything else a rock.
     void turnSelected();
@@ -66,7 +86,7 @@ signals:
     void shownChanged(bool on);
     /// Views, table and card show picture() now.
     void rocksShown();
-    void splittingChanged(bool on);
+    void toolChanged(edgescan::ui::RockTool tool);
 
 private:
     void connectViews();
@@ -81,6 +101,13 @@ private:
     void click(std::size_t cell);
     void splitAt(std::size_t cell);
     void push(const QString& name, RockEdit edit);
+    void pushByHand(const QString& name, RockByHand after);
+    void takePreset(const RockPreset& preset);
+    void takeStroke(const std::vector<QPoint>& cells);
+    void takeRegion(const std::vector<QPoint>& cells);
+    void choosePieceAt(std::size_t cell);
+    void showPiece(const QObject* from);
+    void stepPiece(int by);
     [[nodiscard]] bool ofAnotherPicture() const;
     [[nodiscard]] QString remark() const;
 
@@ -92,14 +119,22 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     bool on_ = false;
-    bool splitting_ = false;
+    RockTool tool_ = RockTool::None;
+    CellDrag drag_;
+    RocksBeside beside_;
     RockSettings settings_;
     std::vector<RockEdit> edits_;
-    std::uint64_t stream_ = 0; // that the edits and the selection belong to
+    std::uint64_t stream_ = 0;       // that the edits and the selection belong to
+    std::uint64_t besideStream_ = 0; // that beside_ is about
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const Detection> asked_; // last
     std::vector<std::size_t> selected_;
-    QTimer nextOfSweep_; // a growing sweep is asked about once a second
+    // Of the tool that splits: the cell that is pointed at, and the piece round it that is outlined.
+    std::shared_ptr<const RockPicture> familyPicture_;
+    std::size_t familyCell_ = 0;
+    RockFamily family_;
+    std::size_t piece_ = 0; // of the family
+    QTimer nextOfSweep_;    // a growing sweep is asked about once a second
     RockFinder finder_;
 };
 

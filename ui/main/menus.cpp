@@ -231,24 +231,33 @@ Command rocksMenu(MainWindow& w) {
         level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
         rocks.useSettings(settings);
     };
-    const auto follow = [&rocks](auto signal) {
-        return [&rocks, signal](QAction& action) { QObject::connect(&rocks, signal, &action, &QAction::setChecked); };
+    const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
+        return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),
+                      [&rocks, which](QAction& action) {
+                          QObject::connect(&rocks, &Rocks::toolChanged, &action,
+                                           [&action, which](RockTool now) { action.setChecked(now == which); });
+                      });
     };
-    return submenu("&Rocks", {
-                                 linked(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
-                                        follow(&Rocks::shownChanged)),
-                                 toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
-                                 kLine,
-                                 command("&Finer", ",", [step] { step(-0.5); }),
-                                 command("&Coarser", ".", [step] { step(0.5); }),
-                                 kLine,
-                                 command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
-                                 linked(toggle("S&plit at Next Click", "S", nullptr, false, [&rocks](bool on) { rocks.setSplitting(on); }),
-                                        follow(&Rocks::splittingChanged)),
-                                 command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
-                                 kLine,
-                                 command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
-                             });
+    return submenu("&Rocks",
+                   {
+                       linked(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
+                              [&rocks](QAction& action) { QObject::connect(&rocks, &Rocks::shownChanged, &action, &QAction::setChecked); }),
+                       toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
+                       kLine,
+                       command("&Finer", ",", [step] { step(-0.5); }),
+                       command("&Coarser", ".", [step] { step(0.5); }),
+                       kLine,
+                       command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
+                       tool("S&plit at Next Click", "S", RockTool::Split),
+                       tool("&Join along a Line", "J", RockTool::Join),
+                       tool("C&ut along a Line", "X", RockTool::Cut),
+                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
+                       kLine,
+                       tool("Draw Region of &Interest", "G", RockTool::Region),
+                       command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
+                       kLine,
+                       command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
+                   });
 }
 
 } // namespace

@@ -91,7 +91,7 @@ RockCard::RockCard(QWidget* parent)
         grid->addWidget(rows_[n].second, static_cast<int>(n), 1);
     }
     split_->setCheckable(true);
-    split_->setToolTip(tr("Then click the part of the rock that is a rock of its own (S)"));
+    split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
     merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {split_, merge_, rockOrNot_}) {

@@ -1,6 +1,7 @@
 // Faces and outlines of rocks as pictures.
 #include "ui/rocks/rock_picture.h"
 
+#include "core/rocks/region_of_interest.h"
 #include "ui/base/shown_text.h"
 #include "ui/rocks/rock_colours.h"
 
@@ -32,6 +33,7 @@ struct Paint {
 struct Paints {
     std::vector<Paint> plain, stripe;
     Paint border{qPremultiply(qRgba(8, 8, 8, kBorderAlpha)), qRgb(24, 24, 24)};
+    Paint outside{qPremultiply(qRgba(0, 0, 0, 190)), qRgb(52, 52, 52)}; // the region of interest; striped
 };
 
 Paints paintsOf(const RockPicture& picture) {
@@ -80,12 +82,15 @@ std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detec
     const int dark = std::max(1, static_cast<int>(kStripe * hatch));
     auto faces = std::make_shared<QImage>(labels.beams, labels.lines, QImage::Format_ARGB32_Premultiplied);
     auto points = std::make_shared<std::vector<std::uint32_t>>(labels.size());
+    const Grid<std::uint8_t> inside = insideMask(picture->study.settings.region, labels.lines, labels.beams);
     std::size_t k = 0;
     for (int line = 0; line < labels.lines; ++line) {
         auto* pixels = reinterpret_cast<QRgb*>(faces->scanLine(line));
         for (int beam = 0; beam < labels.beams; ++beam, ++k) {
             const std::uint32_t label = labels[k];
-            const Paint& paint = onBorder(labels, line, beam)   ? paints.border
+            const bool isOutside = inside[k] == 0 && label == 0 && (line - beam + labels.beams) % hatch < dark + dark / 2;
+            const Paint& paint = isOutside                      ? paints.outside
+                                 : onBorder(labels, line, beam) ? paints.border
                                  : (line + beam) % hatch < dark ? paints.stripe[label]
                                                                 : paints.plain[label];
             pixels[beam] = paint.face;

@@ -22,9 +22,10 @@ inline constexpr std::uint32_t kBesideRocks = 0xff5c5c5cU;
 struct RockPicture {
     std::shared_ptr<const Detection> detection;
     RockStudy study;
-    Grid<std::uint32_t> labels;                               ///< lines x beams: 0 none, else the place in study.rocks + 1
-    std::vector<std::uint8_t> colours;                        ///< by label: places in kRockColours
-    std::shared_ptr<const QImage> faces;                      ///< beams x lines: translucent, dark between rocks, doubtful rocks hatched
+    Grid<std::uint32_t> labels;        ///< lines x beams: 0 none, else the place in study.rocks + 1
+    std::vector<std::uint8_t> colours; ///< by label: places in kRockColours
+    std::shared_ptr<const QImage>
+        faces; ///< beams x lines: translucent, dark between rocks, doubtful rocks hatched, striped outside the region
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< by cell, four bytes: red, green, blue, 255; gray beside rocks
 
     [[nodiscard]] std::uint32_t labelAt(std::size_t cell) const { return cell < labels.size() ? labels[cell] : 0; }

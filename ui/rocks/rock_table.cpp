@@ -1,6 +1,8 @@
 // The table of rocks.
 #include "ui/rocks/rock_table.h"
 
+#include "ui/rocks/size_curve_view.h"
+
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -8,6 +10,7 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -22,7 +25,7 @@ constexpr int kSpanColumn = 1; // a: sorted by it at first
 } // namespace
 
 RockTable::RockTable(QWidget* parent)
-    : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView),
+    : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
       smallest_(new QDoubleSpinBox), sureOnly_(new QCheckBox(tr("no doubtful ones"))), export_(new QPushButton(tr("Export…"))),
       count_(new QLabel) {
     setObjectName("rock-table");
@@ -57,7 +60,12 @@ RockTable::RockTable(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(bar);
-    column->addWidget(table_, 1);
+    auto* sides = new QSplitter(Qt::Horizontal);
+    sides->addWidget(table_);
+    sides->addWidget(curve_);
+    sides->setStretchFactor(0, 1);
+    sides->setCollapsible(0, false);
+    column->addWidget(sides, 1);
 
     connect(smallest_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double metres) {
         shown_->setSmallest(metres);
@@ -77,7 +85,11 @@ RockTable::RockTable(QWidget* parent)
 void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QString& remark) {
     showing_ = true;
     remark_ = remark;
-    if (picture != model_->picture()) model_->show(picture);
+    if (picture != model_->picture()) {
+        model_->show(picture);
+        curve_->show(picture ? edgescan::sizeCurve(picture->study.rocks, picture->study.settings.oversizeM) : SizeCurve{});
+        markOnCurve({});
+    }
     showing_ = false;
     tellCount();
 }
@@ -112,6 +124,13 @@ void RockTable::select(const std::vector<std::uint32_t>& labels) {
         table_->scrollTo(last);
     }
     showing_ = false;
+    markOnCurve(labels);
+}
+
+void RockTable::markOnCurve(const std::vector<std::uint32_t>& labels) {
+    std::vector<double> widthsM;
+    for (const std::uint32_t label : labels) widthsM.push_back(model_->picture()->rock(label)->wideM);
+    curve_->mark(std::move(widthsM));
 }
 
 std::vector<std::uint32_t> RockTable::selected() const {

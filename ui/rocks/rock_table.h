@@ -1,4 +1,4 @@
-// The table of rocks: sort by a column, leave out what is small or doubtful, jump to a rock.
+// The table of rocks and their size curve: sort by a column, leave out what is small or doubtful, jump to a rock.
 #pragma once
 
 #include "ui/rocks/rock_table_model.h"
@@ -16,6 +16,8 @@ class QTableView;
 
 namespace edgescan::ui {
 
+class SizeCurveView;
+
 /// GUI thread only. Shows what it is told and says what the operator wants.
 class RockTable : public QWidget {
     Q_OBJECT
@@ -32,6 +34,7 @@ public:
     [[nodiscard]] QDoubleSpinBox* smallest() const { return smallest_; }
     [[nodiscard]] QCheckBox* sureOnly() const { return sureOnly_; }
     [[nodiscard]] QPushButton* exportButton() const { return export_; }
+    [[nodiscard]] SizeCurveView* sizeCurve() const { return curve_; }
     [[nodiscard]] QString remark() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {600, 234}; }
@@ -46,10 +49,12 @@ signals:
 private:
     void tellCount();
     void tellChosen();
+    void markOnCurve(const std::vector<std::uint32_t>& labels);
 
     RockTableModel* model_;
     ShownRocks* shown_;
     QTableView* table_;
+    SizeCurveView* curve_;
     QDoubleSpinBox* smallest_;
     QCheckBox* sureOnly_;
     QPushButton* export_;

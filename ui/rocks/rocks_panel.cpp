@@ -3,6 +3,7 @@
 
 #include "ui/base/shown_text.h"
 #include "ui/rocks/rock_card.h"
+#include "ui/rocks/size_curve_view.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -112,22 +113,18 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
         return;
     }
     const std::vector<Rock>& rocks = picture->study.rocks;
-    const Fines fines = finesOf(picture->study.map);
+    const RegionCounts fines = regionCounts(picture->study.map, RegionKind::Fines);
     QString text = remark.isEmpty() ? QString() : remark + "\n";
     text += tr("%1 rocks, %2 hatched (p < 0.85); %3 regions of fines")
                 .arg(rocks.size())
                 .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
                 .arg(fines.regions);
     if (!picture->study.edits.empty()) text += tr("; %1 changed by hand").arg(picture->study.edits.size());
+    if (!picture->study.settings.region.empty())
+        text += tr("; %1 pieces outside the region of interest are left out")
+                    .arg(regionCounts(picture->study.map, RegionKind::Outside).regions);
     result_->setText(text + "\n" + rockCaveat());
-    const SizeCurve curve = sizeCurve(rocks);
-    curve_->setText(curve.rocks == 0 ? QString()
-                                     : tr("Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m. Hidden parts make this finer than the "
-                                          "pile is, by 40 % and more.")
-                                           .arg(curve.p20M, 0, 'f', 2)
-                                           .arg(curve.p50M, 0, 'f', 2)
-                                           .arg(curve.p80M, 0, 'f', 2)
-                                           .arg(curve.topM, 0, 'f', 2));
+    curve_->setText(sizeCurveText(sizeCurve(rocks, picture->study.settings.oversizeM)));
 }
 
 QString RocksPanel::text() const { return result_->text() + "\n" + curve_->text(); }

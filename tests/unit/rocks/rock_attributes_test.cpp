@@ -2,6 +2,7 @@
 #include "core/rocks/rock_attributes.h"
 #include "core/rocks/rock_hulls.h"
 #include "core/rocks/rock_outlines.h"
+#include "core/rocks/size_curve.h"
 #include "core/rocks/visible_spans.h"
 #include "core/scan/cartesian.h"
 #include "tests/support/rock_scene.h"
@@ -122,15 +123,19 @@ TEST(RockRows, SizesAndFinesAddUp) {
     const FoundBalls f = found(ballsScan({{{-1.5, 0.0, 5.0}, 0.5}, {{0.2, 0.0, 5.0}, 0.3}, {{1.6, 0.0, 5.0}, 0.4}}));
     ASSERT_EQ(f.rocks.size(), 3U);
     const SizeCurve curve = sizeCurve(f.rocks, 0.7);
-    EXPECT_EQ(curve.rocks, 3U);
+    EXPECT_EQ(curve.rocks(), 3U);
     EXPECT_NEAR(curve.p50M, 0.8, 0.1);
     EXPECT_NEAR(curve.topM, 1.0, 0.1);
     EXPECT_NEAR(curve.oversizeShare, 2.0 / 3, 1e-9);
-    EXPECT_EQ(sizeCurve({}).rocks, 0U);
+    EXPECT_TRUE(std::is_sorted(curve.widthsM.begin(), curve.widthsM.end()));
+    EXPECT_EQ(curve.shareUpTo(0.0), 0.0);
+    EXPECT_NEAR(curve.shareUpTo(curve.widthsM[0]), 1.0 / 3, 1e-9);
+    EXPECT_EQ(curve.shareUpTo(curve.topM), 1.0);
+    EXPECT_EQ(sizeCurve({}).rocks(), 0U);
     std::uint64_t cells = 0;
     for (std::size_t n = 1; n < f.map.regions.size(); ++n)
         cells += f.map.regions[n].kind == RegionKind::Fines ? f.map.regions[n].sums.cells : 0;
-    EXPECT_EQ(finesOf(f.map).cells, cells);
+    EXPECT_EQ(regionCounts(f.map, RegionKind::Fines).cells, cells);
 }
 
 TEST(Calipers, AreThoseOfAllDirections) {

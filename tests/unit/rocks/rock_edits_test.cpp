@@ -1,4 +1,7 @@
 // Edits hold whatever is turned afterwards, and say what went wrong when they are read.
+#include "core/rocks/region_of_interest.h"
+#include "core/rocks/rock_preset.h"
+#include "core/rocks/rock_strokes.h"
 #include "core/rocks/rock_study.h"
 #include "core/rocks/rock_why.h"
 #include "tests/support/rock_scene.h"
@@ -7,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgescan {
 namespace {
@@ -83,8 +87,12 @@ TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
 TEST(RockEdits, AClickSplitsARockInTwoAndTheWheelGoesUpThroughItsAncestors) {
     int split = 0;
     for (const Rock& rock : plain().rocks) {
-        const auto ancestors = ancestorsAt(*plain().leaves, *plain().tree, 0, rock.cell);
-        for (std::size_t n = 1; n < ancestors.size(); ++n) EXPECT_GE(ancestors[n].leaves.size(), ancestors[n - 1].leaves.size());
+        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        const auto& pieces = family.line.pieces;
+        for (std::size_t n = 1; n < pieces.size(); ++n) EXPECT_TRUE(std::ranges::includes(pieces[n].leaves, pieces[n - 1].leaves));
+        ASSERT_LT(family.line.region, pieces.size());
+        EXPECT_TRUE(pieces[family.line.region].part.cells.empty());
+        EXPECT_EQ(pieces[family.line.region].cells, rock.cells);
         const auto edit = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
         if (!edit) continue;
         ASSERT_EQ(edit->kind, RockEditKind::Part);
@@ -171,13 +179,14 @@ TEST(RockEdits, SurviveJsonAndAreRefusedWithASentence) {
                                       {RockEditKind::Rock, {19}},
                                       {RockEditKind::NotRock, {0}}};
     const std::string text = rockEditsToJson(edits, 4, 5).dump();
-    const auto back = rockEditsFromText(text, 4, 5, "edits.json");
+    const auto back = rockPresetFromText(text, 4, 5, "", "edits.json");
     ASSERT_TRUE(back) << back.error().sentence();
-    EXPECT_EQ(*back, edits);
-    EXPECT_FALSE(rockEditsFromText(text, 5, 4, "edits.json"));
+    EXPECT_EQ(back->edits, edits);
+    EXPECT_FALSE(back->settings);
+    EXPECT_FALSE(rockPresetFromText(text, 5, 4, "", "edits.json"));
     const auto wrong = [](const std::string& edit) {
-        const auto read = rockEditsFromText(R"({"format": "edgescan-rock-edits/1", "lines": 4, "beams": 5, "edits": [)" + edit + "]}", 4, 5,
-                                            "edits.json");
+        const auto read = rockPresetFromText(R"({"format": "edgescan-rock-edits/1", "lines": 4, "beams": 5, "edits": [)" + edit + "]}", 4,
+                                             5, "", "edits.json");
         return !read && read.error().sentence().find("edits.json") != std::string::npos;
     };
     for (const char* edit :
@@ -188,7 +197,104 @@ TEST(RockEdits, SurviveJsonAndAreRefusedWithASentence) {
         EXPECT_TRUE(wrong(edit)) << edit;
     for (const char* whole : {"", "[]", "{}", R"({"format": "edgescan-rock-edits/2", "lines": 4, "beams": 5, "edits": []})",
                               R"({"format": "edgescan-rock-edits/1", "lines": 4, "beams": 5, "edits": {}})"})
-        EXPECT_FALSE(rockEditsFromText(whole, 4, 5, "edits.json")) << whole;
+        EXPECT_FALSE(rockPresetFromText(whole, 4, 5, "", "edits.json")) << whole;
+}
+
+TEST(RockEdits, AStrokeOverACrackJoinsWhatItCrosses) {
+    const auto [p, q] = neighbours();
+    const auto edit = joinAlong(*plain().leaves, plain().map, {p, q});
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(edit->kind, RockEditKind::Join);
+    const std::vector<std::uint32_t> cells = strokeCells({p, q}, plain().leaves->leaf.lines, plain().leaves->leaf.beams);
+    std::vector<std::uint32_t> crossed;
+    for (const std::uint32_t k : cells) {
+        if (regionAt(plain(), k) != 0) crossed.push_back(regionAt(plain(), k));
+    }
+    std::ranges::sort(crossed);
+    crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+    EXPECT_EQ(edit->cells.size(), crossed.size());
+    EXPECT_GE(crossed.size(), 2U);
+    const RockStudy study = studyRocks(sceneInputs(), levelled(-4), {*edit}, &plain());
+    for (const std::uint32_t k : edit->cells) EXPECT_EQ(regionAt(study, k), regionAt(study, p));
+    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {p, p + 1}));
+    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {}));
+    EXPECT_FALSE(cutAlong(*plain().leaves, plain().map, {}));
+    EXPECT_TRUE(cutAlong(*plain().leaves, plain().map, {p, q}));
+}
+
+TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
+    int smaller = 0, larger = 0;
+    for (const Rock& rock : plain().rocks) {
+        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        for (std::size_t n = 0; n < family.line.pieces.size(); ++n) {
+            const RockAncestor& piece = family.line.pieces[n];
+            if (n == family.line.region) continue;
+            const bool isLarger = n > family.line.region;
+            EXPECT_EQ(piece.part.kind, isLarger ? RockEditKind::Join : RockEditKind::Part);
+            if ((isLarger ? larger : smaller) >= 6) continue;
+            ++(isLarger ? larger : smaller);
+            const RockStudy study = studyRocks(sceneInputs(), {}, {piece.part}, &plain());
+            const RockRegion& made = study.map.regions[regionAt(study, rock.cell)];
+            if (isLarger)
+                EXPECT_GT(made.sums.cells, rock.cells);
+            else
+                EXPECT_LT(made.sums.cells, rock.cells);
+        }
+        const auto split = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        EXPECT_EQ(split.has_value(), family.split != family.line.region);
+        if (split) EXPECT_EQ(*split, family.line.pieces[family.split].part);
+    }
+    EXPECT_EQ(smaller, 6);
+    EXPECT_EQ(larger, 6);
+}
+
+TEST(RockPresets, KeepSettingsAndEditsOfTheirOwnScanAlone) {
+    RockPreset preset;
+    preset.settings = levelled(1.5);
+    preset.settings->region = {{0, 0}, {3, 4}};
+    preset.edits = {{RockEditKind::Join, {0, 7}}};
+    preset.sha256 = "abc";
+    const std::string text = rockPresetText(preset, 4, 5);
+    const auto back = rockPresetFromText(text, 4, 5, "abc", "p.json");
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_EQ(*back->settings, *preset.settings);
+    EXPECT_EQ(back->edits, preset.edits);
+    EXPECT_TRUE(rockPresetFromText(text, 4, 5, "", "p.json"));
+    const auto other = rockPresetFromText(text, 4, 5, "abd", "p.json");
+    ASSERT_FALSE(other);
+    EXPECT_NE(other.error().sentence().find("other content"), std::string::npos);
+    EXPECT_FALSE(rockPresetFromText(R"({"sha256": 3})", 4, 5, "", "p.json"));
+}
+
+TEST(RegionOfInterest, TheMaskEqualsAskingEachCell) {
+    const std::vector<std::vector<RegionCorner>> regions{{},
+                                                         {{2, 3}, {9, 14}},
+                                                         {{9, 14}, {2, 3}},
+                                                         {{1, 1}, {12, 4}, {3, 15}},
+                                                         {{0, 0}, {10, 10}, {0, 10}, {10, 0}},
+                                                         {{-3, 5}, {20, 5}, {8, 30}}};
+    for (const auto& region : regions) {
+        const Grid<std::uint8_t> mask = insideMask(region, 14, 18);
+        for (int i = 0; i < mask.lines; ++i) {
+            for (int j = 0; j < mask.beams; ++j) EXPECT_EQ(mask.at(i, j) != 0, isInside(region, i, j)) << i << "," << j;
+        }
+    }
+    // A circle drawn cell by cell keeps its shape with few corners.
+    std::vector<RegionCorner> circle;
+    for (int n = 0; n < 360; ++n)
+        circle.push_back({50 + static_cast<int>(std::lround(40 * std::sin(n * 0.01745))),
+                          50 + static_cast<int>(std::lround(40 * std::cos(n * 0.01745)))});
+    const std::vector<RegionCorner> corners = regionOfDrawing(circle);
+    EXPECT_LT(corners.size(), 60U);
+    const Grid<std::uint8_t> mask = insideMask(corners, 101, 101);
+    for (int i = 0; i < 101; ++i) {
+        for (int j = 0; j < 101; ++j) {
+            const double off = std::hypot(i - 50, j - 50);
+            if (off < 38) EXPECT_EQ(mask.at(i, j), 1) << i << "," << j;
+            if (off > 42) EXPECT_EQ(mask.at(i, j), 0) << i << "," << j;
+        }
+    }
+    EXPECT_TRUE(regionOfDrawing({{1, 1}, {2, 2}}).empty());
 }
 
 } // namespace

@@ -1,0 +1,44 @@
+// While a tool wants them: a left drag over an image as a row of cells, the wheel over any view as steps, and Esc.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+
+#include <vector>
+
+namespace edgescan::ui {
+
+class ImageView;
+class LinkedViews;
+
+/// GUI thread only. The views must outlive it. Cells: x = beam, y = line.
+class CellDrag : public QObject {
+    Q_OBJECT
+public:
+    enum class Wanted { Nothing, Drag, Wheel };
+
+    CellDrag(LinkedViews& views, QObject* parent);
+    void want(Wanted what);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    /// So far; the button is still down.
+    void drawn(const std::vector<QPoint>& cells);
+    void finished(const std::vector<QPoint>& cells);
+    /// Away from the hand positive.
+    void stepped(int by);
+    void givenUp();
+
+private:
+    bool takeMouse(ImageView& view, QEvent& event);
+    bool takeWheel(QEvent& event);
+
+    LinkedViews& views_;
+    Wanted wanted_ = Wanted::Nothing;
+    bool down_ = false;
+    std::vector<QPoint> cells_;
+    double turned_ = 0.0; // of a notch
+};
+
+} // namespace edgescan::ui
