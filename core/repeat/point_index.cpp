@@ -1,8 +1,8 @@
 // Boost's R-tree.
 #include "core/repeat/point_index.h"
 
-#include <boost/geometry/core/cs.hpp>
 #include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 

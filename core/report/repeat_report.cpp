@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kNameWidth = 38;
+constexpr std::size_t kMethodWidth = 38;
 
 std::string cells(const RepeatCount& count) {
     return rightAligned(std::to_string(count.edges), 9) + rightAligned(std::to_string(count.visible), 9) +
@@ -43,12 +43,12 @@ std::string repeatText(const RepeatRun& run) {
     text += "An edge is repeated when the other scan has one within " + fixedText(1000 * run.radiusM, 0) +
             " mm; counted where the other scan could see.\nAt equal number: with the threshold that gives as many edges as EdgeScan+.\n";
     std::string head = "method";
-    head.resize(kNameWidth, ' ');
+    head.resize(kMethodWidth, ' ');
     text += head + rightAligned("edges", 9) + rightAligned("visible", 9) + rightAligned("repeated", 10) + " |" +
             rightAligned("at equal", 9) + rightAligned("visible", 9) + rightAligned("repeated", 10) + "\n";
     for (const MethodRepeatability& row : run.methods) {
         std::string name = row.name;
-        name.resize(std::max(kNameWidth, name.size()), ' ');
+        name.resize(std::max(kMethodWidth, name.size()), ' ');
         text += name + cells(row.asSet) + " |" + (row.atEqual ? cells(*row.atEqual) : rightAligned("-", 9)) + "\n";
         if (!row.note.empty()) text += "  " + row.note + "\n";
     }

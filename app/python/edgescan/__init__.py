@@ -137,7 +137,7 @@ def rocks(result, *, region=None, **parameters):
     than EdgeScan+ gives the rocks of EdgeScan+ with the same settings.
 
     >>> found = edgescan.rocks(result, min_cells=60)
-    >>> found.count == found.labels.max() == len([row for row in found.table if row["kind"] == "rock"])
+    >>> found.count == int(found.labels.max()) == len([row for row in found.table if row["kind"] == "rock"])
     True
     >>> found.at(2.0).settings["level"] == 2   # coarser, at once
     True
