@@ -11,30 +11,32 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace edgescan {
 namespace {
 
-struct FreeContext {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
-using Context = std::unique_ptr<EVP_MD_CTX, FreeContext>;
-
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-Context startedContext() {
-    Context context(EVP_MD_CTX_new());
-    if (!context || EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
-    return context;
+} // namespace
+
+Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+    if (context_ != nullptr && EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) == 1) return;
+    EVP_MD_CTX_free(context_);
+    throw std::bad_alloc();
 }
 
-std::string finishedHex(EVP_MD_CTX* context) {
+Sha256::~Sha256() { EVP_MD_CTX_free(context_); }
+
+void Sha256::add(std::span<const std::byte> bytes) { EVP_DigestUpdate(context_, bytes.data(), bytes.size()); }
+
+std::string Sha256::hex() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
-    EVP_DigestFinal_ex(context, digest.data(), &length);
+    EVP_DigestFinal_ex(context_, digest.data(), &length);
     static constexpr const char* kDigits = "0123456789abcdef";
     std::string hex;
     for (unsigned int i = 0; i < length; ++i) {
@@ -44,12 +46,10 @@ std::string finishedHex(EVP_MD_CTX* context) {
     return hex;
 }
 
-} // namespace
-
 std::string sha256Hex(std::span<const std::byte> bytes) {
-    const Context context = startedContext();
-    EVP_DigestUpdate(context.get(), bytes.data(), bytes.size());
-    return finishedHex(context.get());
+    Sha256 hash;
+    hash.add(bytes);
+    return hash.hex();
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path) {
@@ -60,15 +60,13 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path) {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
         return Error{"this is no regular file", path.string(), "choose a file"};
-    const Context context = startedContext();
-    std::vector<unsigned char> piece(std::size_t{1} << 20U);
-    while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) {
-        EVP_DigestUpdate(context.get(), piece.data(), count);
-    }
+    Sha256 hash;
+    std::vector<std::byte> piece(std::size_t{1} << 20U);
+    while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) hash.add(std::span(piece).first(count));
     if (std::ferror(file.get()) != 0) {
         return Error{std::string("the file cannot be read: ") + std::strerror(errno), path.string(), "check the disk and the path"};
     }
-    return finishedHex(context.get());
+    return hash.hex();
 }
 
 } // namespace edgescan

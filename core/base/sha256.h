@@ -8,7 +8,26 @@
 #include <span>
 #include <string>
 
+struct evp_md_ctx_st; // OpenSSL's
+using EVP_MD_CTX = evp_md_ctx_st;
+
 namespace edgescan {
+
+/// Of bytes that come piece by piece.
+class Sha256 {
+public:
+    Sha256();
+    ~Sha256();
+    Sha256(const Sha256&) = delete;
+    Sha256& operator=(const Sha256&) = delete;
+
+    void add(std::span<const std::byte> bytes);
+    /// 64 lower-case hex digits. Nothing may be added afterwards.
+    [[nodiscard]] std::string hex();
+
+private:
+    EVP_MD_CTX* context_;
+};
 
 /// 64 lower-case hex digits.
 [[nodiscard]] std::string sha256Hex(std::span<const std::byte> bytes);

@@ -6,13 +6,16 @@
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
 #include "core/base/sha256.h"
+#include "core/base/simd.h"
 #include "core/base/whole_file.h"
 #include "core/points/description.h"
 #include "core/scan/count_states.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <system_error>
 
 namespace edgescan {
@@ -54,6 +57,12 @@ Result<Done> readGeometry(const GridDescription& grid, const Source& source, Sca
     return Done{};
 }
 
+static_assert(std::endian::native == std::endian::little, "counts lie in the file as the machine stores them");
+
+EDGESCAN_SIMD void rangesOfCounts(const std::uint16_t* counts, int beams, double unitMm, float* __restrict rangeMm) {
+    for (int j = 0; j < beams; ++j) rangeMm[j] = static_cast<float>(counts[j] * unitMm);
+}
+
 Result<Scan> readPair(const GridDescription& grid, const Source& source, const fs::path& countsPath, std::span<const std::byte> counts) {
     if (auto fits = checkSize(grid, countsPath, counts.size()); !fits) return fits.error();
     if (auto enough = checkMemory(productOf({grid.lines, grid.beams, 16}), countsPath.string()); !enough) return enough.error();
@@ -64,10 +73,12 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     const CountStates states = countStates(grid.noReturnCodes, grid.statusCodes);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        const unsigned count = std::to_integer<unsigned>(counts[2 * k]) | (std::to_integer<unsigned>(counts[2 * k + 1]) << 8U);
-        scan.rangeMm[k] = static_cast<float>(count * scan.unitMm);
-        scan.state[k] = states[count];
+    std::vector<std::uint16_t> line(static_cast<std::size_t>(scan.beams()));
+    for (int i = 0; i < scan.lines(); ++i) {
+        std::memcpy(line.data(), counts.data() + 2 * scan.rangeMm.index(i, 0), 2 * line.size());
+        rangesOfCounts(line.data(), scan.beams(), scan.unitMm, scan.rangeMm.line(i));
+        CellState* state = scan.state.line(i);
+        for (std::size_t j = 0; j < line.size(); ++j) state[j] = states[line[j]];
     }
     applyStateRuns(scan, grid);
     scan.format = "raw grid";
@@ -194,12 +205,7 @@ Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const fs::path& pa
         counts.push_back(static_cast<char>(*count >> 8U));
     }
     const fs::path countsPath = withExtension(path, ".u16");
-    Scan head; // the description needs no ranges, only their shape
-    head.rangeMm.lines = scan.lines();
-    head.rangeMm.beams = scan.beams();
-    head.state = scan.state;
-    head.geometry = scan.geometry;
-    head.unitMm = scan.unitMm;
+    Scan head = headOf(scan);
     head.noReturnCodes = counter.noReturnCodes();
     head.statusCodes = counter.statusCodes();
     head.note = scan.note;

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/simd.h"
 #include "core/scan/placement.h"
 
 #include <algorithm>
@@ -11,6 +12,19 @@ namespace edgescan {
 namespace {
 
 constexpr double kFinestStepDeg = 1e-6; // a thousandth of what any scanner tells apart
+
+bool isOutside(float rangeMm, CellState state) {
+    constexpr auto kLeast = static_cast<float>(physical::kRangeMm.limits.least);
+    constexpr auto kMost = static_cast<float>(physical::kRangeMm.limits.most);
+    static_assert(kLeast == physical::kRangeMm.limits.least && kMost == physical::kRangeMm.limits.most);
+    return (state == CellState::Valid) & !((rangeMm >= kLeast) & (rangeMm <= kMost));
+}
+
+EDGESCAN_SIMD bool isAnyOutside(const float* rangeMm, const CellState* states, int beams) {
+    int any = 0;
+    for (int j = 0; j < beams; ++j) any |= isOutside(rangeMm[j], states[j]) ? 1 : 0;
+    return any != 0;
+}
 
 Error outside(const PhysicalLimit& limit, double value, const std::string& place, const std::string& where) {
     const std::string unit = *limit.unit == '\0' ? "" : std::string(" ") + limit.unit;
@@ -51,11 +65,13 @@ Result<Done> checkPlace(const Placement& placement, const std::string& where) {
 
 Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
     if (!physical::kUnitMm.hold(scan.unitMm)) return outside(physical::kUnitMm, scan.unitMm, "", where);
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::Valid || physical::kRangeMm.hold(scan.rangeMm[k])) continue;
-        const auto beams = static_cast<std::size_t>(scan.beams());
-        return outside(physical::kRangeMm, scan.rangeMm[k], "line " + std::to_string(k / beams) + ", beam " + std::to_string(k % beams),
-                       where);
+    for (int i = 0; i < scan.lines(); ++i) {
+        if (!isAnyOutside(scan.rangeMm.line(i), scan.state.line(i), scan.beams())) continue;
+        for (int j = 0; j < scan.beams(); ++j) {
+            if (isOutside(scan.rangeMm.at(i, j), scan.state.at(i, j)))
+                return outside(physical::kRangeMm, scan.rangeMm.at(i, j), "line " + std::to_string(i) + ", beam " + std::to_string(j),
+                               where);
+        }
     }
     if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
         if (auto sound = checkPolar(*polar, where); !sound) return sound;

@@ -13,6 +13,7 @@
 #include "core/scan/given_angles.h"
 #include "core/unpack/gunzip.h"
 
+#include <future>
 #include <new>
 #include <stdexcept>
 
@@ -72,7 +73,15 @@ Result<Scan> readPacked(const Source& source) {
     return Error{error.what, path + " (unpacked)" + error.where.substr(path.size()), error.hint};
 }
 
+/// Beside the reading where that is worth a thread: of a large file it takes a fifth of the time.
+std::future<std::string> sha256Beside(std::span<const std::byte> bytes) {
+    constexpr std::size_t kLarge = std::size_t{4} << 20U;
+    const auto ifAsked = std::launch::deferred;
+    return std::async(bytes.size() >= kLarge ? std::launch::async | ifAsked : ifAsked, sha256Hex, bytes);
+}
+
 Result<Scan> readWhole(const Source& source) {
+    auto sha256 = sha256Beside(source.bytes);
     const bool packed = isGzip(source.bytes);
     auto scan = packed ? readPacked(source) : readPlain(source);
     if (!scan) return scan;
@@ -80,7 +89,7 @@ Result<Scan> readWhole(const Source& source) {
     done.straighten = false; // openAsAsked() does that
     scan->openedWith = readingOptionsText(done);
     scan->name = scanName(source.path);
-    if (scan->sha256.empty()) scan->sha256 = sha256Hex(source.bytes);
+    if (scan->sha256.empty()) scan->sha256 = sha256.get();
     if (!source.goOn("opened", 1.0)) return source.cancelled();
     return scan;
 }

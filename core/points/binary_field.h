@@ -1,6 +1,8 @@
 // One scalar of a binary record: where it lies and how it is stored.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -32,41 +34,49 @@ namespace binary {
 
 template <class T>
 [[nodiscard]] double as(const std::byte* at, bool bigEndian) {
-    std::byte bytes[sizeof(T)];
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-        bytes[i] = at[bigEndian == (std::endian::native == std::endian::little) ? sizeof(T) - 1 - i : i];
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return static_cast<double>(value);
+    std::array<std::byte, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), at, sizeof(T));
+    if (bigEndian == (std::endian::native == std::endian::little)) std::ranges::reverse(bytes);
+    return static_cast<double>(std::bit_cast<T>(bytes));
 }
 
 } // namespace binary
 
-/// The number at `at`; the caller has checked that sizeOf(scalar) bytes are there.
-[[nodiscard]] inline double readScalar(Scalar scalar, const std::byte* at, bool bigEndian) {
+/// Calls take(n, value) for the `count` numbers that lie `stride` bytes from each other.
+template <class Take>
+void forEachScalar(Scalar scalar, const std::byte* first, std::size_t stride, std::size_t count, bool bigEndian, Take take) {
+    const auto all = [&]<class T>(T) {
+        for (std::size_t n = 0; n < count; ++n) take(n, binary::as<T>(first + n * stride, bigEndian));
+    };
     switch (scalar) {
     case Scalar::Int8:
-        return binary::as<std::int8_t>(at, bigEndian);
+        return all(std::int8_t{});
     case Scalar::Int16:
-        return binary::as<std::int16_t>(at, bigEndian);
+        return all(std::int16_t{});
     case Scalar::Int32:
-        return binary::as<std::int32_t>(at, bigEndian);
+        return all(std::int32_t{});
     case Scalar::Int64:
-        return binary::as<std::int64_t>(at, bigEndian);
+        return all(std::int64_t{});
     case Scalar::UInt8:
-        return binary::as<std::uint8_t>(at, bigEndian);
+        return all(std::uint8_t{});
     case Scalar::UInt16:
-        return binary::as<std::uint16_t>(at, bigEndian);
+        return all(std::uint16_t{});
     case Scalar::UInt32:
-        return binary::as<std::uint32_t>(at, bigEndian);
+        return all(std::uint32_t{});
     case Scalar::UInt64:
-        return binary::as<std::uint64_t>(at, bigEndian);
+        return all(std::uint64_t{});
     case Scalar::Float32:
-        return binary::as<float>(at, bigEndian);
+        return all(float{});
     case Scalar::Float64:
-        return binary::as<double>(at, bigEndian);
+        return all(double{});
     }
-    return 0.0;
+}
+
+/// The number at `at`; the caller has checked that sizeOf(scalar) bytes are there.
+[[nodiscard]] inline double readScalar(Scalar scalar, const std::byte* at, bool bigEndian) {
+    double number = 0;
+    forEachScalar(scalar, at, 0, 1, bigEndian, [&number](std::size_t, double value) { number = value; });
+    return number;
 }
 
 } // namespace edgescan

@@ -50,20 +50,24 @@ void addPoints(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, 
         addCoordinates<double>(cloud, points, prefix);
 }
 
+/// The cell of a point.
+struct CellOfPoint {
+    std::uint32_t line, beam;
+};
+
 template <class T, class Value>
-void addColumn(CloudColumns& cloud, const char* name, const std::vector<std::size_t>& cells, Value value) {
+void addColumn(CloudColumns& cloud, const char* name, const std::vector<CellOfPoint>& cells, Value value) {
     std::vector<T> values;
     values.reserve(cells.size());
-    for (const std::size_t k : cells) values.push_back(static_cast<T>(value(k)));
+    for (const CellOfPoint& cell : cells) values.push_back(static_cast<T>(value(cell)));
     cloud.columns.push_back({name, std::move(values)});
 }
 
 /// Turns the points of the cells from the scanner's frame into the one asked for.
-void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::size_t>& cells, std::vector<Eigen::Vector3d>& points) {
+void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<CellOfPoint>& cells, std::vector<Eigen::Vector3d>& points) {
     const PlacedPoints placed(scan);
-    const auto beams = static_cast<std::size_t>(scan.beams());
     for (std::size_t n = 0; n < cells.size(); ++n)
-        points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams), points[n]);
+        points[n] = placed.inFrame(cloud.frame, static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam), points[n]);
     cloud.sensorM = placed.inFrame(cloud.frame, 0, 0, cloud.sensorM);
     cloud.originM = placed.originEnhM();
     cloud.grid = scan.placement->grid;
@@ -76,12 +80,12 @@ void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<std::s
 
 /// The cells of a cloud, one per point; the last `attached.size()` are those of the points attached to them.
 struct Chosen {
-    std::vector<std::size_t> cells;
+    std::vector<CellOfPoint> cells;
     std::vector<const AttachedPoint*> attached;
 };
 
 CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame) {
-    const std::vector<std::size_t>& cells = chosen.cells;
+    const std::vector<CellOfPoint>& cells = chosen.cells;
     const std::size_t ownPoints = cells.size() - chosen.attached.size();
     CloudColumns cloud;
     cloud.width = cells.size();
@@ -93,11 +97,14 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     std::vector<Eigen::Vector3d> points;
     points.reserve(cells.size());
     const auto* given = std::get_if<PointGeometry>(&scan.geometry);
-    for (std::size_t n = 0; n < ownPoints; ++n)
-        points.push_back(every && given != nullptr ? given->pointsM[cells[n]] : tables.point(cells[n]));
     std::vector<float> ranges;
     ranges.reserve(cells.size());
-    for (std::size_t n = 0; n < ownPoints; ++n) ranges.push_back(scan.rangeMm[cells[n]]);
+    for (std::size_t n = 0; n < ownPoints; ++n) {
+        const int line = static_cast<int>(cells[n].line);
+        const int beam = static_cast<int>(cells[n].beam);
+        points.push_back(every && given != nullptr ? given->pointsM.at(line, beam) : tables.point(line, beam));
+        ranges.push_back(scan.rangeMm.at(line, beam));
+    }
     for (const AttachedPoint* extra : chosen.attached) {
         points.push_back(extra->pointM);
         ranges.push_back(static_cast<float>((extra->pointM - tables.sensor()).norm() * 1000.0));
@@ -107,9 +114,8 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     if (placed && every && given != nullptr) asRead = points;
     if (placed) placePoints(cloud, scan, cells, points);
     addPoints(cloud, points, given == nullptr || placed);
-    const auto beams = static_cast<std::size_t>(scan.beams());
-    addColumn<std::uint32_t>(cloud, "line", cells, [&](std::size_t k) { return k / beams; });
-    addColumn<std::uint32_t>(cloud, "beam", cells, [&](std::size_t k) { return k % beams; });
+    addColumn<std::uint32_t>(cloud, "line", cells, [](const CellOfPoint& cell) { return cell.line; });
+    addColumn<std::uint32_t>(cloud, "beam", cells, [](const CellOfPoint& cell) { return cell.beam; });
     cloud.columns.push_back({"range_mm", std::move(ranges)});
     if (scan.intensity.size() > 0) {
         std::vector<float> intensity;
@@ -127,28 +133,39 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     return cloud;
 }
 
-void addClasses(CloudColumns& cloud, const std::vector<std::size_t>& cells, const Grid<std::uint8_t>* edgeMask,
+template <class T>
+T valueAt(const Grid<T>& grid, const CellOfPoint& cell) {
+    return grid.at(static_cast<int>(cell.line), static_cast<int>(cell.beam));
+}
+
+void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* edgeMask,
                 const Grid<DepthEdge>* classes) {
-    if (classes != nullptr) addColumn<std::uint8_t>(cloud, "class", cells, [&](std::size_t k) { return (*classes)[k]; });
-    const auto colour = [&](std::size_t k) {
-        if (edgeMask == nullptr || (*edgeMask)[k] == 0) return kNoEdgeColour;
-        return kEdgeColours[classes != nullptr ? static_cast<std::size_t>((*classes)[k]) : 0];
+    if (classes != nullptr)
+        addColumn<std::uint8_t>(cloud, "class", cells, [&](const CellOfPoint& cell) { return valueAt(*classes, cell); });
+    const auto colour = [&](const CellOfPoint& cell) {
+        if (edgeMask == nullptr || valueAt(*edgeMask, cell) == 0) return kNoEdgeColour;
+        return kEdgeColours[classes != nullptr ? static_cast<std::size_t>(valueAt(*classes, cell)) : 0];
     };
-    addColumn<std::uint8_t>(cloud, "red", cells, [&](std::size_t k) { return colour(k).red; });
-    addColumn<std::uint8_t>(cloud, "green", cells, [&](std::size_t k) { return colour(k).green; });
-    addColumn<std::uint8_t>(cloud, "blue", cells, [&](std::size_t k) { return colour(k).blue; });
+    addColumn<std::uint8_t>(cloud, "red", cells, [&](const CellOfPoint& cell) { return colour(cell).red; });
+    addColumn<std::uint8_t>(cloud, "green", cells, [&](const CellOfPoint& cell) { return colour(cell).green; });
+    addColumn<std::uint8_t>(cloud, "blue", cells, [&](const CellOfPoint& cell) { return colour(cell).blue; });
 }
 
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
     Chosen chosen;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (wanted(k)) chosen.cells.push_back(k);
+    for (int i = 0; i < scan.lines(); ++i) {
+        const std::size_t first = scan.rangeMm.index(i, 0);
+        for (int j = 0; j < scan.beams(); ++j) {
+            if (wanted(first + static_cast<std::size_t>(j)))
+                chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+        }
     }
     if (!withAttached) return chosen;
+    const auto beams = static_cast<std::uint32_t>(scan.beams());
     for (const AttachedPoint& point : scan.attached) {
         if (!wanted(point.cell)) continue;
-        chosen.cells.push_back(point.cell);
+        chosen.cells.push_back({point.cell / beams, point.cell % beams});
         chosen.attached.push_back(&point);
     }
     return chosen;
@@ -159,7 +176,7 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
 CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
     const Chosen every = cellsWhere(scan, false, [](std::size_t) { return true; });
     CloudColumns cloud = columnsFor(scan, every, true, frame);
-    addColumn<std::uint8_t>(cloud, "state", every.cells, [&](std::size_t k) { return scan.state[k]; });
+    addColumn<std::uint8_t>(cloud, "state", every.cells, [&](const CellOfPoint& cell) { return valueAt(scan.state, cell); });
     cloud.width = static_cast<std::size_t>(scan.beams());
     cloud.height = static_cast<std::size_t>(scan.lines());
     cloud.description = descriptionText(scan, "", -1);
@@ -171,8 +188,9 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
     const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
-                            [&](std::size_t k) { return edgeMask != nullptr && (*edgeMask)[k] != 0 ? 255 : 0; });
-    if (rocks != nullptr) addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](std::size_t k) { return (*rocks)[k]; });
+                            [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
+    if (rocks != nullptr)
+        addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](const CellOfPoint& cell) { return valueAt(*rocks, cell); });
     addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
@@ -180,7 +198,7 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
                         const Grid<DepthEdge>* classes) {
     const Chosen edges =
-        cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid && edgeMask[k] != 0; });
+        cellsWhere(scan, withAttached, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;

@@ -1,6 +1,7 @@
 // Columns as rows of text, as binary records and as comment lines.
 #include "core/points/column_rows.h"
 
+#include "core/base/bands.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 
@@ -14,7 +15,26 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
 
+constexpr std::size_t kRowsAtOnce = 2048;
 constexpr int kMineDecimals = 4; // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
+
+void appendRowsOf(std::string& text, const CloudColumns& cloud, std::size_t firstRow, std::size_t lastRow, char separator) {
+    for (std::size_t row = firstRow; row < lastRow; ++row) {
+        for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
+            const CloudColumn& column = cloud.columns[i];
+            if (i > 0) text += separator;
+            std::visit(
+                [&](const auto& values) {
+                    if (i < 3 && cloud.frame == CoordinateFrame::Mine && std::isfinite(static_cast<double>(values[row])))
+                        appendFixed(text, static_cast<double>(values[row]), kMineDecimals);
+                    else
+                        appendShortest(text, values[row]);
+                },
+                column.values);
+        }
+        text += '\n';
+    }
+}
 
 } // namespace
 
@@ -39,21 +59,14 @@ double IntensitySpan::ofOne(double value) const {
 }
 
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
-    for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
-        for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
-            const CloudColumn& column = cloud.columns[i];
-            if (i > 0) text += separator;
-            std::visit(
-                [&](const auto& values) {
-                    if (i < 3 && cloud.frame == CoordinateFrame::Mine && std::isfinite(static_cast<double>(values[row])))
-                        appendFixed(text, static_cast<double>(values[row]), kMineDecimals);
-                    else
-                        appendShortest(text, values[row]);
-                },
-                column.values);
-        }
-        text += '\n';
-    }
+    const std::size_t rows = rowsOf(cloud);
+    const int bands = bandsFor(rows, 0);
+    std::vector<std::string> parts(static_cast<std::size_t>(bands));
+    inBands(bands, bands, [&](int first, int) {
+        const auto band = static_cast<std::size_t>(first);
+        appendRowsOf(parts[band], cloud, rows * band / parts.size(), rows * (band + 1) / parts.size(), separator);
+    });
+    for (const std::string& part : parts) text += part;
 }
 
 void appendComments(std::string& text, const CloudColumns& cloud, const std::string& word) {
@@ -64,20 +77,23 @@ void appendComments(std::string& text, const CloudColumns& cloud, const std::str
 void appendRecords(std::string& bytes, const CloudColumns& cloud) {
     std::size_t record = 0;
     for (const CloudColumn& column : cloud.columns) std::visit([&](const auto& values) { record += sizeof(values[0]); }, column.values);
-    const std::size_t start = bytes.size();
-    bytes.resize(start + record * rowsOf(cloud));
-    std::size_t offset = start;
-    for (const CloudColumn& column : cloud.columns) {
-        std::visit(
-            [&](const auto& values) {
-                char* at = bytes.data() + offset;
-                for (const auto value : values) {
-                    std::memcpy(at, &value, sizeof value);
-                    at += record;
-                }
-                offset += sizeof(values[0]);
-            },
-            column.values);
+    const std::size_t rows = rowsOf(cloud);
+    bytes.reserve(bytes.size() + record * rows);
+    // Some rows at a time, column by column: so the records stay in the cache until they are whole.
+    for (std::size_t first = 0; first < rows; first += kRowsAtOnce) {
+        const std::size_t count = std::min(kRowsAtOnce, rows - first);
+        std::size_t offset = bytes.size();
+        bytes.resize(offset + record * count);
+        for (const CloudColumn& column : cloud.columns) {
+            std::visit(
+                [&](const auto& values) {
+                    char* at = bytes.data() + offset;
+                    for (std::size_t row = first; row < first + count; ++row, at += record)
+                        std::memcpy(at, &values[row], sizeof values[row]);
+                    offset += sizeof(values[0]);
+                },
+                column.values);
+        }
     }
 }
 

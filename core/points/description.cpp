@@ -175,6 +175,21 @@ AngleList shortestAngles(const std::vector<double>& degrees) {
     return degrees;
 }
 
+Scan headOf(const Scan& scan) {
+    Scan head;
+    head.rangeMm.lines = scan.lines();
+    head.rangeMm.beams = scan.beams();
+    head.state = scan.state;
+    if (const auto* points = std::get_if<PointGeometry>(&scan.geometry))
+        head.geometry = PointGeometry{{}, points->sensorM, points->angles};
+    else
+        head.geometry = scan.geometry;
+    head.unitMm = scan.unitMm;
+    head.noReturnCodes = scan.noReturnCodes;
+    head.statusCodes = scan.statusCodes;
+    return head;
+}
+
 std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent) {
     nlohmann::ordered_json object;
     object["format"] = kFormat;

@@ -66,6 +66,9 @@ void applyStateRuns(Scan& scan, const GridDescription& grid);
 /// {"start","step"} when that gives back the same doubles, else the list.
 [[nodiscard]] AngleList shortestAngles(const std::vector<double>& degrees);
 
+/// A scan without ranges and points, and without a note, a place and an acquisition: what its description tells is left.
+[[nodiscard]] Scan headOf(const Scan& scan);
+
 /// The description of a scan. `dataFile` is named in it when not empty; `indent` as in nlohmann::json::dump (-1 = one line).
 [[nodiscard]] std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent);
 

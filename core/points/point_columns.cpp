@@ -42,20 +42,34 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
 
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source) {
-    table.points.reserve(points);
+    constexpr std::size_t kAtOnce = 4096; // records stay in the cache while their fields are read one after the other
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
-    const auto value = [&](const RecordField& field, std::size_t n) {
-        return readScalar(field.scalar, bytes.data() + field.offset + n * field.stride, bigEndian);
-    };
-    for (std::size_t n = 0; n < points; ++n) {
-        table.points.emplace_back(value(fields.x, n), value(fields.y, n), value(fields.z, n));
-        if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(value(*fields.rangeMm, n)));
-        if (fields.state) table.state.push_back(stateByte(value(*fields.state, n)));
-        if (fields.intensity) table.intensity.push_back(static_cast<float>(value(*fields.intensity, n)));
-        if (fields.line) table.line.push_back(indexOf(value(*fields.line, n)));
-        if (fields.beam) table.beam.push_back(indexOf(value(*fields.beam, n)));
-        if (const auto& s = fields.scanner; !s.empty()) table.scannerPoints.emplace_back(value(s[0], n), value(s[1], n), value(s[2], n));
-        if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(points))) return false;
+    table.points.resize(points);
+    if (fields.rangeMm) table.rangeMm.resize(points);
+    if (fields.state) table.state.resize(points);
+    if (fields.intensity) table.intensity.resize(points);
+    if (fields.line) table.line.resize(points);
+    if (fields.beam) table.beam.resize(points);
+    if (!fields.scanner.empty()) table.scannerPoints.resize(points);
+    for (std::size_t first = 0; first < points; first += kAtOnce) {
+        const auto read = [&](const RecordField& field, auto put) {
+            forEachScalar(field.scalar, bytes.data() + field.offset + first * field.stride, field.stride, std::min(kAtOnce, points - first),
+                          bigEndian, [&](std::size_t n, double value) { put(first + n, value); });
+        };
+        const auto readPoint = [&](std::vector<Eigen::Vector3d>& to, const RecordField& x, const RecordField& y, const RecordField& z) {
+            read(x, [&](std::size_t n, double value) { to[n].x() = value; });
+            read(y, [&](std::size_t n, double value) { to[n].y() = value; });
+            read(z, [&](std::size_t n, double value) { to[n].z() = value; });
+        };
+        readPoint(table.points, fields.x, fields.y, fields.z);
+        if (const auto& s = fields.scanner; !s.empty()) readPoint(table.scannerPoints, s[0], s[1], s[2]);
+        if (fields.rangeMm) read(*fields.rangeMm, [&](std::size_t n, double value) { table.rangeMm[n] = static_cast<float>(value); });
+        if (fields.state) read(*fields.state, [&](std::size_t n, double value) { table.state[n] = stateByte(value); });
+        if (fields.intensity) read(*fields.intensity, [&](std::size_t n, double value) { table.intensity[n] = static_cast<float>(value); });
+        if (fields.line) read(*fields.line, [&](std::size_t n, double value) { table.line[n] = indexOf(value); });
+        if (fields.beam) read(*fields.beam, [&](std::size_t n, double value) { table.beam[n] = indexOf(value); });
+        if (first % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(first) / static_cast<double>(points)))
+            return false;
     }
     return true;
 }

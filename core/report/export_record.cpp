@@ -21,6 +21,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <array>
 #include <span>
 
 namespace edgescan {
@@ -58,10 +59,8 @@ Json scanJson(const Scan& scan) {
                 {"lines", scan.lines()},
                 {"beams", scan.beams()},
                 {"unit_mm", scan.unitMm}};
-    const Json whole = infoReport(scan);
-    for (const char* key : {"geometry", "axis", "line_direction", "beam_deg", "line_deg", "sensor_m", "note"}) {
-        if (whole.contains(key)) object[key] = whole[key];
-    }
+    object.update(geometryReport(scan));
+    if (!scan.note.empty()) object["note"] = scan.note;
     return object;
 }
 
@@ -145,20 +144,14 @@ std::optional<ExportContent> exportContentNamed(std::string_view name) {
 }
 
 std::string gridSha256(const Scan& scan) {
-    Scan head = scan;
-    head.placement.reset();
-    head.acquisition.reset();
-    head.note.clear();
-    std::string all = descriptionText(head, "", -1);
-    const auto append = [&](const auto& values) {
-        const auto bytes = std::as_bytes(std::span(values));
-        all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    };
-    append(scan.rangeMm.cells);
-    append(scan.state.cells);
-    if (const auto* points = std::get_if<PointGeometry>(&scan.geometry)) append(points->pointsM.cells);
-    for (const AttachedPoint& point : scan.attached) append(std::vector<double>{point.pointM.x(), point.pointM.y(), point.pointM.z()});
-    return sha256Hex(std::as_bytes(std::span(all)));
+    Sha256 hash;
+    const auto add = [&hash](const auto& values) { hash.add(std::as_bytes(std::span(values))); };
+    add(descriptionText(headOf(scan), "", -1));
+    add(scan.rangeMm.cells);
+    add(scan.state.cells);
+    if (const auto* points = std::get_if<PointGeometry>(&scan.geometry)) add(points->pointsM.cells);
+    for (const AttachedPoint& point : scan.attached) add(std::array{point.pointM.x(), point.pointM.y(), point.pointM.z()});
+    return hash.hex();
 }
 
 Json programOfRecords() {

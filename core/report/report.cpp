@@ -84,6 +84,17 @@ nlohmann::ordered_json cellsReport(const Scan& scan) {
     return report;
 }
 
+nlohmann::ordered_json geometryReport(const Scan& scan) {
+    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry))
+        return {{"geometry", "beam x line angles"},
+                {"axis", polar->axis == Axis::Spin ? "spin" : "sweep"},
+                {"line_direction", polar->lineDirection},
+                {"beam_deg", anglesReport(polar->beamDeg)},
+                {"line_deg", anglesReport(polar->lineDeg)}};
+    const Eigen::Vector3d& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
+    return {{"geometry", "organised points"}, {"sensor_m", {sensor.x(), sensor.y(), sensor.z()}}};
+}
+
 nlohmann::ordered_json infoReport(const Scan& scan) {
     json report{{"input", scan.path},         {"name", scan.name},
                 {"format", scan.format},      {"sha256", scan.sha256},
@@ -91,17 +102,7 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
                 {"cells", cellsReport(scan)}, {"range_mm", rangeReport(scan)},
                 {"unit_mm", scan.unitMm},     {"frame", scan.placement ? "mine grid" : "scanner"},
                 {"pose", poseReport(scan)},   {"warnings", scan.warnings}};
-    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
-        report["geometry"] = "beam x line angles";
-        report["axis"] = polar->axis == Axis::Spin ? "spin" : "sweep";
-        report["line_direction"] = polar->lineDirection;
-        report["beam_deg"] = anglesReport(polar->beamDeg);
-        report["line_deg"] = anglesReport(polar->lineDeg);
-    } else {
-        const Eigen::Vector3d& sensor = std::get<PointGeometry>(scan.geometry).sensorM;
-        report["geometry"] = "organised points";
-        report["sensor_m"] = {sensor.x(), sensor.y(), sensor.z()};
-    }
+    report.update(geometryReport(scan));
     if (scan.intensity.size() > 0) report["intensity"] = intensityReport(scan);
     if (!scan.attached.empty()) report["attached_points"] = scan.attached.size();
     if (scan.pointsRead > 0) report["points"] = pointsReport(scan);

@@ -10,6 +10,9 @@ namespace edgescan {
 /// {"valid": n, "no_return": n, ...}; the values add up to lines x beams.
 [[nodiscard]] nlohmann::ordered_json cellsReport(const Scan& scan);
 
+/// Axis and angles of the beams and lines, or where the sensor is.
+[[nodiscard]] nlohmann::ordered_json geometryReport(const Scan& scan);
+
 /// The object that `edgescan-cli info` prints for one file.
 [[nodiscard]] nlohmann::ordered_json infoReport(const Scan& scan);
 

@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/report/record_parts.h"
 
+#include <ranges>
 #include <span>
 
 namespace edgescan {
@@ -19,16 +20,18 @@ PointBounds boundsOf(const Points& points) {
     return bounds;
 }
 
+template <class T>
+PointBounds boundsOf(const std::vector<T>& x, const std::vector<T>& y, const std::vector<T>& z) {
+    return boundsOf(std::views::iota(std::size_t{0}, x.size()) | std::views::transform([&](std::size_t n) {
+                        return Eigen::Vector3d(static_cast<double>(x[n]), static_cast<double>(y[n]), static_cast<double>(z[n]));
+                    }));
+}
+
 PointBounds boundsOf(const CloudColumns& cloud) {
-    std::vector<Eigen::Vector3d> points(cloud.width * cloud.height);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::visit(
-            [&](const auto& values) {
-                for (std::size_t n = 0; n < points.size(); ++n) points[n][static_cast<Eigen::Index>(axis)] = static_cast<double>(values[n]);
-            },
-            cloud.columns[axis].values);
-    }
-    return boundsOf(points);
+    const auto of = [&]<class T>(const std::vector<T>& x) {
+        return boundsOf(x, std::get<std::vector<T>>(cloud.columns[1].values), std::get<std::vector<T>>(cloud.columns[2].values));
+    };
+    return std::visit(of, cloud.columns[0].values);
 }
 
 } // namespace

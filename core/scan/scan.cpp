@@ -1,9 +1,45 @@
 // Names and counts of a scan's cells.
 #include "core/scan/scan.h"
 
+#include "core/base/simd.h"
+
 #include <algorithm>
+#include <limits>
 
 namespace edgescan {
+namespace {
+
+EDGESCAN_SIMD std::size_t countOf(CellState state, const CellState* states, int beams) {
+    int count = 0;
+    for (int j = 0; j < beams; ++j) count += states[j] == state ? 1 : 0;
+    return static_cast<std::size_t>(count);
+}
+
+// Limits of every sixteenth cell: the compiler makes vectors of sixteen limits, but of one only if it may reorder.
+struct LimitsOfLane {
+    static constexpr int kLaneCount = 16;
+    std::array<float, kLaneCount> least, most;
+    LimitsOfLane() {
+        least.fill(std::numeric_limits<float>::infinity());
+        most.fill(-std::numeric_limits<float>::infinity());
+    }
+};
+
+EDGESCAN_SIMD void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
+    constexpr int kLaneCount = LimitsOfLane::kLaneCount;
+    const auto take = [&](int n, int j) {
+        const bool valid = states[j] == CellState::Valid;
+        lanes.least[n] = valid && rangeMm[j] < lanes.least[n] ? rangeMm[j] : lanes.least[n];
+        lanes.most[n] = valid && rangeMm[j] > lanes.most[n] ? rangeMm[j] : lanes.most[n];
+    };
+    int j = 0;
+    for (; j + kLaneCount <= beams; j += kLaneCount) {
+        for (int n = 0; n < kLaneCount; ++n) take(n, j + n);
+    }
+    for (; j < beams; ++j) take(0, j);
+}
+
+} // namespace
 
 const char* cellStateName(CellState state) {
     static constexpr std::array<const char*, kCellStates> names{"valid", "no_return", "status", "out_of_window", "masked", "lost"};
@@ -12,21 +48,18 @@ const char* cellStateName(CellState state) {
 
 std::array<std::size_t, kCellStates> countCells(const Scan& scan) {
     std::array<std::size_t, kCellStates> counts{};
-    for (const CellState state : scan.state.cells) ++counts[static_cast<std::size_t>(state)];
+    for (int i = 0; i < scan.state.lines; ++i) {
+        for (std::size_t s = 0; s < counts.size(); ++s)
+            counts[s] += countOf(static_cast<CellState>(s), scan.state.line(i), scan.state.beams);
+    }
     return counts;
 }
 
 RangeLimits rangeLimits(const Scan& scan) {
-    RangeLimits limits;
-    bool any = false;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::Valid) continue;
-        const float range = scan.rangeMm[k];
-        limits.minMm = any ? std::min(limits.minMm, range) : range;
-        limits.maxMm = any ? std::max(limits.maxMm, range) : range;
-        any = true;
-    }
-    return limits;
+    LimitsOfLane lanes;
+    for (int i = 0; i < scan.lines(); ++i) takeLimits(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), lanes);
+    const RangeLimits limits{*std::ranges::min_element(lanes.least), *std::ranges::max_element(lanes.most)};
+    return limits.minMm <= limits.maxMm ? limits : RangeLimits{};
 }
 
 } // namespace edgescan

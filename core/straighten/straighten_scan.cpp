@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -59,10 +60,9 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
     return median(std::move(steps));
 }
 
-Displacement displacementOf(const Scan& scan, const PolarGeometry& polar) {
+Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     constexpr double kAgreeBeams = 0.35; // index steps
     constexpr double kAgreeLines = 0.75;
-    InverseRange inverse = inverseRange(scan);
     const SweepSlips slips = straighten(inverse);
     Displacement found;
     found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
@@ -114,9 +114,9 @@ std::string displacementText(const Displacement& found) {
 }
 
 /// Phases of the lines in turn; none where a place per line or points behind others would not come along.
-std::vector<double> phasesIn(const Scan& scan) {
+std::vector<double> phasesIn(const Scan& scan, const InverseRange& inverse) {
     if ((scan.placement && scan.placement->poses.size() > 1) || !scan.attached.empty()) return {};
-    return linePhases(inverseRange(scan));
+    return linePhases(inverse);
 }
 
 // "the beams of 4 lines in turn lie 0, 0.25, 0.5 and 0.75 degrees ahead of them"
@@ -137,14 +137,15 @@ Scan straightened(Scan scan) {
         scan.warnings.emplace_back("Not straightened: the scan has no lines with angles.");
         return scan;
     }
-    if (const auto phases = phasesIn(scan); !phases.empty()) {
+    InverseRange inverse = inverseRange(scan);
+    if (const auto phases = phasesIn(scan, inverse); !phases.empty()) {
         Scan folded = withPhasesFolded(scan, phases);
         folded.warnings.push_back("Straightened: " + phasesText(phases, std::get<PolarGeometry>(scan.geometry)) +
                                   ", and were put side by side: " + std::to_string(phases.size()) + " lines make one.");
         return folded;
     }
     auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    const Displacement found = displacementOf(scan, *polar);
+    const Displacement found = displacementOf(std::move(inverse), *polar);
     if (found.oddAheadDeg != 0) moveBeams(*polar, found.oddAheadDeg);
     moveLines(*polar, found.slipSteps, found.stepDeg);
     const std::string text = displacementText(found);
@@ -162,11 +163,12 @@ Scan straightened(Scan scan) {
 std::optional<std::string> displacementWarning(const Scan& scan) {
     const PolarGeometry* polar = anglesOf(scan);
     if (polar == nullptr) return std::nullopt;
-    if (const auto phases = phasesIn(scan); !phases.empty()) {
+    InverseRange inverse = inverseRange(scan);
+    if (const auto phases = phasesIn(scan, inverse); !phases.empty()) {
         return kDisplaced + phasesText(phases, *polar) +
                "; edges across the lines are combed: --straighten (Scan > Straighten Beams) puts these lines side by side as one.";
     }
-    const std::string text = displacementText(displacementOf(scan, *polar));
+    const std::string text = displacementText(displacementOf(std::move(inverse), *polar));
     if (text.empty()) return std::nullopt;
     return kDisplaced + text +
            "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles.";
