@@ -4,6 +4,7 @@
 #include "app/shared/options.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
+#include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
@@ -17,6 +18,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace {
@@ -31,6 +33,7 @@ struct Wanted {
     std::string live;
     cli::Mounting mounting;
     bool noSettings = false;
+    std::vector<std::string> pins; // "LINE,BEAM"
     std::string screenshot;
     int screenshotLines = 1;
     double quitAfter = 0.0;
@@ -43,6 +46,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     app.add_option("--live", wanted.live, "Connect to a live scanner, HOST or HOST:PORT; nothing but reads and a subscription is sent");
     cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
     app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
+    app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
     cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
     cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
@@ -59,6 +63,39 @@ Result<SweepSettings> sweepOf(const Wanted& wanted) {
     mounting.firstLineDeg = options.lineStartDeg;
     mounting.calibration = options.calibration;
     return cli::sweepOf(mounting);
+}
+
+struct PinnedPlace {
+    int line = 0, beam = 0;
+};
+Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
+    std::vector<PinnedPlace> places;
+    for (const std::string& text : typed) {
+        const std::size_t comma = text.find(',');
+        const auto line = numberOf(text.substr(0, comma));
+        const auto beam = comma == std::string::npos ? std::nullopt : numberOf(text.substr(comma + 1));
+        const auto isIndex = [](const std::optional<double>& n) { return n && *n >= 0 && *n < 1e9 && *n == static_cast<int>(*n); };
+        if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is no cell", "--pin", "give LINE,BEAM such as 525,593"};
+        places.push_back({static_cast<int>(*line), static_cast<int>(*beam)});
+    }
+    return places;
+}
+
+// On the first picture; the last one has the card.
+void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places) {
+    auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, places, once] {
+        QObject::disconnect(*once);
+        for (const PinnedPlace& place : places) {
+            const Scan& scan = *window.session().picture()->detection->scan;
+            if (scan.rangeMm.contains(place.line, place.beam))
+                window.views().pin(window.views().cellAt(place.line, place.beam));
+            else
+                cli::complain(
+                    Error{"the scan has no line " + std::to_string(place.line) + ", beam " + std::to_string(place.beam), "--pin",
+                          "give a cell of its " + std::to_string(scan.lines()) + " lines and " + std::to_string(scan.beams()) + " beams"});
+        }
+    });
 }
 
 // Once the first picture is shown and the cloud has come to rest, or at once when the scan was refused.
@@ -105,7 +142,7 @@ std::optional<Error> nameThatIsNone(const Wanted& wanted) {
     return std::nullopt;
 }
 
-int runViewer(QApplication& application, Wanted& wanted, const std::optional<Settings>& settings,
+int runViewer(QApplication& application, Wanted& wanted, const std::vector<PinnedPlace>& pins, const std::optional<Settings>& settings,
               const std::optional<cli::HostPort>& scanner, const SweepSettings& sweep) {
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::MainWindow window(memory);
@@ -113,6 +150,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::optional<Set
         if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *settings);
     }
     window.show();
+    if (!pins.empty()) pinWhenShown(window, pins);
     if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines, !wanted.live.empty());
     if (wanted.quitAfter > 0)
         QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
@@ -167,6 +205,11 @@ int main(int argc, char** argv) {
         }
         sweep = *said;
     }
+    const auto pins = pinsOf(wanted.pins);
+    if (!pins) {
+        cli::complain(pins.error());
+        return 2;
+    }
     std::optional<Settings> settings;
     if (cli::anyTyped(wanted.method)) {
         const Result<Settings> typed = cli::settingsOf(wanted.method);
@@ -192,5 +235,5 @@ int main(int argc, char** argv) {
         cli::complain(gl.reason.toStdString());
         return 1;
     }
-    return runViewer(application, wanted, settings, scanner, sweep);
+    return runViewer(application, wanted, *pins, settings, scanner, sweep);
 }

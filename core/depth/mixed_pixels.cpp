@@ -2,6 +2,7 @@
 #include "core/depth/mixed_pixels.h"
 
 #include "core/base/simd.h"
+#include "core/scan/beam_width.h"
 #include "core/scan/marked_cells.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace edgescan {
 namespace {
 
 constexpr int kRun = 2; // cells
-constexpr float kSpotM = 0.013F;
-constexpr float kSpotRad = 0.0046F;
+constexpr auto kSpotM = static_cast<float>(BeamWidth{}.atExitM);
+constexpr auto kSpotRad = static_cast<float>(BeamWidth{}.growthRad);
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
 constexpr float kBend = 0.25F;         // of the least distance of the surfaces
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least

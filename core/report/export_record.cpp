@@ -201,6 +201,7 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
                 {"pose", scan.placement ? placementToJson(*scan.placement) : Json()}};
     if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
+    if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
     if (content != ExportContent::WholeScan) {
         record["settings"] = settingsToJson(detection.settings);
         record["default_settings"] = {

@@ -117,7 +117,8 @@ Result<Done> readBack(const std::vector<FileContent>& contents) {
 
 Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
                                            const std::string& record, const ExportOptions& options) {
-    const Scan& scan = *detection.scan;
+    const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
+    const Scan& scan = *chosen;
     const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();

@@ -51,8 +51,9 @@ struct ExportOptions {
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
     WritingChoices choices{};
-    std::shared_ptr<const RockStudy> rocks{}; ///< of the detection's scan, for exports of rocks
-    bool sidecar = true;                      ///< the record also beside the export
+    std::shared_ptr<const RockStudy> rocks{};                      ///< of the detection's scan, for exports of rocks
+    std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
+    bool sidecar = true;                                           ///< the record also beside the export
 };
 
 /// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and

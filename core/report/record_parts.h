@@ -7,9 +7,11 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgescan {
 
@@ -29,6 +31,13 @@ inline constexpr const char* kRecordFormat = "edgescan-record/1";
 /// The sidecar with the SHA-256 of the rest of it at its end, and whether it still has the right one.
 [[nodiscard]] nlohmann::ordered_json sealedSidecar(nlohmann::ordered_json sidecar);
 [[nodiscard]] bool sidecarIsWhole(const nlohmann::ordered_json& sidecar);
+
+/// The scan that the points of an export are taken from: with a selection all other cells are masked.
+[[nodiscard]] std::shared_ptr<const Scan> chosenScan(const Detection& detection, const ExportOptions& options);
+
+/// What a record says of a selection: {"cells": n, "runs": [[first, count], ...]}; null for none. And back: empty where it is damaged.
+[[nodiscard]] nlohmann::ordered_json selectionRecord(const ExportOptions& options);
+[[nodiscard]] std::shared_ptr<const std::vector<std::uint32_t>> selectionOf(const nlohmann::ordered_json& record, std::size_t cells);
 
 /// How many points, and between which corners.
 struct PointBounds {

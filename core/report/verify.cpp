@@ -260,6 +260,7 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     }
     const auto detection = detectionOf(*record, *content, scansFolder, v);
     if (!detection) return detection.error();
+    if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
     if (isOfRocks(*content)) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();

@@ -38,8 +38,9 @@ PointBounds boundsOf(const CloudColumns& cloud) {
 
 PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
-    return boundsOf(edges ? edgePoints(*detection.scan, *detection.mask, options.frame, options.includeAttached)
-                          : validPoints(*detection.scan, detection.mask.get(), options.frame, options.includeAttached));
+    const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
+    return boundsOf(edges ? edgePoints(*scan, *detection.mask, options.frame, options.includeAttached)
+                          : validPoints(*scan, detection.mask.get(), options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include "core/rocks/free_below.h"
 #include "core/rocks/rock_cells.h"
 #include "core/rocks/visible_spans.h"
+#include "core/scan/beam_width.h"
 #include "core/scan/cartesian.h"
 
 #include <Eigen/Geometry>
@@ -18,9 +19,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kBeamM = 0.013;    // width of the beam (LMS511) ...
-constexpr double kBeamRad = 0.0046; // ... and its growth
-constexpr double kTolerance = 2.0;  // times the resolution: it covers 85 % of a and 94 % of b
+constexpr double kTolerance = 2.0; // times the resolution: it covers 85 % of a and 94 % of b
 constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
 
 /// By label: the row of the rock that had the same leaves before; null where there was none.
@@ -114,7 +113,7 @@ private:
         rock.wideM = calipers.shortest;
         rock.distanceM = 0.001 * static_cast<double>(median(std::move(ranges)));
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
-        rock.toleranceM = kTolerance * (spacingM + kBeamM + kBeamRad * rock.distanceM);
+        rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
         rock.freeBelowM = freeBelowM(leaves_.inputs, lowestPoint, lowestCell, up_);
     }
 

@@ -18,6 +18,13 @@ namespace edgescan::ui {
 #endif
 }
 
+/// What the left button's drag does over a picture.
+enum class DragTool {
+    Move,  ///< moves the picture, or turns the cloud
+    Box,   ///< selects what a box holds
+    Lasso, ///< selects what a line drawn by hand goes round
+};
+
 /// One button that is held down.
 struct Press {
     Qt::MouseButton button = Qt::NoButton;

@@ -204,6 +204,20 @@ void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vect
 
 } // namespace
 
+std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, const std::vector<std::uint8_t>& hidden) {
+    auto rest = std::make_shared<CloudGeometry>(cloud);
+    if (hidden.size() != cloud.cells()) return rest;
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+        if (hidden[k] != 0) rest->valid[k] = 0;
+    }
+    rest->validCount = 0;
+    for (auto& part : rest->drawOrder) {
+        std::erase_if(part, [&](std::uint32_t k) { return hidden[k] != 0; });
+        rest->validCount += part.size();
+    }
+    return rest;
+}
+
 std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     auto out = std::make_shared<CloudGeometry>();
     out->lines = scan.lines();

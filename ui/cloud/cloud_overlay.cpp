@@ -30,7 +30,8 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 }
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
-    if (!marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || !marks.stale.isEmpty()) return rect();
+    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || !marks.stale.isEmpty();
+    if (words || !marks.marks.empty() || !marks.dragged.isEmpty()) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
@@ -48,6 +49,11 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
     }
+    drawScreenMarks(painter, rect(), marks_.marks);
+    painter.setBrush(Qt::NoBrush);
+    if (!marks_.dragged.isEmpty())
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
+                    [&] { painter.drawPolygon(marks_.dragged); });
     if (marks_.ring) {
         const QPen light(Qt::white, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), light, [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });

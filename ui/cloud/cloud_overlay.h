@@ -1,8 +1,11 @@
 // Marker, laser ray and texts over the 3D picture: a transparent child, so that a moving marker redraws no point.
 #pragma once
 
+#include "ui/base/cell_marks.h"
+
 #include <QLineF>
 #include <QPointF>
+#include <QPolygonF>
 #include <QString>
 #include <QWidget>
 
@@ -19,10 +22,13 @@ struct OverlayMarks {
     QString tip;                 ///< beside the ring
     QString caption;             ///< top right
     QString stale;               ///< greys the picture and says why; empty = none
+    ScreenMarks marks;           ///< targets and measurements
+    QPolygonF dragged;           ///< round what is being selected
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {
-        return !ring && !ray && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty();
+        return !ring && !ray && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() && marks.empty() &&
+               dragged.isEmpty();
     }
 };
 

@@ -35,10 +35,12 @@ namespace {
 // lie on, still behind rock that is really nearer.
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
-constexpr double kAmbient = 0.5; // of the cloud's colour where the surface is seen edge-on: still lighter than the background
+constexpr double kSelectedNearer = 0.004; // over the cloud, under the edges
+constexpr double kAmbient = 0.5;          // of the cloud's colour where the surface is seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
+const QColor kSelected(120, 190, 255); // points of the selection, which are larger as well
 
 // A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
 class HaloMapper : public vtkOpenGLPolyDataMapper {
@@ -121,6 +123,8 @@ CloudScene::CloudScene(vtkRenderWindow* window)
         part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
         renderer_->AddActor(part.actor);
     }
+    renderer_->AddActor(selection_.actor);
+    setColour(selection_.actor, kSelected);
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
@@ -152,6 +156,7 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     setEdges({});
     setFaces(nullptr);
     setOutline(nullptr);
+    setSelection(nullptr);
     uploaded_.fill(false);
     points_ = nullptr;
     if (cloud) {
@@ -220,6 +225,12 @@ void CloudScene::setOutline(EdgeCells::Indices cells) {
     outlined_ = std::move(cells);
 }
 
+void CloudScene::setSelection(EdgeCells::Indices cells) {
+    setLayer(selection_, cells);
+    selection_.actor->SetVisibility(cells != nullptr);
+    selected_ = std::move(cells);
+}
+
 void CloudScene::setEdges(EdgeCells cells) {
     setLayer(edge_, cells.all);
     EdgeCells::Indices halo = cells.all;
@@ -256,6 +267,7 @@ void CloudScene::setLook(const CloudLook& look) {
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
     outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
+    selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
     edgesShown_ = look.edges;
     byClass_ = look.byClass;
     showEdgeLayers();
@@ -271,6 +283,7 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     camera->SetParallelScale(pose.halfHeight());
     camera->SetClippingRange(clip.nearM, clip.farM);
     pullNearer(edge_.actor, pose, kEdgeNearer);
+    pullNearer(selection_.actor, pose, kSelectedNearer);
     for (Layer& layer : classes_) pullNearer(layer.actor, pose, kEdgeNearer);
     pullNearer(halo_.actor, pose, kHaloNearer);
     pullNearer(outline_.actor, pose, kEdgeNearer);

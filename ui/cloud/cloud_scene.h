@@ -52,6 +52,8 @@ public:
     void setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours);
     /// Drawn white over everything. Cells that are not drawable are left out.
     void setOutline(EdgeCells::Indices cells);
+    /// Drawn in the colour of what is selected, as large as edges. Cells that are not drawable are left out.
+    void setSelection(EdgeCells::Indices cells);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
     /// What is drawn of the drawing order: parts first .. last.
@@ -89,8 +91,8 @@ private:
     std::array<Layer, kCloudParts> parts_;
     std::array<bool, kCloudParts> uploaded_{};
     std::shared_ptr<const std::vector<std::uint32_t>> faces_;
-    EdgeCells::Indices outlined_;
-    Layer halo_, edge_, outlineHalo_, outline_;
+    EdgeCells::Indices outlined_, selected_;
+    Layer halo_, edge_, outlineHalo_, outline_, selection_;
     std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;

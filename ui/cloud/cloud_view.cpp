@@ -59,9 +59,12 @@ CloudView::~CloudView() = default;
 void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const CloudGeometry> geometry, Camera camera) {
     const std::shared_ptr<const CloudGeometry> before = cloud_;
     scan_ = std::move(scan);
-    cloud_ = std::move(geometry);
+    whole_ = std::move(geometry);
+    hidden_ = nullptr;
+    cloud_ = whole_;
     edges_ = {};
     outline_ = nullptr;
+    selection_ = nullptr;
     if (std::exchange(faces_, nullptr)) applyColours();
     marked_ = std::nullopt;
     pointAt(std::nullopt);
@@ -70,7 +73,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     if (growing_) {
         budget_.grown(static_cast<double>(before->validCount) / static_cast<double>(cloud_->validCount));
     } else if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
-        budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0);
+        guessBudget();
     }
     restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse
     if (growing_) {
@@ -83,6 +86,8 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
         resetView();
     }
 }
+
+void CloudView::guessBudget() { budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0); }
 
 void CloudView::setScan(std::shared_ptr<const Scan> scan) {
     std::shared_ptr<const CloudGeometry> geometry = scan ? makeCloudGeometry(*scan) : nullptr;
@@ -264,6 +269,8 @@ void CloudView::updateOverlay() {
     } else {
         marks.note = note_;
     }
+    marks.dragged = dragged_;
+    if (cloud_ && (!marks_.targets.empty() || !marks_.measures.empty())) marks.marks = marksOnScreen();
     if (marked_ && cloud_ && cloud_->drawable(*marked_)) {
         const ScreenView view = screenView();
         marks.ring = pixelOf(*marked_);

@@ -1,6 +1,7 @@
 // The 3D view: the cloud once in the graphics memory, edges as a list of cells, mouse.
 #pragma once
 
+#include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
@@ -11,6 +12,7 @@
 
 #include <QColor>
 #include <QImage>
+#include <QPolygonF>
 #include <QString>
 #include <QTimer>
 
@@ -92,6 +94,18 @@ public:
     void setCaption(const QString& text);
     [[nodiscard]] const QString& caption() const { return caption_; }
     [[nodiscard]] const QString& stale() const { return stale_; }
+    /// Targets and measurements, until others are set.
+    void setMarks(CellMarks marks);
+    [[nodiscard]] const CellMarks& marks() const { return marks_; }
+    /// What a drag with the left button does from now on.
+    void setDragTool(DragTool tool);
+    /// Cells, ascending, that are drawn in a colour of their own; null: none.
+    void setSelection(std::shared_ptr<const CellIndices> cells);
+    [[nodiscard]] const std::shared_ptr<const CellIndices>& selection() const { return selection_; }
+    /// Cells that are not drawn and cannot be picked, 1 each; null: all are. Of another number of cells than the cloud: none is hidden.
+    void setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidden);
+    /// How the points lie on the screen now, device pixels.
+    [[nodiscard]] ScreenView screenView() const;
 
     /// Point drawn under a widget position, within 8 px.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
@@ -142,6 +156,8 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
+    /// A finished drag with a tool that selects: its corners, widget pixels.
+    void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: beside the cloud
     void drawnFractionChanged(double fraction);
     void frameDrawn(double ms);
@@ -174,6 +190,10 @@ private:
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
     void drag(QPointF at);
+    void selectTo(QPointF at);
+    void showParts();
+    void guessBudget();
+    [[nodiscard]] ScreenMarks marksOnScreen() const;
     void setRotationCentre(QPointF pixel);
     void showFocus();
     void pinch(const QPinchGesture& gesture);
@@ -181,7 +201,6 @@ private:
     void wheelZoom(QPointF pixel, double notches);
     void wheelClip(double& share, double notches);
     [[nodiscard]] double aspect() const;
-    [[nodiscard]] ScreenView screenView() const;
     [[nodiscard]] Eigen::Vector3d anchorAt(QPointF pixel) const;
 
     std::unique_ptr<CloudScene> scene_;
@@ -189,7 +208,12 @@ private:
     std::shared_ptr<const Scan> scan_;
     std::shared_ptr<const CloudGeometry> cloud_;
     EdgeCells edges_;
-    std::shared_ptr<const CellIndices> faces_, outline_;
+    std::shared_ptr<const CloudGeometry> whole_; // cloud_ without what is hidden is another one
+    std::shared_ptr<const CellIndices> faces_, outline_, selection_;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden_;
+    CellMarks marks_;
+    QPolygonF dragged_; // while something is being selected, widget pixels
+    DragTool tool_ = DragTool::Move;
     bool edgesOverFaces_ = false;
 
     CameraPose pose_;

@@ -59,6 +59,8 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != DragAction::None) return; // a second button during a drag changes nothing
     drag_ = dragAction(event->button(), event->modifiers(), mousePreset_);
     press_.begin(*event);
+    if (event->button() == Qt::LeftButton && tool_ != DragTool::Move && drag_ != DragAction::None) drag_ = DragAction::Select;
+    dragged_.clear();
     if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(press_.from);
 }
 
@@ -74,7 +76,19 @@ void CloudView::mouseMoveEvent(QMouseEvent* event) {
     press_.last = at;
 }
 
+void CloudView::selectTo(QPointF at) {
+    if (tool_ == DragTool::Box) {
+        dragged_ = QPolygonF(QRectF(press_.from, at).normalized());
+        dragged_.removeLast(); // the first corner again
+    } else {
+        if (dragged_.isEmpty()) dragged_ << press_.from;
+        dragged_ << at;
+    }
+    updateOverlay();
+}
+
 void CloudView::drag(QPointF at) {
+    if (drag_ == DragAction::Select) return selectTo(at);
     const QPointF by = at - press_.last;
     if (drag_ == DragAction::Rotate) {
         const double perPixel = std::numbers::pi / std::max(1, height());
@@ -99,7 +113,13 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != press_.button || drag_ == DragAction::None) return;
     const QPointF at = place(*event);
     const bool click = !press_.travelled;
-    drag_ = DragAction::None;
+    const bool selected = std::exchange(drag_, DragAction::None) == DragAction::Select && !click;
+    if (selected) {
+        const QPolygonF corners = std::exchange(dragged_, {});
+        updateOverlay();
+        emit outlined(corners, event->modifiers());
+        return;
+    }
     if (!click) {
         scene_->hideFocus();
         moved();

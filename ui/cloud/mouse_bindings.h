@@ -6,7 +6,7 @@
 namespace edgescan::ui {
 
 enum class MousePreset { Default, CloudCompare };
-enum class DragAction { None, Rotate, Pan, Zoom, Roll };
+enum class DragAction { None, Rotate, Pan, Zoom, Roll, Select };
 enum class WheelAction { Zoom, PointSize, NearClip, FarClip };
 
 [[nodiscard]] DragAction dragAction(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, MousePreset preset = MousePreset::Default);

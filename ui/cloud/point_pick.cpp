@@ -1,6 +1,9 @@
 // Which point is under the cursor.
 #include "ui/cloud/point_pick.h"
 
+#include <QImage>
+#include <QPainter>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -161,6 +164,30 @@ std::optional<std::uint32_t> pickPointSlowly(const CloudGeometry& cloud, const S
     std::vector<Candidate> points;
     for (std::size_t k = 0; k < cloud.cells(); ++k) collect(cloud, view, window, k, points);
     return nearest(points, window, view, x, y, radius);
+}
+
+std::vector<std::uint32_t> pointsInside(const CloudGeometry& cloud, const ScreenView& view, const QPolygonF& corners) {
+    const QRect place = corners.boundingRect().toAlignedRect().intersected(QRectF(0, 0, view.width, view.height).toAlignedRect());
+    std::vector<std::uint32_t> inside;
+    if (corners.size() < 3 || place.isEmpty()) return inside;
+    QImage mask(place.size(), QImage::Format_Grayscale8); // a lasso has hundreds of corners: it is drawn once, and looked up
+    mask.fill(0);
+    QPainter painter(&mask);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawPolygon(corners.translated(-place.topLeft()), Qt::OddEvenFill);
+    painter.end();
+    // Points beside the polygon hide those in it, too.
+    const double reach = view.pointSize + 1.0;
+    const Window window{place.left() - reach, place.top() - reach, place.right() + 1 + reach, place.bottom() + 1 + reach};
+    const std::vector<Candidate> points = candidates(cloud, view, window);
+    const DepthPatch patch(window, points, view.pointSize);
+    for (const Candidate& c : points) {
+        const QPoint at(static_cast<int>(std::floor(c.at.x)) - place.left(), static_cast<int>(std::floor(c.at.y)) - place.top());
+        if (mask.rect().contains(at) && *(mask.constScanLine(at.y()) + at.x()) != 0 && !patch.hides(c.at)) inside.push_back(c.cell);
+    }
+    std::sort(inside.begin(), inside.end());
+    return inside;
 }
 
 bool isPointHidden(const CloudGeometry& cloud, const ScreenView& view, std::uint32_t cell) {

@@ -5,8 +5,11 @@
 
 #include <Eigen/Core>
 
+#include <QPolygonF>
+
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -39,6 +42,9 @@ struct ScreenSegment {
 /// The same by looking at every point; the oracle of the tests.
 [[nodiscard]] std::optional<std::uint32_t> pickPointSlowly(const CloudGeometry& cloud, const ScreenView& view, double x, double y,
                                                            double radius);
+
+/// Cells, ascending, whose points are drawn inside a polygon (device pixels, even-odd) and not hidden by nearer ones. On any thread.
+[[nodiscard]] std::vector<std::uint32_t> pointsInside(const CloudGeometry& cloud, const ScreenView& view, const QPolygonF& corners);
 
 /// True when another point is drawn in front of this cell's point.
 [[nodiscard]] bool isPointHidden(const CloudGeometry& cloud, const ScreenView& view, std::uint32_t cell);

@@ -76,19 +76,31 @@ Exports::Exports(Session& session, const Files& files, NoticeBar& notice, Memory
     connect(&session_, &Session::saved, this, &Exports::tellSaved);
 }
 
-void Exports::ask(ExportContent wanted) {
+void Exports::ask(ExportContent wanted) { askOf(wanted, false); }
+
+void Exports::setSelection(const std::vector<std::uint32_t>& cells) {
+    selection_ = cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(cells);
+}
+
+void Exports::askSelected() {
+    if (selection_) return askOf(ExportContent::FullCloud, true);
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
+}
+
+void Exports::askOf(ExportContent wanted, bool selectedOnly) {
     if (!session_.picture()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
     }
     const std::shared_ptr<const Detection> detection = session_.picture()->detection;
-    ExportDialog dialog(detection, wanted, notice_.window());
+    ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = isCloud(dialog.content());
     SaveQuestion question;
     question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
     question.extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
-    const QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
+    QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
+    if (dialog.options().selection) name += "_selected";
     question.place = QDir(memory_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");

@@ -23,18 +23,24 @@ public:
 
     /// Asks what, in which coordinates and where to.
     void ask(ExportContent wanted);
+    /// The same for what is selected alone.
+    void askSelected();
+    /// Cells, ascending, that an export may be cut down to; none: nothing is selected.
+    void setSelection(const std::vector<std::uint32_t>& cells);
     /// Asks where to.
     void askScreenshot(const QImage& image);
     /// To the clipboard.
     void copyCommand();
 
 private:
+    void askOf(ExportContent wanted, bool selectedOnly);
     void tellSaved(ExportContent what, const QString& path, qint64 count);
 
     Session& session_;
     const Files& files_;
     NoticeBar& notice_;
     Memory& memory_;
+    std::shared_ptr<const std::vector<std::uint32_t>> selection_; // null: none
 };
 
 } // namespace edgescan::ui

@@ -1,11 +1,14 @@
 // What images and cloud show of a picture, and what pointing at a cell in one of them does in the others.
 #include "ui/control/linked_views.h"
 
+#include "ui/base/cell_marks.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
 
+#include <QGuiApplication>
 #include <QMenu>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +31,9 @@ void LinkedViews::linkImages() {
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (const auto cell = cellAt(line, beam)) pin(cell);
+            if (const auto cell = cellAt(line, beam)) click(*cell);
         });
+        connect(view, &ImageView::outlined, this, &LinkedViews::imageOutlined);
         connect(view, &ImageView::cleared, this, &LinkedViews::letGo);
         connect(view, &ImageView::menuWanted, this,
                 [this](int line, int beam, const QPoint& position) { showCellMenu(position, cellAt(line, beam)); });
@@ -41,7 +45,8 @@ void LinkedViews::linkImages() {
 void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
-    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { pin(static_cast<std::size_t>(cell)); });
+    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { click(static_cast<std::size_t>(cell)); });
+    connect(&cloud_, &CloudView::outlined, this, &LinkedViews::cloudOutlined);
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
         showCellMenu(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
@@ -57,7 +62,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     if (cell) {
         emit cellMenuOpens(menu, *cell);
         if (pinned_ == cell)
-            menu.addAction(tr("&Let go of this cell"), this, [this] { pin(std::nullopt); });
+            menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::letGo);
         else
             menu.addAction(tr("&Pin this cell"), this, [this, cell] { pin(cell); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
@@ -67,6 +72,30 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
     menu.addAction(tr("F&it"), &cloud_, &CloudView::zoomToFit);
     menu.exec(position);
+}
+
+/// Several rocks are selected with Ctrl: no cell is pinned by that.
+void LinkedViews::click(std::size_t cell) {
+    const Qt::KeyboardModifiers modifiers = QGuiApplication::keyboardModifiers();
+    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pin(cell);
+    for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
+    if (tool_ != Tool::Pin) emit picked(cell, modifiers);
+}
+
+void LinkedViews::setTool(Tool tool) {
+    tool_ = tool;
+    const DragTool drag = tool == Tool::Box ? DragTool::Box : tool == Tool::Lasso ? DragTool::Lasso : DragTool::Move;
+    for (ImageView* view : images_) {
+        view->setDragTool(drag);
+        view->setClearsOnEscape(tool == Tool::Pin);
+    }
+    cloud_.setDragTool(drag);
+    emit toolChanged();
+}
+
+void LinkedViews::setMarks(const CellMarks& marks) {
+    for (ImageView* view : images_) view->setMarks(marks);
+    cloud_.setMarks(marks);
 }
 
 /// All three views come close to what the box holds; it stays drawn until Esc.
@@ -140,6 +169,7 @@ void LinkedViews::showNewScan() {
         view->setNote(QString());
         view->setBox(std::nullopt);
     }
+    emit newScanShown();
 }
 
 /// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
@@ -181,15 +211,18 @@ void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
 }
 
 void LinkedViews::pin(std::optional<std::size_t> cell) {
-    pinned_ = cell;
+    const bool another = std::exchange(pinned_, cell) != cell;
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);
+    if (another) emit pinChanged(cell);
 }
 
 void LinkedViews::letGo() {
+    const std::optional<std::size_t> was = pinned_;
     pin(std::nullopt);
     for (ImageView* view : images_) view->setBox(std::nullopt);
     emit boxed(QString());
+    if (was) emit letGoOf(*was);
 }
 
 void LinkedViews::flyToHovered() {

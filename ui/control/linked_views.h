@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/explain/probe.h"
+#include "ui/base/gestures.h"
 #include "ui/cloud/camera_motion.h"
 #include "ui/session/session.h"
 
@@ -11,12 +12,17 @@
 #include <optional>
 
 class QMenu;
+class QPolygonF;
 
 namespace edgescan::ui {
 
 class CloudView;
 class ImageView;
 struct EdgeTrail;
+struct CellMarks;
+
+/// What a click or a drag over a view means.
+enum class Tool { Pin, Measure, Box, Lasso };
 
 /// GUI thread only. Session and views must outlive it.
 class LinkedViews : public QObject {
@@ -38,6 +44,10 @@ public:
     void pin(std::optional<std::size_t> cell);
     /// Of the cell and of the box.
     void letGo();
+    void setTool(Tool tool);
+    [[nodiscard]] Tool tool() const { return tool_; }
+    /// Targets and measurements, in all views.
+    void setMarks(const CellMarks& marks);
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
     /// x = beam, y = line.
@@ -54,6 +64,19 @@ public:
 
 signals:
     void probed(const std::optional<edgescan::Probe>& probe);
+    void toolChanged();
+    /// Another cell is pinned, or none.
+    void pinChanged(std::optional<std::size_t> cell);
+    /// Somebody let go of the cell that was pinned; pinChanged() came before.
+    void letGoOf(std::size_t cell);
+    /// A click on a cell with another tool than Pin.
+    void picked(std::size_t cell, Qt::KeyboardModifiers modifiers);
+    /// A drag that selects, over an image: corners in cells (x = beam, y = line) ...
+    void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
+    /// ... and over the cloud: corners in pixels of its view.
+    void cloudOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
+    /// Another file, scanner or recording is shown: no cell of before means anything.
+    void newScanShown();
     /// Small text beside a view's title.
     void grayRemark(const QString& text);
     void cloudRemark(const QString& text);
@@ -66,6 +89,7 @@ private:
     void linkImages();
     void linkCloud();
     void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
+    void click(std::size_t cell);
     void lookAtBox(const QRect& cells);
     void show();
     void showEdgeMap();
@@ -83,6 +107,7 @@ private:
     std::shared_ptr<const Picture> shown_;
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> pinned_;
+    Tool tool_ = Tool::Pin;
     CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
     int fittedLines_ = 0;
     DisplayLevels levels_;

@@ -241,7 +241,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 }
 
 void Rocks::click(std::size_t cell) {
-    if (!picture_) return;
+    if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(cell);
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;

@@ -26,9 +26,10 @@ QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::United
 
 } // namespace
 
-ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, QWidget* parent)
+ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected, QWidget* parent)
     : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
-      attached_(new QCheckBox), count_(new QLabel), buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
+      selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(contentBox());
@@ -36,6 +37,11 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
     column->addWidget(coordinatesGroup_);
     writingGroup_ = writingBox();
     column->addWidget(writingGroup_);
+    onlySelected_->setObjectName("onlySelected");
+    onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(number(selected_.cells ? selected_.cells->size() : 0)));
+    onlySelected_->setVisible(selected_.cells != nullptr);
+    onlySelected_->setChecked(selected_.cells != nullptr && selected_.only);
+    column->addWidget(onlySelected_);
     const std::size_t hidden = detection_->scan->attached.size();
     attached_->setObjectName("attached");
     attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
@@ -48,7 +54,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QAbstractButton* button : contents_->buttons()) connect(button, &QAbstractButton::toggled, this, &ExportDialog::follow);
-    connect(attached_, &QCheckBox::toggled, this, &ExportDialog::follow);
+    for (const QCheckBox* box : {attached_, onlySelected_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::follow);
     contents_->button(static_cast<int>(wanted))->setChecked(true);
     follow();
 }
@@ -63,9 +69,9 @@ QGroupBox* ExportDialog::contentBox() {
         column->addWidget(button);
     };
     const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
-    add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false))), "edges");
-    add(ExportContent::FullCloud, tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false))),
-        "all");
+    add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false, false))), "edges");
+    add(ExportContent::FullCloud,
+        tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false, false))), "all");
     add(ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
     add(ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
     add(ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
@@ -117,13 +123,18 @@ QGroupBox* ExportDialog::writingBox() {
     return box;
 }
 
-std::size_t ExportDialog::countOf(ExportContent content, bool withAttached) const {
+std::size_t ExportDialog::countOf(ExportContent content, bool withAttached, bool onlySelected) const {
     const Scan& scan = *detection_->scan;
     if (!isCloud(content)) return scan.cells();
     const bool edges = content == ExportContent::EdgeCloud;
-    const auto wanted = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0); };
+    const auto wanted = [&](std::size_t k) {
+        return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0) &&
+               (!onlySelected || std::ranges::binary_search(*selected_.cells, static_cast<std::uint32_t>(k)));
+    };
     std::size_t points = 0;
-    if (edges)
+    if (onlySelected)
+        points = static_cast<std::size_t>(std::ranges::count_if(*selected_.cells, wanted));
+    else if (edges)
         points = static_cast<std::size_t>(std::count_if(detection_->edges->begin(), detection_->edges->end(), wanted));
     else
         points = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
@@ -138,12 +149,13 @@ ExportOptions ExportDialog::options() const {
     ExportOptions options;
     options.frame = static_cast<CoordinateFrame>(coordinates_->checkedId());
     options.includeAttached = isCloud(content()) && attached_->isChecked();
+    if (isCloud(content()) && onlySelected_->isChecked()) options.selection = selected_.cells;
     for (std::size_t n = 0; n < choices_.size(); ++n)
         options.choices.*kWritingChoices[n].member = isCloud(content()) && choices_[n]->isChecked();
     return options;
 }
 
-std::size_t ExportDialog::count() const { return countOf(content(), options().includeAttached); }
+std::size_t ExportDialog::count() const { return countOf(content(), options().includeAttached, options().selection != nullptr); }
 
 void ExportDialog::follow() {
     if (contents_->checkedId() < 0) return;
@@ -151,6 +163,7 @@ void ExportDialog::follow() {
     coordinatesGroup_->setEnabled(cloud);
     writingGroup_->setEnabled(cloud);
     attached_->setEnabled(cloud);
+    onlySelected_->setEnabled(cloud);
     count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
 }
 

@@ -17,11 +17,18 @@ class QLabel;
 
 namespace edgescan::ui {
 
+/// Cells, ascending, that an export may be cut down to; null: there is no selection.
+struct ExportSelection {
+    std::shared_ptr<const std::vector<std::uint32_t>> cells{};
+    bool only = false; ///< chosen at first
+};
+
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
     /// `wanted` is chosen at first. Mine coordinates can only be chosen when the scan has a place; the reason stands beside them.
-    ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, QWidget* parent = nullptr);
+    ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected = {},
+                 QWidget* parent = nullptr);
 
     [[nodiscard]] ExportContent content() const;
     [[nodiscard]] ExportOptions options() const;
@@ -32,7 +39,7 @@ private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
     [[nodiscard]] QGroupBox* writingBox();
-    [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached) const;
+    [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached, bool onlySelected) const;
     void follow();
 
     std::shared_ptr<const Detection> detection_;
@@ -41,6 +48,8 @@ private:
     QGroupBox* coordinatesGroup_ = nullptr;
     QGroupBox* writingGroup_ = nullptr;
     std::vector<QCheckBox*> choices_; // by kWritingChoices
+    ExportSelection selected_;
+    QCheckBox* onlySelected_;
     QCheckBox* attached_;
     QLabel* count_;
     QDialogButtonBox* buttons_;

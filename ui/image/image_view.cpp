@@ -14,6 +14,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kRing = 7.0;      // radius, px
+constexpr int kRoomForTags = 420;  // px of the view: below it targets have their numbers only
 constexpr double kFaded = 0.45;    // opacity of faces that belong to an older picture
 const QColor kTrail(86, 180, 233); // told from edges by its frames as well
 
@@ -106,6 +107,20 @@ void ImageView::setTrail(EdgeTrail trail) {
     update();
 }
 
+void ImageView::setMarks(CellMarks marks) {
+    if (marks == marks_) return;
+    marks_ = std::move(marks);
+    update();
+}
+
+void ImageView::setSelection(std::shared_ptr<const QImage> selection) {
+    if (selection == selection_.image()) return;
+    selection_ = Pyramid(std::move(selection), Shrink::KeepBrightest);
+    update();
+}
+
+void ImageView::setDragTool(DragTool tool) { tool_ = tool; }
+
 void ImageView::setTitle(const QString& title) {
     title_ = title;
     update();
@@ -169,6 +184,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
         drawPyramid(painter, overlay_);
         painter.setOpacity(1.0);
     }
+    if (!selection_.empty()) drawPyramid(painter, selection_);
     drawMarks(painter);
     drawStaleOverlay(painter, rect(), stale_);
     drawTexts(painter);
@@ -254,7 +270,26 @@ void ImageView::drawMarks(QPainter& painter) const {
         strokeTwice(painter, dark(3.0), light(Qt::DashLine),
                     [&] { painter.drawRect(toPixels(QRectF(boxCells(press_.from, press_.last)))); });
     }
+    if (drag_ == Drag::Select && press_.travelled) drawDragged(painter);
+    if (!marks_.targets.empty() || !marks_.measures.empty()) {
+        const int beams = picture_.empty() ? 1 : picture_.image()->width();
+        drawScreenMarks(painter, rect(),
+                        screenMarks(
+                            marks_,
+                            [&](std::size_t cell) -> std::optional<MarkPlace> {
+                                const QPointF at(static_cast<double>(cell % static_cast<std::size_t>(beams)) + 0.5,
+                                                 static_cast<double>(cell / static_cast<std::size_t>(beams)) + 0.5);
+                                return MarkPlace{viewPort_->toPixel(at, size()), false};
+                            },
+                            width() < kRoomForTags));
+    }
     if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size()));
+}
+
+void ImageView::drawDragged(QPainter& painter) const {
+    QPolygonF pixels;
+    for (const QPointF& corner : way_) pixels << viewPort_->toPixel(corner, size());
+    strokeTwice(painter, dark(3.0), light(Qt::DashLine), [&] { painter.drawPolygon(pixels); });
 }
 
 void ImageView::drawTexts(QPainter& painter) const {

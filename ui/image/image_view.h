@@ -1,6 +1,7 @@
 // Shows one lines x beams image: linked zoom and pan, hover, crosshair, box.
 #pragma once
 
+#include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
 #include "ui/image/pyramid.h"
 #include "ui/image/viewport.h"
@@ -8,6 +9,7 @@
 #include <QColor>
 #include <QLine>
 #include <QPoint>
+#include <QPolygonF>
 #include <QRect>
 #include <QString>
 #include <QWidget>
@@ -64,6 +66,16 @@ public:
     /// Stays until another one, or an empty one, is set.
     void setTrail(EdgeTrail trail);
     [[nodiscard]] const EdgeTrail& trail() const { return trail_; }
+    /// Targets and measurements, until others are set.
+    void setMarks(CellMarks marks);
+    [[nodiscard]] const CellMarks& marks() const { return marks_; }
+    /// Drawn over the image and its faces, one pixel per cell: what is selected, and what is hidden. Null = nothing.
+    void setSelection(std::shared_ptr<const QImage> selection);
+    [[nodiscard]] const std::shared_ptr<const QImage>& selection() const { return selection_.image(); }
+    /// What a drag with the left button does from now on.
+    void setDragTool(DragTool tool);
+    /// Off: Esc belongs to somebody else, crosshair and box stay.
+    void setClearsOnEscape(bool on) { clearsOnEscape_ = on; }
     [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
@@ -92,6 +104,8 @@ signals:
     /// Right click without a drag; where on the screen.
     void menuWanted(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
+    /// A finished drag with a tool that selects: its corners, in cells (x = beam, y = line).
+    void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// Right drag, pixels since the last signal: x = window, y = level (down is positive).
     void windowLevelDragged(int dx, int dy);
     void windowLevelFinished();
@@ -111,7 +125,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    enum class Drag { None, Pan, WindowLevel, Box };
+    enum class Drag { None, Pan, WindowLevel, Box, Select };
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
     void drawMarks(QPainter& painter) const;
@@ -119,7 +133,9 @@ private:
     void drawOutline(QPainter& painter) const;
     void drawTip(QPainter& painter) const;
     void drawTexts(QPainter& painter) const;
+    void drawDragged(QPainter& painter) const;
     void pointAt(std::optional<QPoint> cell);
+    void selectTo(QPointF at);
     void pinch(const QPinchGesture& gesture);
     [[nodiscard]] QRect boxCells(QPointF from, QPointF to) const;
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
@@ -130,6 +146,11 @@ private:
     double overlayOpacity_ = 1.0;
     Pyramid faces_;
     bool facesFaded_ = false;
+    Pyramid selection_;
+    CellMarks marks_;
+    DragTool tool_ = DragTool::Move;
+    bool clearsOnEscape_ = true;
+    QPolygonF way_; // of a drag that selects, in cells
     std::vector<QLine> outline_;
     QPoint tipCell_;
     QString tip_;

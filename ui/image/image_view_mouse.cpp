@@ -31,7 +31,9 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::None) return; // a second button during a drag changes nothing
     press_.begin(*event);
     const bool shift = event->modifiers() & Qt::ShiftModifier;
-    if (press_.button == Qt::LeftButton) drag_ = shift && !picture_.empty() ? Drag::Box : Drag::Pan;
+    const bool selects = tool_ != DragTool::Move && !picture_.empty();
+    if (press_.button == Qt::LeftButton) drag_ = selects ? Drag::Select : shift && !picture_.empty() ? Drag::Box : Drag::Pan;
+    way_.clear();
     if (press_.button == Qt::MiddleButton) drag_ = Drag::Pan;
     if (press_.button == Qt::RightButton) drag_ = Drag::WindowLevel;
 }
@@ -42,11 +44,24 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     if (drag_ == Drag::None || !press_.travels(at)) return;
     if (drag_ == Drag::Pan) viewPort_->panPixels(at - press_.last);
     if (drag_ == Drag::Box) update();
+    if (drag_ == Drag::Select) selectTo(at);
     if (drag_ == Drag::WindowLevel) {
         const QPoint by = at.toPoint() - press_.last.toPoint();
         if (!by.isNull()) emit windowLevelDragged(by.x(), by.y());
     }
     press_.last = at;
+}
+
+/// A box has whole cells; a lasso goes where the hand goes.
+void ImageView::selectTo(QPointF at) {
+    if (tool_ == DragTool::Box) {
+        way_ = QPolygonF(QRectF(boxCells(press_.from, at)));
+        way_.removeLast(); // the first corner again
+    } else {
+        if (way_.isEmpty()) way_ << viewPort_->toCell(press_.from, size());
+        way_ << viewPort_->toCell(at, size());
+    }
+    update();
 }
 
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
@@ -60,11 +75,15 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
             update();
             emit boxSelected(*box_);
         }
+        if (was == Drag::Select) {
+            update();
+            emit outlined(std::exchange(way_, {}), event->modifiers());
+        }
         return;
     }
     const auto cell = cellAt(place(*event));
     if (event->button() == Qt::RightButton && cell) emit menuWanted(cell->y(), cell->x(), mapToGlobal(place(*event).toPoint()));
-    if (event->button() != Qt::LeftButton || was != Drag::Pan || !cell) return;
+    if (event->button() != Qt::LeftButton || (was != Drag::Pan && was != Drag::Select) || !cell) return;
     setCrosshair(cell);
     emit clicked(cell->y(), cell->x());
 }
@@ -80,7 +99,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
 }
 
 void ImageView::keyPressEvent(QKeyEvent* event) {
-    const bool something = crosshair_ || box_;
+    const bool something = clearsOnEscape_ && (crosshair_ || box_);
     if (event->key() != Qt::Key_Escape || !something) {
         QWidget::keyPressEvent(event); // Esc goes on to the window: cancel job, leave tool
         return;

@@ -19,6 +19,10 @@ QColor groundOf(StateBadge::Sign sign) {
         return {122, 88, 0};
     case StateBadge::Sign::Failed:
         return {140, 28, 28};
+    case StateBadge::Sign::Recorded:
+        return {90, 63, 134};
+    case StateBadge::Sign::File:
+        return {77, 83, 90};
     case StateBadge::Sign::Off:
         break;
     }
@@ -43,6 +47,12 @@ void drawShape(QPainter& painter, StateBadge::Sign sign, const QRectF& place) {
     case StateBadge::Sign::Failed:
         painter.drawLine(place.topLeft(), place.bottomRight());
         painter.drawLine(place.topRight(), place.bottomLeft());
+        return;
+    case StateBadge::Sign::Recorded:
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{place.topLeft(), QPointF(place.right(), place.center().y()), place.bottomLeft()}));
+        return;
+    case StateBadge::Sign::File:
+        painter.drawRect(place.adjusted(2, 0.5, -2, -0.5));
         return;
     case StateBadge::Sign::Off:
         painter.drawLine(QPointF(place.left(), place.center().y()), QPointF(place.right(), place.center().y()));

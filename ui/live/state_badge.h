@@ -10,7 +10,8 @@ namespace edgescan::ui {
 class StateBadge : public QWidget {
     Q_OBJECT
 public:
-    enum class Sign { Good, Waiting, Doubtful, Failed, Off }; ///< disc, two bars, triangle, cross, bar
+    /// Disc, two bars, triangle, cross, bar; triangle to the right, sheet.
+    enum class Sign { Good, Waiting, Doubtful, Failed, Off, Recorded, File };
 
     explicit StateBadge(QWidget* parent = nullptr);
 

@@ -8,11 +8,14 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/control/source.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/menus.h"
 #include "ui/main/rock_docks.h"
+#include "ui/main/target_dock.h"
+#include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
@@ -20,6 +23,7 @@
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
 #include "ui/session/memory.h"
+#include "ui/targets/targets_panel.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -89,15 +93,19 @@ QImage withWarnings(const QImage& window, const QStringList& warnings, const QFo
 MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory), gray_(new ImageView), edges_(new ImageView(gray_->viewPort())), cloud_(new CloudView),
       panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
-      notice_(new NoticeBar), status_(new StatusLine), warnings_(new WarningButton), legend_(new EdgeLegend), rail_(new DockRail),
-      views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_), exports_(session_, files_, *notice_, memory),
+      targetsPanel_(new TargetsPanel), tools_(new ToolBar), origin_(new StateBadge), notice_(new NoticeBar), status_(new StatusLine),
+      warnings_(new WarningButton), legend_(new EdgeLegend), rail_(new DockRail), views_(session_, *gray_, *edges_, *cloud_),
+      files_(session_, *notice_, memory, undo_), exports_(session_, files_, *notice_, memory),
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
-      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_) {
+      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
+      targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
+      selection_(session_, views_, rocks_, *notice_, undo_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
     layOutViews();
     layOutLegend();
+    layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", panel_);
     connect(rail_, &DockRail::changedByHand, this, [this](QDockWidget* dock, bool open) {
@@ -106,6 +114,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
         arrange();
     });
     addRockDocks(*this, rocks_, *rocksPanel_, *rockTable_);
+    addTargetDock(*this, targets_, *targetsPanel_);
     setStatusBar(status_);
     status_->addKept(warnings_);
     connect(warnings_, &QToolButton::clicked, this,
@@ -176,6 +185,34 @@ void MainWindow::layOutLegend() {
     connect(legend_, &EdgeLegend::classesWanted, this, [this](int classes) { tuning_.turn("classes", classes); });
 }
 
+// The badge stands in the corner of the menu bar, where no width drops it.
+void MainWindow::layOutTools() {
+    addToolBar(Qt::TopToolBarArea, tools_);
+    tools_->toggleViewAction()->setVisible(false);
+    origin_->setObjectName("origin");
+    menuBar()->setCornerWidget(origin_, Qt::TopRightCorner);
+    connect(&measures_, &Measures::asked, tools_, &ToolBar::showAsked);
+    connect(&selection_, &Selection::changed, this, [this] { tools_->showSelected(selection_.words()); });
+    connect(&selection_, &Selection::exportWanted, this, [this] { exports_.askSelected(); });
+    connect(&selection_, &Selection::changed, this, [this] { exports_.setSelection(selection_.cells()); });
+    connect(&targets_, &Targets::whyWanted, &explanation_, &Explanation::explain);
+    connect(&targets_, &Targets::measureWanted, &measures_, &Measures::startAt);
+    const ScannerLink& scanner = live_.scanner();
+    for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
+        connect(&scanner, told, this, &MainWindow::showOrigin);
+    connect(&scanner, &ScannerLink::healthChanged, this, &MainWindow::showOrigin);
+    showOrigin();
+}
+
+void MainWindow::showOrigin() {
+    const PictureOrigin origin = originOf(session_.picture().get(), live_.scanner());
+    const QSize before = origin_->sizeHint();
+    origin_->showState(origin.sign, origin.badge);
+    origin_->setToolTip(origin.more);
+    if (origin_->sizeHint() != before) menuBar()->setCornerWidget(origin_, Qt::TopRightCorner); // it asks for the size only then
+    targets_.setSource(origin.badge);
+}
+
 void MainWindow::connectSession() {
     connect(&session_, &Session::workStarted, status_, &StatusLine::startWork);
     connect(&session_, &Session::workProgressed, status_, &StatusLine::showProgress);
@@ -196,6 +233,7 @@ void MainWindow::connectSession() {
         legend_->showResult(detection);
         showWarnings();
         showTitle();
+        showOrigin();
         emit pictureShown(); // the controllers were told before
     });
 }
@@ -367,7 +405,17 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         notice_->hide();
     else if (maximised_ != nullptr)
         maximise(maximised_);
-    else {
+    else
+        escape();
+}
+
+// Of what a tool has begun the last bit, then the tool; then what is pinned.
+void MainWindow::escape() {
+    if (measures_.kind()) {
+        if (!measures_.takeBack()) measures_.stop();
+    } else if (views_.tool() != Tool::Pin) {
+        selection_.cells().empty() ? views_.setTool(Tool::Pin) : selection_.select({});
+    } else {
         views_.letGo();
         explanation_.forgetTrail();
     }

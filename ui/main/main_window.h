@@ -7,7 +7,10 @@
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/live.h"
+#include "ui/control/measures.h"
 #include "ui/control/rocks.h"
+#include "ui/control/selection.h"
+#include "ui/control/targets.h"
 #include "ui/control/tuning.h"
 
 #include <QMainWindow>
@@ -29,7 +32,10 @@ class NoticeBar;
 class Pane;
 class RocksPanel;
 class RockTable;
+class StateBadge;
 class StatusLine;
+class TargetsPanel;
+class ToolBar;
 class WarningButton;
 
 class MainWindow : public QMainWindow {
@@ -48,6 +54,13 @@ public:
     [[nodiscard]] Rocks& rocks() { return rocks_; }
     [[nodiscard]] RocksPanel& rocksPanel() { return *rocksPanel_; }
     [[nodiscard]] RockTable& rockTable() { return *rockTable_; }
+    [[nodiscard]] Targets& targets() { return targets_; }
+    [[nodiscard]] TargetsPanel& targetsPanel() { return *targetsPanel_; }
+    [[nodiscard]] Measures& measures() { return measures_; }
+    [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] ToolBar& tools() { return *tools_; }
+    /// Where the picture comes from and of when: always in sight.
+    [[nodiscard]] const StateBadge& origin() const { return *origin_; }
     [[nodiscard]] EdgesPanel& panel() { return *panel_; }
     [[nodiscard]] StatusLine& statusLine() { return *status_; }
     [[nodiscard]] NoticeBar& notice() { return *notice_; }
@@ -76,7 +89,10 @@ private:
     void layOutViews();
     QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
     void layOutLegend();
+    void layOutTools();
     void connectSession();
+    void showOrigin();
+    void escape();
     void showWarnings();
     void showTitle();
     void arrange();
@@ -100,6 +116,9 @@ private:
     Timeline* timeline_;
     RocksPanel* rocksPanel_;
     RockTable* rockTable_;
+    TargetsPanel* targetsPanel_;
+    ToolBar* tools_;
+    StateBadge* origin_;
     NoticeBar* notice_;
     StatusLine* status_;
     WarningButton* warnings_;
@@ -114,6 +133,9 @@ private:
     Live live_;
     Explanation explanation_;
     Rocks rocks_;
+    Targets targets_;
+    Measures measures_;
+    Selection selection_;
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;

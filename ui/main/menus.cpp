@@ -8,6 +8,7 @@
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/main_window.h"
+#include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
@@ -54,6 +55,7 @@ Command fileMenu(MainWindow& w) {
                                             exported("Edge &Image…", "", ExportContent::EdgeImage),
                                             exported("&Gray Image…", "", ExportContent::GrayImage),
                                             exported("&Range Image…", "", ExportContent::RangeImage),
+                                            command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
                                         }),
                                 command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
                                 command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
@@ -260,6 +262,56 @@ Command rocksMenu(MainWindow& w) {
                    });
 }
 
+/// A tool with its button in the bar. `on`: whether it is the one in use.
+Command tool(MainWindow& w, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
+    const auto set = [&w, start = std::move(start)](bool wanted) { wanted ? start() : w.views().setTool(Tool::Pin); };
+    return linked(toggle(text, keys, nullptr, false, set), [&w, on = std::move(on)](QAction& action) {
+        const auto follow = [&action, on] { action.setChecked(on()); };
+        QObject::connect(&w.views(), &LinkedViews::toolChanged, &action, follow);
+        QObject::connect(&w.measures(), &Measures::kindChanged, &action, follow);
+        w.tools().add(action);
+        action.setToolTip(action.text().remove('&') + " (" + action.shortcut().toString(QKeySequence::NativeText) + ")");
+        follow();
+    });
+}
+
+Command measureMenu(MainWindow& w) {
+    LinkedViews& views = w.views();
+    Measures& measures = w.measures();
+    Selection& selection = w.selection();
+    const auto usual = [&](const char* text, const char* keys, Tool wanted) {
+        return tool(
+            w, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
+    };
+    const auto measure = [&](const char* text, const char* keys, MeasureKind kind) {
+        return tool(
+            w, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
+    };
+    const auto letGo = [&w] {
+        if (const PinnedTarget* target = w.targets().active()) w.targets().letGo(target->number);
+    };
+    return submenu("&Measure", {
+                                   usual("&Pin", "P", Tool::Pin),
+                                   measure("&Distance", "U", MeasureKind::Distance),
+                                   measure("&Vertical", "V", MeasureKind::Vertical),
+                                   measure("&Angle", "A", MeasureKind::Angle),
+                                   measure("&Spans a × b", "X", MeasureKind::Spans),
+                                   usual("&Box", "B", Tool::Box),
+                                   usual("&Lasso", "L", Tool::Lasso),
+                                   kLine,
+                                   command("Let &Go of This Target", "Del", letGo),
+                                   command("Let Go of All &Targets", "", [&w] { w.targets().letGoOfAll(); }),
+                                   command("&Copy This Target", "", [&w] { w.targets().copyCard(); }),
+                                   kLine,
+                                   command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
+                                   command("&Hide Selected", "Shift+I", [&selection] { selection.hideSelected(); }),
+                                   command("Sho&w All", "Ctrl+I", [&selection] { selection.showAll(); }),
+                                   command("&Zoom to Selected", "Z", [&selection] { selection.zoomTo(); }),
+                                   command("Select &Nothing", "", [&selection] { selection.select({}); }),
+                                   command("&Export Selected…", "", [&w] { w.exports().askSelected(); }),
+                               });
+}
+
 } // namespace
 
 std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
@@ -270,6 +322,7 @@ std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
             scanMenu(window),
             edgesMenu(window),
             rocksMenu(window),
+            measureMenu(window),
             submenu("&Help",
                     {command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }

@@ -45,6 +45,8 @@ void Memory::keep(const QString& key, bool value) {
     if (file_) file_->setValue(key, value);
 }
 
+QString Memory::ownFolder() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
+
 QStringList Memory::recentFiles() const { return file_ ? file_->value("recent/files").toStringList() : QStringList(); }
 
 void Memory::keepRecentFile(const QString& path) {

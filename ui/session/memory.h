@@ -25,6 +25,9 @@ public:
     [[nodiscard]] bool flag(const QString& key, bool otherwise) const;
     void keep(const QString& key, bool value);
 
+    /// Where it lies: what is kept beside it lies there too. Empty where nothing is remembered.
+    [[nodiscard]] QString ownFolder() const;
+
     /// Newest first, ten at most.
     [[nodiscard]] QStringList recentFiles() const;
     void keepRecentFile(const QString& path);

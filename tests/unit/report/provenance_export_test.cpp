@@ -3,6 +3,7 @@
 #include "core/formats/formats.h"
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "core/measure/cell_sets.h"
 #include "core/method/pipeline.h"
 #include "core/pictures/png.h"
 #include "core/report/provenance.h"
@@ -294,6 +295,43 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     ASSERT_TRUE(list) << list.error().sentence();
     EXPECT_EQ(*list, 6000U);
     EXPECT_TRUE(verifyExport(folder / "w.pcd")->identical);
+}
+
+TEST(Provenance, ASelectionIsPartOfTheRecordAndVerifies) {
+    const Folder folder;
+    const auto detection = detectionIn(folder, 5, true);
+    std::mt19937 random(17);
+    CellSet cells;
+    for (std::uint32_t k = 0; k < detection->scan->cells(); ++k) {
+        if (random() % 3 == 0) cells.push_back(k);
+    }
+    ExportOptions options{CoordinateFrame::Mine};
+    options.selection = std::make_shared<const CellSet>(cells);
+    std::size_t points = 0, edges = 0;
+    for (const std::uint32_t k : cells) {
+        const bool valid = detection->scan->state[k] == CellState::Valid;
+        points += valid ? 1 : 0;
+        edges += valid && (*detection->mask)[k] != 0 ? 1 : 0;
+    }
+    ASSERT_GT(edges, 0U);
+    for (const Export& one : kExports) {
+        if (!isCloud(one.content)) continue;
+        SCOPED_TRACE(one.name);
+        const auto written = exportWithProvenance(one.content, *detection, folder / one.name, options);
+        ASSERT_TRUE(written) << written.error().sentence();
+        EXPECT_EQ(*written, one.content == ExportContent::EdgeCloud ? edges : points);
+        const auto verified = verifyExport(folder / one.name);
+        ASSERT_TRUE(verified) << verified.error().sentence();
+        EXPECT_TRUE(verified->identical) << verificationText(*verified);
+    }
+    const Json record = Json::parse(exportRecord(ExportContent::FullCloud, *detection, options));
+    EXPECT_EQ(record["selection"]["cells"], cells.size());
+    EXPECT_TRUE(recordIsWhole(record));
+    EXPECT_EQ(*selectionOf(record["selection"], detection->scan->cells()), cells);
+    EXPECT_FALSE(Json::parse(exportRecord(ExportContent::FullCloud, *detection, {})).contains("selection"));
+    for (const char* wrong :
+         {"null", "{}", R"({"runs": 3})", R"({"runs": [[1]]})", R"({"runs": [[-1, 2]]})", R"({"runs": [[0, 99999999999]]})"})
+        EXPECT_TRUE(selectionOf(Json::parse(wrong), detection->scan->cells())->empty()) << wrong;
 }
 
 TEST(Provenance, AnAlteredRecordIsNoticed) {

@@ -125,6 +125,9 @@ TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
     const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(folder / "scan.json")), Settings{});
     const auto record = SchemaJson::parse(exportRecord(ExportContent::EdgeCloud, *detection, {CoordinateFrame::MineLocal}));
     ASSERT_EQ(schemaProblem(record, recordSchema(), schema()), "");
+    ExportOptions selected;
+    selected.selection = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{3, 4, 9});
+    EXPECT_EQ(schemaProblem(SchemaJson::parse(exportRecord(ExportContent::FullCloud, *detection, selected)), recordSchema(), schema()), "");
     const std::set<std::string> free{"note", "reason"}; // of a whole record they may be missing
     const SchemaJson values = record.flatten();
     for (const auto& flat : values.items()) {

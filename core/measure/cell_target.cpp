@@ -1,0 +1,51 @@
+// What is known of one cell.
+#include "core/measure/cell_target.h"
+
+#include "core/georef/placed_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+/// Without a placement nothing is known of the horizon.
+std::optional<Dip> dipAt(const Scan& scan, const Probe& probe, const Eigen::Vector3d& normal) {
+    if (!scan.placement) return std::nullopt;
+    const PlacedPoints placed(scan);
+    const Eigen::Vector3d tip = placed.local(probe.line, probe.beam, probe.pointM + normal);
+    return dipOf(tip - placed.local(probe.line, probe.beam, probe.pointM));
+}
+
+std::optional<double> strengthAt(const Detection& detection, const Probe& probe) {
+    if (!detection.responses) return std::nullopt;
+    const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
+    const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
+    if (probe.kind == DepthEdge::Border) return std::nullopt; // there the data end: nothing was measured
+    if (probe.kind == DepthEdge::Jump) return jump;
+    return probe.kind == DepthEdge::None ? std::max(jump, fold) : fold;
+}
+
+} // namespace
+
+RangeNoise noiseOf(const Detection& detection) {
+    return detection.surface ? detection.surface->noise : rangeNoise(inverseRange(*detection.scan));
+}
+
+CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::size_t k) {
+    const Scan& scan = *detection.scan;
+    CellTarget target;
+    target.probe = probeCell(detection, k);
+    target.strength = strengthAt(detection, target.probe);
+    if (target.probe.state != CellState::Valid) return target;
+    const CartesianTables tables(scan);
+    target.distanceM = target.probe.rangeMm / 1000.0;
+    const double sigmaM = noise.at(target.distanceM) / 1000.0;
+    target.toleranceM = kToldSigmas * sigmaM;
+    target.resolution = resolutionAt(scan, tables, k);
+    target.surface = surfaceAt(scan, tables, k, sigmaM);
+    if (target.surface) target.dip = dipAt(scan, target.probe, target.surface->normal);
+    return target;
+}
+
+} // namespace edgescan

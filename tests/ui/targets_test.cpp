@@ -1,0 +1,502 @@
+// The operator's desk in the real window, by real events: pins and their card, measuring, selecting, where the picture comes from.
+#include "core/base/whole_file.h"
+#include "core/georef/placed_points.h"
+#include "core/measure/cell_sets.h"
+#include "core/report/verify.h"
+#include "core/scan/acquisition.h"
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/cloud/point_pick.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/why_card.h"
+#include "ui/live/state_badge.h"
+#include "ui/main/tool_bar.h"
+#include "ui/targets/target_card.h"
+#include "ui/targets/targets_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QToolButton>
+
+#include <set>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class TargetsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string boxes_, placed_, plate_;
+
+    static void move(QWidget& view, QPoint at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
+        QApplication::sendEvent(&view, &event);
+    }
+    static QPoint pixelOf(const ImageView& view, QPointF corner) { return view.viewPort()->toPixel(corner, view.size()).toPoint(); }
+    static QPoint pixelOf(const ImageView& view, int line, int beam) { return pixelOf(view, QPointF(beam + 0.5, line + 0.5)); }
+    static void click(ImageView& view, int line, int beam, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::mouseClick(&view, Qt::LeftButton, modifiers, pixelOf(view, line, beam));
+    }
+    static void drag(QWidget& view, const QVector<QPoint>& way, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::mousePress(&view, Qt::LeftButton, modifiers, way.front());
+        for (const QPoint& at : way.mid(1)) move(view, at, Qt::LeftButton, modifiers);
+        QTest::mouseRelease(&view, Qt::LeftButton, modifiers, way.back());
+    }
+    static bool known(WindowFixture& on) {
+        return on.settled() && QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+    }
+    static bool showWith(WindowFixture& on, const std::string& path) {
+        on.window.resize(1400, 900);
+        return on.showWith(path) && on.activate();
+    }
+    static const std::vector<PinnedTarget>& targets(WindowFixture& on) { return on.window.targets().notebook().targets; }
+    // A cell that the image view shows under its own pixel.
+    static std::uint32_t cellUnder(WindowFixture& on, int line, int beam) {
+        const auto at = on.window.views().gray().cellAt(pixelOf(on.window.views().gray(), line, beam));
+        return static_cast<std::uint32_t>(*on.window.views().cellAt(at->y(), at->x()));
+    }
+    // A plate of 50 mm before a wall, 10 m away.
+    static Scan plateScan() {
+        Scan scan = test::makeScan(41, 41, [](int, int) { return 1000.0F; });
+        auto& polar = std::get<PolarGeometry>(scan.geometry);
+        for (std::size_t n = 0; n < 41; ++n) {
+            polar.beamDeg[n] = 90.0 + (static_cast<double>(n) - 20) / 6;
+            polar.lineDeg[n] = (static_cast<double>(n) - 20) / 6;
+        }
+        for (int i = 0; i < 41; ++i) {
+            for (int j = 0; j < 41; ++j) scan.rangeMm.at(i, j) = (i == 20 || i == 21) && (j == 20 || j == 21) ? 10000.0F : 10300.0F;
+        }
+        return scan;
+    }
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        Scan scan = test::boxesScan(120, 160, 3, 0.02);
+        boxes_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(scan, boxes_)));
+        scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
+        placed_ = (folder_ / "placed.json").string();
+        QVERIFY(bool(saveScan(scan, placed_)));
+        plate_ = (folder_ / "plate.json").string();
+        QVERIFY(bool(saveScan(plateScan(), plate_)));
+    }
+
+    void everyClickPinsUntilItIsLetGo() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        ImageView& edges = on.window.views().edges();
+        std::vector<std::uint32_t> cells{cellUnder(on, 20, 30), cellUnder(on, 60, 80), cellUnder(on, 100, 140)};
+        click(gray, 20, 30);
+        click(edges, 60, 80);
+        click(gray, 100, 140);
+        QVERIFY(known(on));
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+        for (int n = 0; n < 3; ++n) {
+            QCOMPARE(targets(on)[static_cast<std::size_t>(n)].number, n + 1);
+            QCOMPARE(targets(on)[static_cast<std::size_t>(n)].cell, cells[static_cast<std::size_t>(n)]);
+        }
+        // The same marks in all three views, the last one on the card.
+        QCOMPARE(static_cast<int>(gray.marks().targets.size()), 3);
+        QVERIFY(gray.marks() == edges.marks() && gray.marks() == on.window.views().cloud().marks());
+        QCOMPARE(on.window.targets().active()->number, 3);
+        QVERIFY2(gray.marks().targets[2].active && gray.marks().targets[2].tag.startsWith("3 · "), qPrintable(gray.marks().targets[2].tag));
+        QTRY_VERIFY(on.window.findChild<QDockWidget*>("dock-targets")->isVisible());
+        QTRY_VERIFY(on.window.targetsPanel().card().isVisible());
+        const QString card = on.window.targetsPanel().card().text();
+        for (QWidget* view : {static_cast<QWidget*>(&gray), static_cast<QWidget*>(&on.window.views().cloud())}) {
+            move(*view, QPoint(view->width() / 2, view->height() / 2), Qt::NoButton);
+            move(*view, QPoint(view->width() / 3, view->height() / 2), Qt::NoButton);
+        }
+        QCOMPARE(on.window.targetsPanel().card().text(), card);
+        // A click on one that is pinned shows it again, and makes no other.
+        click(edges, 20, 30);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+        QCOMPARE(on.window.targets().active()->number, 1);
+        // So does a click in the list.
+        auto* list = on.window.targetsPanel().targets();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(1)).center());
+        QCOMPARE(on.window.targets().active()->number, 2);
+        // Esc lets go of it; of one that is locked it only turns away.
+        QTest::mouseClick(on.window.targetsPanel().card().lock(), Qt::LeftButton);
+        QVERIFY(on.window.targets().active()->locked);
+        QVERIFY(!on.window.targetsPanel().card().close()->isEnabled());
+        on.window.notice().hide();
+        on.window.views().cloud().setFocus();
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(on.window.targets().active() == nullptr && on.window.targetsPanel().card().isHidden());
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+        click(gray, 100, 140);
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QCOMPARE(static_cast<int>(targets(on).size()), 2);
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+        QCOMPARE(targets(on)[2].cell, cells[2]);
+        // All but the locked one.
+        QTest::mouseClick(on.window.targetsPanel().letGoOfAll(), Qt::LeftButton);
+        QCOMPARE(static_cast<int>(targets(on).size()), 1);
+        QVERIFY(targets(on)[0].locked);
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+    }
+
+    void theCardSaysWhatIsKnownAndWhatItWas() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        const Detection& detection = *on.picture().detection;
+        std::optional<std::uint32_t> jump;
+        for (const std::uint32_t k : *detection.edges) {
+            if ((*detection.classes)[k] == DepthEdge::Jump && k / 160 > 10 && !jump) jump = k;
+        }
+        QVERIFY(jump.has_value());
+        on.window.views().pin(*jump);
+        QVERIFY(known(on));
+        TargetCard& card = on.window.targetsPanel().card();
+        const double range = static_cast<double>(detection.scan->rangeMm[*jump]) / 1000.0;
+        QCOMPARE(card.findChild<QLabel*>("target-distance")->text(), QString("%1 m").arg(range, 0, 'f', 3));
+        QVERIFY(card.findChild<QLabel*>("target-distance")->font().pointSizeF() > 1.8 * card.font().pointSizeF());
+        QStringList names;
+        for (const QString& line : card.text().split('\n')) names << line.section(": ", 0, 0);
+        const QStringList wanted{"from", "X, Y, Z", "E, N, RL", "Resolves", "Surface", "Dip / direction", "Cell", "Edge", "Picture"};
+        int place = 0;
+        for (const QString& name : wanted) {
+            QVERIFY2(names.indexOf(name) > place, qPrintable(card.text()));
+            place = names.indexOf(name);
+        }
+        QVERIFY2(card.text().contains("E, N, RL: ▲ no pose") && card.text().contains("Dip / direction"), qPrintable(card.text()));
+        QVERIFY2(card.text().contains("Edge: jump, strength "), qPrintable(card.text()));
+        QVERIFY2(card.text().contains("Picture: FILE boxes · no time"), qPrintable(card.text()));
+        QVERIFY2(card.text().contains(QString::fromUtf8(kRockCaveat)), qPrintable(card.text()));
+        QVERIFY(!card.text().contains("was "));
+        // A slider takes the edge away: the card says so, and what it was. The distance is the same.
+        const QString distance = card.text().split('\n').at(1);
+        Settings other;
+        other.classes = kClassConvex;
+        QVERIFY(on.use(other));
+        QVERIFY(known(on));
+        QTRY_VERIFY2(card.text().contains("Edge: none") && card.text().contains("was jump, strength "), qPrintable(card.text()));
+        QCOMPARE(card.text().split('\n').at(1), distance);
+        QCOMPARE(on.window.targets().active()->cell, *jump);
+        QVERIFY(on.use(Settings{}));
+        QVERIFY(known(on));
+        QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
+        // Its buttons.
+        QTest::mouseClick(card.copy(), Qt::LeftButton);
+        QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
+        QTest::mouseClick(card.why(), Qt::LeftButton);
+        QTRY_VERIFY(on.window.explanation().card() != nullptr && on.window.explanation().card()->isVisible());
+    }
+
+    void withAPoseTheCardHasMineCoordinatesAndDip() {
+        WindowFixture on;
+        QVERIFY(showWith(on, placed_));
+        const Scan& scan = *on.picture().detection->scan;
+        click(on.window.views().gray(), 90, 20);
+        QVERIFY(known(on));
+        const std::uint32_t k = targets(on).front().cell;
+        QVERIFY(scan.state[k] == CellState::Valid);
+        const Eigen::Vector3d mine = minePoint(scan, k).enhM;
+        const QString text = on.window.targetsPanel().card().text();
+        QVERIFY2(text.contains(QString("E, N, RL: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
+                 qPrintable(text));
+        QVERIFY2(!text.contains("no pose"), qPrintable(text));
+    }
+
+    void targetsAreKeptWithTheirScan() {
+        const QString ini = QString::fromStdString((folder_ / "kept" / "viewer.ini").string());
+        QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
+        Notebook before;
+        {
+            WindowFixture on(ini);
+            QVERIFY(showWith(on, boxes_));
+            click(on.window.views().gray(), 20, 30);
+            click(on.window.views().gray(), 60, 80);
+            QVERIFY(known(on));
+            QLineEdit* name = on.window.targetsPanel().card().name();
+            name->setFocus();
+            QTest::keyClicks(name, "keystone");
+            QTest::keyClick(name, Qt::Key_Return);
+            QCOMPARE(targets(on)[1].name, std::string("keystone"));
+            QVERIFY(on.window.views().gray().marks().targets[1].tag.startsWith("2 keystone"));
+            on.window.targets().keepMeasure({MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
+            // Another scan has its own; back on this one they are there again.
+            QVERIFY(on.open(plate_));
+            QVERIFY(targets(on).empty());
+            QVERIFY(on.open(boxes_));
+            QCOMPARE(static_cast<int>(targets(on).size()), 2);
+            QVERIFY(known(on));
+            before = on.window.targets().notebook();
+            QVERIFY(!before.targets[0].asPinned.empty());
+        }
+        const QDir kept(QString::fromStdString((folder_ / "kept" / "targets").string()));
+        QCOMPARE(kept.entryList(QDir::Files).size(), 1);
+        const std::string file = kept.filePath(kept.entryList(QDir::Files).front()).toStdString();
+        {
+            WindowFixture again(ini);
+            QVERIFY(showWith(again, boxes_));
+            QVERIFY(again.window.targets().notebook() == before);
+            QTRY_COMPARE(static_cast<int>(again.window.views().cloud().marks().targets.size()), 2);
+        }
+        // What is damaged is refused with a sentence, and left as it is whatever is pinned then.
+        const std::string damaged = "{\"format\": \"edgescan-targets/1\", \"targets\": [{\"cell\": [9999, 0]}]}";
+        QVERIFY(bool(writeWholeFile(file, damaged)));
+        {
+            WindowFixture third(ini);
+            QVERIFY(showWith(third, boxes_));
+            QVERIFY(third.window.notice().isVisible() && third.window.notice().kind() == NoticeBar::Kind::Error);
+            QVERIFY2(third.window.notice().text().contains("move the file away"), qPrintable(third.window.notice().text()));
+            QVERIFY(targets(third).empty());
+            click(third.window.views().gray(), 60, 80);
+            QVERIFY(known(third));
+        }
+        QCOMPARE(test::fileText(file), damaged);
+    }
+
+    void measuringHangsOnCells() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        QTest::keyClick(&on.window, Qt::Key_U);
+        QVERIFY2(on.window.tools().shown().contains("click the one end"), qPrintable(on.window.tools().shown()));
+        const std::vector<std::uint32_t> ends{cellUnder(on, 20, 30), cellUnder(on, 90, 120)};
+        click(gray, 20, 30);
+        QVERIFY(targets(on).empty()); // no pin
+        QVERIFY2(on.window.tools().shown().contains("click the other end"), qPrintable(on.window.tools().shown()));
+        click(on.window.views().edges(), 90, 120);
+        QVERIFY(known(on));
+        QCOMPARE(static_cast<int>(on.window.targets().notebook().measures.size()), 1);
+        QVERIFY(on.window.targets().notebook().measures[0].cells == ends);
+        const CloudGeometry& cloud = *on.window.views().cloud().geometryOfCloud();
+        const double between = static_cast<double>((cloud.point(ends[0]) - cloud.point(ends[1])).norm());
+        const QString label = gray.marks().measures[0].label;
+        QVERIFY2(label.startsWith(QString("%1 m ± 0.").arg(between, 0, 'f', 3)), qPrintable(label));
+        QVERIFY(gray.marks() == on.window.views().cloud().marks() && gray.marks() == on.window.views().edges().marks());
+        QVERIFY(on.window.targetsPanel().measures()->item(0)->text().contains(" and "));
+        // The lines and the label are on the screen, in the cloud as well.
+        const auto blue = [](QRgb p) {
+            return std::abs(qRed(p) - 120) < 12 && std::abs(qGreen(p) - 190) < 12 && std::abs(qBlue(p) - 255) < 12;
+        };
+        QVERIFY(countPixels(gray.grab().toImage(), blue) > 60);
+        QTRY_VERIFY(countPixels(on.window.screenshot(), blue) > 300);
+        // An angle takes three clicks; Esc takes the last one back, then leaves the tool.
+        QTest::keyClick(&on.window, Qt::Key_A);
+        click(gray, 20, 30);
+        click(gray, 60, 100);
+        on.window.notice().hide();
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QCOMPARE(static_cast<int>(on.window.measures().picked().size()), 1);
+        click(gray, 60, 100);
+        click(gray, 100, 20);
+        QVERIFY(known(on));
+        QCOMPARE(static_cast<int>(on.window.targets().notebook().measures.size()), 2);
+        QVERIFY(gray.marks().measures[1].label.contains("°"));
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(!on.window.measures().kind() && on.window.views().tool() == Tool::Pin);
+        // A slider leaves them where they are; undo takes them away.
+        Settings other;
+        other.creaseDeg = 50;
+        QVERIFY(on.use(other));
+        QVERIFY(known(on));
+        QCOMPARE(gray.marks().measures[0].label, label);
+        on.window.targetsPanel().measures()->setCurrentRow(0);
+        QTest::mouseClick(on.window.targetsPanel().removeMeasure(), Qt::LeftButton);
+        QCOMPARE(static_cast<int>(gray.marks().measures.size()), 1);
+        on.window.undoStack().undo();
+        QCOMPARE(static_cast<int>(gray.marks().measures.size()), 2);
+    }
+
+    void whatIsNotResolvedIsNoNumber() {
+        WindowFixture on;
+        QVERIFY(showWith(on, plate_));
+        QTest::keyClick(&on.window, Qt::Key_U);
+        click(on.window.views().gray(), 20, 20);
+        click(on.window.views().gray(), 20, 21);
+        QVERIFY(known(on));
+        QCOMPARE(on.window.views().gray().marks().measures[0].label, QString("< 89 mm"));
+        QVERIFY2(on.window.targetsPanel().measures()->item(0)->text().contains("< 89 mm"),
+                 qPrintable(on.window.targetsPanel().measures()->item(0)->text()));
+    }
+
+    void oneSelectionEverywhere() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        CloudView& cloud = on.window.views().cloud();
+        Selection& selection = on.window.selection();
+        QTest::keyClick(&on.window, Qt::Key_B);
+        const QVector<QPoint> box{pixelOf(gray, 40, 50), pixelOf(gray, 45, 70), pixelOf(gray, 69, 99)};
+        drag(gray, box);
+        CellSet wanted;
+        const QPoint from = *gray.cellAt(box.front()), to = *gray.cellAt(box.back());
+        for (int i = from.y(); i <= to.y(); ++i) {
+            for (int j = from.x(); j <= to.x(); ++j) wanted.push_back(static_cast<std::uint32_t>(i * 160 + j));
+        }
+        QVERIFY(selection.cells() == wanted);
+        QVERIFY(cloud.selection() && *cloud.selection() == wanted);
+        QVERIFY(gray.selection() && gray.selection() == on.window.views().edges().selection());
+        QVERIFY(qAlpha(gray.selection()->pixel(60, 50)) > 0 && qAlpha(gray.selection()->pixel(20, 50)) == 0);
+        QVERIFY(targets(on).empty());
+        QVERIFY2(on.window.tools().shown().contains("cells selected"), qPrintable(on.window.tools().shown()));
+        // Shift adds, Ctrl takes away; a lasso goes as the hand does.
+        QTest::keyClick(&on.window, Qt::Key_L);
+        const QVector<QPoint> lasso{pixelOf(gray, 90, 20), pixelOf(gray, 90, 60), pixelOf(gray, 110, 40), pixelOf(gray, 100, 25)};
+        drag(gray, lasso, Qt::ShiftModifier);
+        QVERIFY(selection.cells().size() > wanted.size() + 100);
+        QVERIFY(without(wanted, selection.cells()).empty());
+        QVERIFY(std::ranges::binary_search(selection.cells(), 95U * 160 + 40) &&
+                !std::ranges::binary_search(selection.cells(), 108U * 160 + 22));
+        drag(gray, lasso, Qt::ControlModifier);
+        QVERIFY(selection.cells() == wanted);
+        // Hidden cells are dark in the images, and no point of the cloud; all comes back.
+        const std::size_t points = cloud.geometryOfCloud()->validCount;
+        QTest::keyClick(&on.window, Qt::Key_I, Qt::ShiftModifier);
+        QVERIFY(selection.cells().empty() && selection.hidden() == wanted);
+        QVERIFY(cloud.geometryOfCloud()->validCount < points && !cloud.geometryOfCloud()->drawable(wanted[5]));
+        QVERIFY(qAlpha(gray.selection()->pixel(60, 50)) > 200);
+        QVERIFY(on.window.tools().shown().contains("hidden"));
+        on.window.undoStack().undo();
+        QVERIFY(selection.cells() == wanted && cloud.geometryOfCloud()->validCount == points);
+        QTest::keyClick(&on.window, Qt::Key_I);
+        std::size_t left = 0;
+        for (const std::uint32_t k : wanted) left += on.picture().detection->scan->state[k] == CellState::Valid ? 1 : 0;
+        QCOMPARE(cloud.geometryOfCloud()->validCount, left);
+        // A slider changes nothing of it.
+        Settings other;
+        other.creaseDeg = 50;
+        QVERIFY(on.use(other));
+        QCOMPARE(cloud.geometryOfCloud()->validCount, left);
+        QVERIFY(cloud.selection() && *cloud.selection() == wanted);
+        QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
+        QCOMPARE(cloud.geometryOfCloud()->validCount, points);
+        // Another scan knows nothing of it.
+        QVERIFY(on.open(plate_));
+        QVERIFY(selection.cells().empty() && selection.hidden().empty() && !gray.selection() && !cloud.selection());
+    }
+
+    void theCloudSelectsWhatIsSeen() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        CloudView& cloud = on.window.views().cloud();
+        QTest::keyClick(&on.window, Qt::Key_B);
+        const CameraPose before = cloud.camera();
+        const QPoint middle = cloud.rect().center();
+        drag(cloud, {middle - QPoint(60, 50), middle, middle + QPoint(60, 50)});
+        QTRY_VERIFY(!on.window.selection().cells().empty());
+        QVERIFY(cloud.camera() == before);
+        const ScreenView view = cloud.screenView();
+        const double dpr = cloud.devicePixelRatioF();
+        const QRectF box = QRectF(QPointF(middle - QPoint(60, 50)) * dpr, QPointF(middle + QPoint(60, 50)) * dpr).adjusted(-1, -1, 1, 1);
+        const CloudGeometry& points = *cloud.geometryOfCloud();
+        std::size_t seen = 0;
+        for (std::uint32_t k = 0; k < points.cells(); ++k) {
+            if (!points.drawable(k)) continue;
+            const ScreenPoint at = toScreen(view, points.point(k));
+            const bool chosen = std::ranges::binary_search(on.window.selection().cells(), k);
+            if (chosen) QVERIFY(box.contains(at.x, at.y) && !isPointHidden(points, view, k));
+            seen += at.inside && box.adjusted(2, 2, -2, -2).contains(at.x, at.y) && !isPointHidden(points, view, k) ? 1 : 0;
+        }
+        QVERIFY(seen > 50 && on.window.selection().cells().size() >= seen);
+        // Esc: the selection first, then the tool.
+        on.window.notice().hide();
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(on.window.selection().cells().empty() && on.window.views().tool() == Tool::Box);
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(on.window.views().tool() == Tool::Pin);
+    }
+
+    void aClickSelectsTheChainOfAnEdge() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        const Detection& detection = *on.picture().detection;
+        QTest::keyClick(&on.window, Qt::Key_L);
+        const std::uint32_t k = detection.edges->at(detection.edges->size() / 2);
+        emit on.window.views().gray().clicked(static_cast<int>(k / 160), static_cast<int>(k % 160));
+        const CellSet chain = chainAt(*detection.mask, k);
+        QVERIFY(chain.size() > 4 && on.window.selection().cells() == chain);
+        // Beside edges and rocks nothing is selected, and it is said why.
+        std::uint32_t none = 0;
+        while ((*detection.mask)[none] != 0) ++none;
+        emit on.window.views().gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
+        QVERIFY(on.window.selection().cells() == chain);
+        QVERIFY2(on.window.notice().text().contains("press K first"), qPrintable(on.window.notice().text()));
+    }
+
+    void anExportOfTheSelectionCarriesItsRecord() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        CellSet cells;
+        for (std::uint32_t k = 0; k < 120U * 160; k += 1 + k % 7) cells.push_back(k);
+        on.window.selection().select(cells);
+        ExportDialog dialog(on.picture().detection, ExportContent::FullCloud,
+                            {std::make_shared<const CellSet>(on.window.selection().cells()), true});
+        auto* only = dialog.findChild<QCheckBox*>("onlySelected");
+        QVERIFY(only->isChecked());
+        std::size_t valid = 0;
+        for (const std::uint32_t k : cells) valid += on.picture().detection->scan->state[k] == CellState::Valid ? 1 : 0;
+        QCOMPARE(dialog.count(), valid);
+        QVERIFY(dialog.options().selection != nullptr);
+        const std::string path = (folder_ / "selected.pcd").string();
+        QSignalSpy saved(&on.window.session(), &Session::saved);
+        on.window.session().save(dialog.content(), QString::fromStdString(path), dialog.options());
+        QTRY_COMPARE(saved.count(), 1);
+        QCOMPARE(saved.front().at(2).toLongLong(), static_cast<qint64>(valid));
+        const auto verified = verifyExport(path);
+        QVERIFY(bool(verified));
+        QVERIFY2(verified->identical, verificationText(*verified).c_str());
+        only->setChecked(false);
+        QVERIFY(dialog.options().selection == nullptr && dialog.count() > valid);
+    }
+
+    void theBadgeSaysWhereThePictureComesFrom() {
+        Scan scan = test::boxesScan(120, 160, 3);
+        Acquisition measured;
+        measured.startUtc = "2026-03-04T05:06:07.000Z";
+        measured.clockSource = "the robot's clock";
+        scan.acquisition = std::make_shared<const Acquisition>(measured);
+        const std::string timed = (folder_ / "timed.json").string(), recording = (folder_ / "recorded.mcap").string();
+        QVERIFY(bool(saveScan(scan, timed)));
+        QVERIFY(bool(saveScan(scan, recording)));
+        WindowFixture on;
+        QVERIFY(on.show());
+        QCOMPARE(on.window.origin().text(), QString("NO PICTURE"));
+        QVERIFY(on.open(boxes_));
+        QCOMPARE(on.window.origin().text(), QString("FILE boxes · no time"));
+        QVERIFY(on.window.origin().sign() == StateBadge::Sign::File);
+        QVERIFY(on.open(recording));
+        QVERIFY2(on.window.origin().text().startsWith("RECORDED "), qPrintable(on.window.origin().text()));
+        QVERIFY(on.window.origin().sign() == StateBadge::Sign::Recorded);
+        QVERIFY(on.open(timed));
+        const std::string start = on.picture().detection->scan->acquisition ? on.picture().detection->scan->acquisition->startUtc : "";
+        const QString time = start.empty() ? QString("no time") : QString("2026-03-04 05:06:07 UTC");
+        QCOMPARE(on.window.origin().text(), "FILE timed · " + time);
+        // At every size whole and in sight, and in a screenshot.
+        for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1900, 1000)}) {
+            QTRY_VERIFY((on.window.resize(size), on.window.size() == size)); // the timeline of the recording goes first
+            QApplication::processEvents();
+            const StateBadge& badge = on.window.origin();
+            const QRect place(badge.mapTo(&on.window, QPoint()), badge.size());
+            QVERIFY(badge.isVisible() && on.window.rect().contains(place));
+            QVERIFY2(badge.width() >= badge.sizeHint().width(),
+                     qPrintable(QString("%1 of %2").arg(badge.width()).arg(badge.sizeHint().width())));
+            const QImage shot = on.window.screenshot();
+            const auto ground = [](QRgb p) { return p == qRgb(77, 83, 90); };
+            QVERIFY(countPixels(shot.copy(place), ground) > place.width() * place.height() / 3);
+        }
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<TargetsTest>(argc, argv); }
+
+#include "targets_test.moc"

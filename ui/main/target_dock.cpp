@@ -1,0 +1,40 @@
+// Where the panel of targets stands in the window.
+#include "ui/main/target_dock.h"
+
+#include "ui/control/targets.h"
+#include "ui/targets/targets_panel.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kOpensFrom = 1100;          // px of the window: below it the panel opens only by hand
+constexpr double kTargetsHeight = 0.5;    // of the window
+constexpr const char* kClosed = "closed"; // by hand: no target opens it again
+
+} // namespace
+
+void addTargetDock(QMainWindow& window, Targets& targets, TargetsPanel& panel) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(&panel);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* dock = new QDockWidget(QObject::tr("Targets"), &window);
+    dock->setObjectName("dock-targets");
+    dock->setWidget(scroll);
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    QObject::connect(dock->toggleViewAction(), &QAction::toggled, dock, [dock](bool open) { dock->setProperty(kClosed, !open); });
+    QObject::connect(&targets, &Targets::pinned, dock, [&window, dock] {
+        if (!dock->isHidden() || dock->property(kClosed).toBool() || window.width() < kOpensFrom) return;
+        dock->show();
+        window.resizeDocks({dock}, {static_cast<int>(kTargetsHeight * window.height())}, Qt::Vertical);
+    });
+}
+
+} // namespace edgescan::ui

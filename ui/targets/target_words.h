@@ -1,0 +1,33 @@
+// What is said of a target, row by row, in the order of its card.
+#pragma once
+
+#include "core/measure/cell_target.h"
+#include "core/rocks/rock_attributes.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace edgescan::ui {
+
+/// What a card says besides what was measured at the cell.
+struct TargetSurroundings {
+    bool rocksShown = false;
+    const Rock* rock = nullptr; ///< that the cell lies on; null: none, or rocks are not shown
+    QString source;             ///< of the picture, with its time
+};
+
+struct TargetRow {
+    QString name, value;
+    QString tip{};
+    bool measured = true; ///< it can be otherwise after a slider moved: then the card says what it was
+};
+
+/// "4.911 m", "no return".
+[[nodiscard]] QString distanceText(const CellTarget& target);
+/// "± 0.009"; empty where the cell is not valid.
+[[nodiscard]] QString toleranceText(const CellTarget& target);
+/// All but the distance.
+[[nodiscard]] std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurroundings& around);
+
+} // namespace edgescan::ui
