@@ -5,6 +5,10 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+
 namespace edgescan {
 
 Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings) {
@@ -30,8 +34,14 @@ Grid<std::uint8_t> cannyOfGradient(const Gradient& gradient, double lower, doubl
 
 std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask) {
     std::vector<std::uint32_t> cells;
-    for (std::size_t k = 0; k < mask.size(); ++k) {
-        if (mask[k] != 0) cells.push_back(static_cast<std::uint32_t>(k));
+    constexpr std::size_t kAtOnce = 32; // most of a mask is empty
+    constexpr std::array<std::uint8_t, kAtOnce> kNone{};
+    for (std::size_t first = 0; first < mask.size(); first += kAtOnce) {
+        const std::size_t end = std::min(first + kAtOnce, mask.size());
+        if (std::memcmp(mask.cells.data() + first, kNone.data(), end - first) == 0) continue;
+        for (std::size_t k = first; k < end; ++k) {
+            if (mask[k] != 0) cells.push_back(static_cast<std::uint32_t>(k));
+        }
     }
     return cells;
 }

@@ -1,6 +1,9 @@
 // Range to gray.
 #include "core/gray/gray.h"
 
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,13 +26,9 @@ GrayScale logScale(const Scan& scan) {
         if (scan.state[k] == CellState::Valid && scan.rangeMm[k] > 0) ranges.push_back(scan.rangeMm[k]);
     }
     if (ranges.empty()) return {};
-    const auto trimmed = static_cast<std::ptrdiff_t>(kTrimmedShare * static_cast<double>(ranges.size() - 1));
-    const auto low = ranges.begin() + trimmed;
-    const auto high = ranges.end() - 1 - trimmed;
-    std::nth_element(ranges.begin(), low, ranges.end());
-    double nearMm = *low;
-    std::nth_element(low, high, ranges.end()); // moves what stood at `low`
-    double farMm = *high;
+    const auto trimmed = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(ranges.size() - 1));
+    double nearMm = nthSmallest(ranges, trimmed);
+    double farMm = nthSmallest(ranges, ranges.size() - 1 - trimmed);
     if (farMm < nearMm * kSmallestRatio) {
         const double middle = std::sqrt(nearMm * farMm);
         nearMm = middle / std::sqrt(kSmallestRatio);
@@ -50,7 +49,35 @@ std::array<double, 255> logLimits(const GrayScale& scale) {
     return limits;
 }
 
-std::uint8_t clampedLevel(double level) { return static_cast<std::uint8_t>(std::clamp(std::nearbyint(level), 0.0, kLevels)); }
+// Levels of a line of ranges by a rule of plain arithmetic; how many lie outside near..far is returned.
+template <class LevelOf>
+inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                                     LevelOf levelOf, std::uint8_t* __restrict levels) {
+    int outside = 0;
+    for (int j = 0; j < beams; ++j) {
+        const double range = rangeMm[j];
+        const bool valid = states[j] == CellState::Valid;
+        const double level = std::clamp(std::nearbyint(levelOf(range)), 0.0, kLevels);
+        levels[j] = static_cast<std::uint8_t>(static_cast<int>(valid ? level : 0.0));
+        outside += valid & ((range < scale.nearMm) | (range > scale.farMm)) ? 1 : 0;
+    }
+    return outside;
+}
+
+EDGESCAN_SIMD int takeThesisLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                   std::uint8_t* __restrict levels) {
+    const double factor = kLevels / (scale.farMm - scale.nearMm);
+    return takeLevels(
+        rangeMm, states, beams, scale, [factor](double range) { return range * factor; }, levels);
+}
+
+EDGESCAN_SIMD int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                   std::uint8_t* __restrict levels) {
+    const double nearMm = scale.nearMm;
+    const double span = scale.farMm - scale.nearMm;
+    return takeLevels(
+        rangeMm, states, beams, scale, [nearMm, span](double range) { return (range - nearMm) * kLevels / span; }, levels);
+}
 
 template <class LevelOf>
 void fillLevels(GrayImage& gray, const Scan& scan, LevelOf levelOf) {
@@ -69,10 +96,11 @@ void fillLogLevels(GrayImage& gray, const Scan& scan) {
     };
     std::vector<std::uint8_t> table(static_cast<std::size_t>(std::min(static_cast<double>(kTableMm), gray.scale.farMm + 2)));
     for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
+    const auto tabled = static_cast<double>(table.size());
     fillLevels(gray, scan, [&](double range) {
-        const double floor = std::floor(range);
-        return range == floor && floor >= 0 && floor < static_cast<double>(table.size()) ? table[static_cast<std::size_t>(floor)]
-                                                                                         : search(range);
+        if (!(range >= 0 && range < tabled)) return search(range);
+        const auto mm = static_cast<std::uint32_t>(range);
+        return static_cast<double>(mm) == range ? table[mm] : search(range);
     });
 }
 
@@ -98,20 +126,18 @@ GrayScale grayScale(const Scan& scan, const Settings& settings) {
 
 GrayImage grayImage(const Scan& scan, const Settings& settings) {
     GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
-    const double nearMm = gray.scale.nearMm;
-    const double farMm = gray.scale.farMm;
-    if (farMm <= nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
+    if (gray.scale.farMm <= gray.scale.nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
         fillLevels(gray, scan, [](double) { return std::uint8_t{0}; });
         return gray;
     }
     if (settings.scaling == Scaling::Log) {
         fillLogLevels(gray, scan);
-    } else if (settings.scaling == Scaling::Thesis) {
-        const double factor = kLevels / (farMm - nearMm);
-        fillLevels(gray, scan, [&](double range) { return clampedLevel(range * factor); });
-    } else {
-        fillLevels(gray, scan, [&](double range) { return clampedLevel((range - nearMm) * kLevels / (farMm - nearMm)); });
+        return gray;
     }
+    const auto takeLine = settings.scaling == Scaling::Thesis ? takeThesisLevels : takeWindowLevels;
+    for (int i = 0; i < scan.lines(); ++i)
+        gray.saturated +=
+            static_cast<std::size_t>(takeLine(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
     return gray;
 }
 

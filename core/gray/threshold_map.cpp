@@ -1,6 +1,7 @@
 // The highest threshold at which each cell is an edge.
 #include "core/gray/threshold_map.h"
 
+#include "core/base/simd.h"
 #include "core/gray/log_range.h"
 
 #include <algorithm>
@@ -19,6 +20,10 @@ constexpr double kGuessError = 1e-6;    // relative
 constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
 constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
+
+EDGESCAN_SIMD void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
+    for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
+}
 
 // How a swept threshold becomes a threshold of the gradient, and roughly back.
 struct Sweep {
@@ -259,7 +264,7 @@ ThresholdMap responseThresholdMap(const Grid<float>& response) {
 
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
-    for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = threshold <= map.highest[k] ? 255 : 0;
+    takeEdgesAt(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
     return mask;
 }
 

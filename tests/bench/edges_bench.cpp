@@ -8,38 +8,20 @@
 #include "core/rocks/rock_study.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
+#include "tests/bench/timing.h"
 
 #include <opencv2/core/utility.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 #include <string>
 #include <vector>
 
 using namespace edgescan;
+using namespace edgescan::bench;
 
 namespace {
-
-double threadMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-struct Timed {
-    std::string name;
-    std::function<void()> run;
-    std::vector<double> ms{};
-
-    [[nodiscard]] double median() const {
-        std::vector<double> sorted = ms;
-        std::sort(sorted.begin(), sorted.end());
-        return sorted[sorted.size() / 2];
-    }
-};
 
 Scan scanOf(int argc, char** argv) {
     auto scan = argc > 1 ? openScan(argv[1]) : Result<Scan>(Scan{});
@@ -75,7 +57,7 @@ int main(int argc, char** argv) {
         settings.level = level;
         return settings;
     };
-    std::vector<Timed> stages{
+    std::vector<Candidate> stages{
         {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
         {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
         {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
@@ -91,15 +73,10 @@ int main(int argc, char** argv) {
         {"a move of the rocks' slider: map", [&] { (void)rocksAt(*rocks.leaves, *rocks.tree, moved()); }},
         {"  map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
     };
-    for (int round = 0; round < rounds; ++round) {
-        for (Timed& stage : stages) {
-            const double start = threadMs();
-            stage.run();
-            stage.ms.push_back(threadMs() - start);
-        }
-    }
+    measureInTurn(stages, rounds);
     std::printf("%d lines x %d beams, medians of %d rounds\n", scan.lines(), scan.beams(), rounds);
-    for (const Timed& stage : stages)
-        std::printf("%-42s %8.2f ms %7.2f x thesis\n", stage.name.c_str(), stage.median(), stage.median() / stages.front().median());
+    const double thesisMs = medianOf(stages.front().cpuMs);
+    for (const Candidate& stage : stages)
+        std::printf("%-42s %8.2f ms %7.2f x thesis\n", stage.name.c_str(), medianOf(stage.cpuMs), medianOf(stage.cpuMs) / thesisMs);
     return 0;
 }

@@ -19,8 +19,8 @@ void expectSameWithAnyThreads(const Scan& scan, const DepthEdgeSettings& setting
         const DepthResponses other = depthResponses(otherSurface, settings, &otherCracks, threads);
         EXPECT_EQ(other.jump, responses.jump) << threads;
         EXPECT_EQ(other.crease, responses.crease) << threads;
-        for (const auto grid : {&DepthCracks::smoothed, &DepthCracks::jumpBeams, &DepthCracks::jumpLines, &DepthCracks::foldBeams,
-                                &DepthCracks::foldLines})
+        for (const auto grid :
+             {&DepthCracks::smoothed, &DepthCracks::jumpBeams, &DepthCracks::jumpLines, &DepthCracks::foldBeams, &DepthCracks::foldLines})
             EXPECT_EQ(otherCracks.*grid, cracks.*grid) << threads;
     }
 }

@@ -1,0 +1,275 @@
+// What the methods cost beside each other, as ratios measured in one run: docs/performance.md is made of it.
+// edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]
+// --short: a million cells, processor time alone; ends with 1 when a ratio falls under three quarters of what is held.
+#include "core/compare/comparison.h"
+#include "core/gray/canny.h"
+#include "core/gray/gray.h"
+#include "core/gray/smooth.h"
+#include "core/method/methods.h"
+#include "core/scan/cartesian.h"
+#include "core/settings/presets.h"
+#include "core/sim/simulate.h"
+#include "tests/bench/naive_thesis.h"
+#include "tests/bench/programs.h"
+#include "tests/bench/timing.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+using namespace edgescan;
+using namespace edgescan::bench;
+
+namespace {
+
+struct Wanted {
+    bool isShort = false;
+    bool peers = false;
+    int rounds = 9;
+    std::vector<int> millions{1};
+    std::string previous;
+};
+
+// One row of the table. `held`: what is reached so far where that is less than `atLeast`.
+struct Goal {
+    const char* what;
+    double atLeast, aim;
+    double held;
+    bool smallIsGood = false;
+
+    [[nodiscard]] double limit() const { return smallIsGood ? std::max(atLeast, held) / 0.75 : std::min(atLeast, held) * 0.75; }
+    [[nodiscard]] bool isHeld(double ratio) const { return smallIsGood ? ratio <= limit() : ratio >= limit(); }
+};
+
+constexpr Goal kPlusToThesis{"EdgeScan+, one thread / thesis's recipe in plain OpenCV", 2.8, 2, 8, true};
+constexpr Goal kPlusWallToThesis{"EdgeScan+, two threads / thesis's recipe in plain OpenCV, wall", 1.8, 1.2, 8, true};
+constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9, 1.6};
+constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
+constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
+constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 8};
+constexpr Goal kOpenCv{"plain OpenCV / ours, edge map", 4, 6, 0.8};
+constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 4};
+constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", 400, 700, 100};
+constexpr Goal kOrganized{"PCL OrganizedEdgeFromNormals / EdgeScan+", 3, 6, 3};
+
+// Prints rows and remembers whether all were held.
+class Table {
+public:
+    void begin(const char* title) const { std::printf("\n## %s\n\n| ratio | measured | at least | aim |\n|---|---|---|---|\n", title); }
+    void row(const Goal& goal, double ratio) {
+        std::printf("| %s | %.2f | %g | %g |\n", goal.what, ratio, goal.atLeast, goal.aim);
+        if (goal.isHeld(ratio)) return;
+        held_ = false;
+        std::fprintf(stderr, "edgescan-bench: %s: %.2f, and %.2f is held\n", goal.what, ratio, goal.limit());
+    }
+    [[nodiscard]] bool areAllHeld() const { return held_; }
+
+private:
+    bool held_ = true;
+};
+
+// A sweep of scale^2 million cells: the bell and its mirror images side by side, so that no seam is an edge.
+Scan enlarged(const Scan& scan, int scale) {
+    if (scale == 1) return scan;
+    const auto folded = [](int i, int n) { return (i / n) % 2 == 0 ? i % n : n - 1 - i % n; };
+    const auto& from = std::get<PolarGeometry>(scan.geometry);
+    Scan large;
+    large.rangeMm = Grid<float>(scale * scan.lines(), scale * scan.beams());
+    large.state = Grid<CellState>(large.lines(), large.beams());
+    PolarGeometry polar = from;
+    polar.beamDeg.resize(static_cast<std::size_t>(large.beams()));
+    polar.lineDeg.resize(static_cast<std::size_t>(large.lines()));
+    for (std::size_t j = 0; j < polar.beamDeg.size(); ++j)
+        polar.beamDeg[j] = from.beamDeg[0] + static_cast<double>(j) * (from.beamDeg[1] - from.beamDeg[0]);
+    for (std::size_t i = 0; i < polar.lineDeg.size(); ++i)
+        polar.lineDeg[i] = from.lineDeg[0] + static_cast<double>(i) * (from.lineDeg[1] - from.lineDeg[0]);
+    large.geometry = polar;
+    for (int i = 0; i < large.lines(); ++i) {
+        for (int j = 0; j < large.beams(); ++j) {
+            large.rangeMm.at(i, j) = scan.rangeMm.at(folded(i, scan.lines()), folded(j, scan.beams()));
+            large.state.at(i, j) = scan.state.at(folded(i, scan.lines()), folded(j, scan.beams()));
+        }
+    }
+    return large;
+}
+
+void runPlus(const Scan& scan, int threads) {
+    const DepthEdgeSettings settings;
+    const DepthEdges found = decideDepthEdges(depthResponses(depthSurface(scan, true, threads), settings, nullptr, threads), settings);
+    (void)edgeCells(found.mask);
+}
+
+Grid<std::uint8_t> thesisMask(const Scan& scan, const Settings& thesis) {
+    return canny(smooth(grayImage(scan, thesis).levels, thesis), thesis);
+}
+
+// As few lines of OpenCV as the thesis's recipe takes.
+cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
+    const cv::Mat ranges(scan.lines(), scan.beams(), CV_32F, const_cast<float*>(scan.rangeMm.cells.data()));
+    double least = 0, most = 0;
+    cv::minMaxLoc(ranges, &least, &most, nullptr, nullptr, ranges > 0);
+    cv::Mat gray, blurred, edges;
+    ranges.convertTo(gray, CV_8U, 255.0 / (most - least));
+    cv::GaussianBlur(gray, blurred, {thesis.kernel, thesis.kernel}, 0);
+    cv::Canny(blurred, edges, thesis.lower, thesis.upper());
+    return edges;
+}
+
+struct LabelledPoint {
+    float x, y, z;
+    std::uint32_t index;
+    std::uint8_t label;
+};
+std::vector<LabelledPoint> labelledCloud(const Scan& scan, const Settings& thesis) {
+    const Grid<std::uint8_t> mask = thesisMask(scan, thesis);
+    const CartesianTables tables(scan);
+    std::vector<LabelledPoint> cloud;
+    cloud.reserve(scan.cells());
+    for (int i = 0; i < scan.lines(); ++i) {
+        for (int j = 0; j < scan.beams(); ++j) {
+            if (scan.state.at(i, j) != CellState::Valid) continue;
+            const Eigen::Vector3f p = tables.point(i, j).cast<float>();
+            cloud.push_back({p.x(), p.y(), p.z(), static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), mask.at(i, j)});
+        }
+    }
+    return cloud;
+}
+
+// Bytes that one thread copies in a millisecond, read and written ones together.
+double bytesPerMs() {
+    std::vector<char> from(std::size_t{128} << 20U, 1), to(from.size());
+    std::vector<Candidate> copy{{"copy", [&] { std::memcpy(to.data(), from.data(), from.size()); }}};
+    measureInTurn(copy, 5);
+    return 2.0 * static_cast<double>(from.size()) / medianOf(copy[0].cpuMs);
+}
+
+// Full runs, sliders and the gray path at one size.
+void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
+    const Settings thesis = findPreset("thesis")->settings;
+    const DepthEdgeSettings plus;
+    const DepthSurface surface = depthSurface(scan, true);
+    const DepthResponses responses = depthResponses(surface, plus);
+    const Grid<std::uint8_t> blurred = smooth(grayImage(scan, thesis).levels, thesis);
+    const auto detection = detectEdges(std::make_shared<const Scan>(scan), thesis);
+    const ThresholdMap map = thresholdMapOf(*detection);
+    enum { kThesis, kOneThread, kTwo, kMeasure, kDecide, kPlain, kSweptCanny, kSweptOurs, kCloud, kNaiveCloud };
+    std::vector<Candidate> runs{
+        {"thesis's recipe, ours", [&] { (void)edgeCells(thesisMask(scan, thesis)); }},
+        {"EdgeScan+, one thread", [&] { runPlus(scan, 1); }},
+        {"EdgeScan+, two threads", [&] { runPlus(scan, 2); }},
+        {"its slider that measures", [&] { (void)decideDepthEdges(depthResponses(surface, plus, nullptr, 1), plus); }},
+        {"its slider that decides", [&] { (void)decideDepthEdges(responses, plus); }},
+        {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
+        {"cv::Canny on the cached blur", [&] { (void)canny(blurred, thesis); }},
+        {"threshold map at a threshold", [&] { (void)edgesAt(map, thesis.lower); }},
+        {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
+    if (scan.cells() < 2000000) runs.push_back({"naive, to labelled points", [&] { (void)naiveThesis(scan, 10); }});
+    measureInTurn(runs, rounds);
+    const auto cpu = [&](std::size_t n) { return medianOf(runs[n].cpuMs); };
+    const auto wall = [&](std::size_t n) { return medianOf(runs[n].wallMs); };
+    const std::string title = std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
+    table.begin(title.c_str());
+    table.row(kPlusToThesis, cpu(kOneThread) / cpu(kPlain));
+    if (walls) { // what else the machine does would fall into wall times
+        table.row(kPlusWallToThesis, wall(kTwo) / wall(kPlain));
+        table.row(kTwoThreads, wall(kOneThread) / wall(kTwo));
+    }
+    table.row(kSlider, cpu(kMeasure) / cpu(kOneThread));
+    table.row(kDecision, cpu(kDecide) / cpu(kOneThread));
+    table.row(kOpenCv, cpu(kPlain) / cpu(kThesis));
+    table.row(kThreshold, cpu(kSweptCanny) / cpu(kSweptOurs));
+    if (runs.size() > kNaiveCloud) table.row(kNaive, cpu(kNaiveCloud) / cpu(kCloud));
+    const double least = 7.0 * static_cast<double>(scan.cells()) / bytesPerMs(); // range and state read, mask and class written
+    std::printf("\n| candidate | thread CPU, ms | wall, ms | x memory's limit | ns per cell |\n|---|---|---|---|---|\n");
+    for (const Candidate& run : runs)
+        std::printf("| %s | %.2f | %.2f | %.1f | %.1f |\n", run.name.c_str(), medianOf(run.cpuMs), medianOf(run.wallMs),
+                    medianOf(run.cpuMs) / least, 1e6 * medianOf(run.cpuMs) / static_cast<double>(scan.cells()));
+}
+
+void measurePeers(const Scan& scan, Table& table) {
+    ComparisonSettings settings;
+    settings.only = {"edgescan+"};
+    const auto methods = compareMethods(std::make_shared<const Scan>(scan), nullptr, settings);
+    double ours = 0;
+    for (const ComparedMethod& method : methods) {
+        if (method.key == "edgescan+") ours = method.steps.total();
+    }
+    table.begin("PCL's detectors on the same scan");
+    for (const ComparedMethod& method : methods) {
+        if (method.settings || !method.wasRun() || ours == 0) continue;
+        const double ratio = method.steps.total() / method.share / ours;
+        if (method.name == peerName(Peer::BoundaryNeighbours))
+            table.row(kBoundary, ratio);
+        else if (method.name == peerName(Peer::OrganizedEdge))
+            table.row(kOrganized, ratio);
+        else
+            std::printf("| %s / EdgeScan+ | %.2f | | |\n", method.name.c_str(), ratio);
+    }
+}
+
+void measurePrograms(const Scan& scan, const Wanted& wanted) {
+    std::printf(
+        "\n## Whole programs: previous / present\n\n| | CPU | wall | at least | aim | present, CPU ms |\n|---|---|---|---|---|---|\n");
+    const auto number = [](std::optional<double> value) { return value ? std::to_string(*value).substr(0, 3) : std::string(); };
+    for (const ProgramRow& row : programRows(wanted.previous, std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli", scan, wanted.rounds))
+        std::printf("| %s | %.2f | %.2f | %s | %s | %.1f |\n", row.what.c_str(), row.cpuRatio, row.wallRatio, number(row.atLeast).c_str(),
+                    number(row.aim).c_str(), row.presentMs);
+}
+
+std::optional<Wanted> wantedOf(int argc, char** argv) {
+    Wanted wanted;
+    for (int n = 1; n < argc; ++n) {
+        const std::string word = argv[n];
+        const bool hasValue = n + 1 < argc;
+        if (word == "--short") {
+            wanted.isShort = true;
+        } else if (word == "--peers") {
+            wanted.peers = true;
+        } else if (word == "--previous" && hasValue) {
+            wanted.previous = argv[++n];
+        } else if (word == "--rounds" && hasValue) {
+            wanted.rounds = std::max(1, std::atoi(argv[++n]));
+        } else if (word == "--millions" && hasValue) {
+            wanted.millions.clear();
+            const char* at = argv[++n];
+            const char* const end = at + std::strlen(at);
+            for (int value = 0; at < end; ++at) {
+                at = std::from_chars(at, end, value).ptr;
+                wanted.millions.push_back(value);
+            }
+        } else {
+            return std::nullopt;
+        }
+    }
+    return wanted;
+}
+
+int scaleOf(int millions) { return millions >= 73 ? 8 : millions >= 18 ? 4 : millions >= 4 ? 2 : 1; }
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const auto wanted = wantedOf(argc, argv);
+    if (!wanted) {
+        std::fprintf(stderr, "edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]\n");
+        return 2;
+    }
+    cv::setNumThreads(0);
+    const auto simulated = simulate(SimulationSettings{});
+    if (!simulated) {
+        std::fprintf(stderr, "edgescan-bench: %s\n", simulated.error().sentence().c_str());
+        return 2;
+    }
+    Table table;
+    for (const int millions : wanted->isShort ? std::vector<int>{1} : wanted->millions) {
+        const int scale = scaleOf(millions);
+        const int rounds = std::max(std::min(3, wanted->rounds), wanted->rounds / scale);
+        measureSize(enlarged(simulated->scan, scale), rounds, !wanted->isShort, table);
+    }
+    if (!wanted->isShort && wanted->peers) measurePeers(simulated->scan, table);
+    if (!wanted->previous.empty()) measurePrograms(simulated->scan, *wanted);
+    return wanted->isShort && !table.areAllHeld() ? 1 : 0;
+}

@@ -1,0 +1,26 @@
+// Whole runs of two builds of edgescan-cli, in turn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+struct Scan;
+}
+
+namespace edgescan::bench {
+
+struct ProgramRow {
+    std::string what;
+    std::optional<double> atLeast, aim; ///< of the issue's table
+    double cpuRatio = 0;                ///< previous / present; medians of processor time, system calls included
+    double wallRatio = 0;
+    double presentMs = 0; ///< processor time
+};
+
+/// Runs each command `rounds` times with either program, in a folder of its own that holds the scan as grid, text and PCD. Empty where one
+/// of them fails.
+[[nodiscard]] std::vector<ProgramRow> programRows(const std::string& previous, const std::string& present, const Scan& scan, int rounds);
+
+} // namespace edgescan::bench
