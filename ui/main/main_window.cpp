@@ -92,7 +92,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       notice_(new NoticeBar), status_(new StatusLine), warnings_(new WarningButton), legend_(new EdgeLegend), rail_(new DockRail),
       views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_), exports_(session_, files_, *notice_, memory),
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
-      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_) {
+      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
+      report_(session_, files_, rocks_, *notice_, memory), audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -110,6 +111,10 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     status_->addKept(warnings_);
     connect(warnings_, &QToolButton::clicked, this,
             [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
+    connect(warnings_, &WarningButton::warningsRaised, &audit_, &AuditTrail::noteWarnings);
+    connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
+        audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});
+    });
     for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     connectSession();

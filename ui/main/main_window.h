@@ -2,12 +2,14 @@
 #pragma once
 
 #include "ui/base/plain_window.h"
+#include "ui/control/audit_trail.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/live.h"
 #include "ui/control/rocks.h"
+#include "ui/control/scan_report.h"
 #include "ui/control/tuning.h"
 
 #include <QMainWindow>
@@ -46,6 +48,8 @@ public:
     [[nodiscard]] Live& live() { return live_; }
     [[nodiscard]] Explanation& explanation() { return explanation_; }
     [[nodiscard]] Rocks& rocks() { return rocks_; }
+    [[nodiscard]] AuditTrail& audit() { return audit_; }
+    [[nodiscard]] ScanReport& report() { return report_; }
     [[nodiscard]] RocksPanel& rocksPanel() { return *rocksPanel_; }
     [[nodiscard]] RockTable& rockTable() { return *rockTable_; }
     [[nodiscard]] EdgesPanel& panel() { return *panel_; }
@@ -114,6 +118,8 @@ private:
     Live live_;
     Explanation explanation_;
     Rocks rocks_;
+    ScanReport report_;
+    AuditTrail audit_;
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;

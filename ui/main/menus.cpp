@@ -55,6 +55,7 @@ Command fileMenu(MainWindow& w) {
                                             exported("&Gray Image…", "", ExportContent::GrayImage),
                                             exported("&Range Image…", "", ExportContent::RangeImage),
                                         }),
+                                command("Re&port…", "", [&w] { w.report().ask(); }),
                                 command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
                                 command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
                                 kLine,
