@@ -13,6 +13,7 @@
 #include "core/base/whole_file.h"
 #include "core/method/pipeline.h"
 #include "core/page/survey_page.h"
+#include "core/rocks/rock_attributes.h"
 #include "core/settings/parameters.h"
 
 #include <nlohmann/json.hpp>
@@ -37,10 +38,11 @@ struct Batch {
     std::string results, wanted = "mask,json", names = "{path}", shard;
     int jobs = 0;
     double memoryGb = 0, timeLimit = 3600;
-    bool noSidecars = false, noSurvey = false, merge = false, retry = false, trustTimes = false, strict = false;
+    bool noSidecars = false, noSurvey = false, withRocks = false, merge = false, retry = false, trustTimes = false, strict = false;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
+    RockFlags rocks;
 };
 
 int processors() {
@@ -62,15 +64,17 @@ Result<Json> settingsOfRun(const Batch& batch) {
     for (const WritingChoice& choice : kWritingChoices) {
         if (batch.write.choices.*choice.member) choices.push_back(choice.key);
     }
-    return Json{{"program", std::string(version()) + " " + commit()},
-                {"preset", settingsToJson(preset->settings)},
-                {"typed", typedFlags(batch.method)},
-                {"reading", readingFlags(batch.read.options)},
-                {"results", batch.wanted},
-                {"sidecars", !batch.noSidecars},
-                {"names", batch.names},
-                {"writing", {batch.write.frame, batch.write.ascii, batch.write.includeAttached, choices}},
-                {"operator", {batch.write.operatorName, batch.write.role}}};
+    Json settings{{"program", std::string(version()) + " " + commit()},
+                  {"preset", settingsToJson(preset->settings)},
+                  {"typed", typedFlags(batch.method)},
+                  {"reading", readingFlags(batch.read.options)},
+                  {"results", batch.wanted},
+                  {"sidecars", !batch.noSidecars},
+                  {"names", batch.names},
+                  {"writing", {batch.write.frame, batch.write.ascii, batch.write.includeAttached, choices}},
+                  {"operator", {batch.write.operatorName, batch.write.role}}};
+    if (batch.withRocks) settings["rocks"] = typedFlags(batch.rocks);
+    return settings;
 }
 
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
@@ -96,6 +100,8 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     work.method = batch.method;
     work.write = batch.write;
     work.wanted = *wanted;
+    work.withRocks = batch.withRocks;
+    work.rocks = batch.rocks;
     const std::string text = jsonText(settings);
     work.settingsSha256 = sha256Hex(std::as_bytes(std::span(text)));
     work.sidecars = !batch.noSidecars;
@@ -283,14 +289,19 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
     return tell(batch, running, *all, std::chrono::duration<double>(Clock::now() - start).count());
 }
 
-int run(const Batch& batch) {
+int run(Batch& batch) {
     const Pipeline withoutThreads; // checking the settings smooths a step; a pool started by it would hang every worker made by fork
     const auto refuse = [](const Error& error, int code) {
         complain(error);
         return code;
     };
     if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
-    if (const auto wanted = wantedFiles(batch.wanted); !wanted) return refuse(wanted.error(), kWrongUsage);
+    const auto wanted = wantedFiles(batch.wanted);
+    if (!wanted) return refuse(wanted.error(), kWrongUsage);
+    batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
+    if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
+    if (!batch.withRocks && anyTyped(batch.rocks))
+        return refuse({"these flags are of rocks, and none are asked for", "batch", "add --rocks, or a result of rocks"}, kWrongUsage);
     if (!batch.shard.empty()) {
         if (const auto shard = shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
         if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
@@ -334,6 +345,9 @@ void addBatch(CLI::App& app, int& code) {
     auto batch = std::make_shared<Batch>();
     CLI::App& command = *app.add_subcommand("batch", "The method over an archive: continued where it was interrupted");
     addFlags(command, *batch);
+    command.add_flag("--rocks", batch->withRocks, std::string("Rocks of every scan, with their sizes in the table: ") + kRockCaveat)
+        ->group("Rocks");
+    addRockFlags(command, batch->rocks, false);
     addMethodFlags(command, batch->method);
     addReadFlags(command, batch->read);
     addWriteFlags(command, batch->write);

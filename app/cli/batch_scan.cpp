@@ -18,6 +18,9 @@
 #include "core/page/scan_page.h"
 #include "core/page/survey_picture.h"
 #include "core/report/report.h"
+#include "core/report/rock_files.h"
+#include "core/report/rock_report.h"
+#include "core/rocks/rock_study.h"
 #include "core/scan/acquisition.h"
 #include "core/settings/parameters.h"
 
@@ -44,11 +47,19 @@ struct ResultWord {
     const char* stem;
     const char* extension; ///< empty: the one typed behind the word
 };
-constexpr std::array kWords{
-    ResultWord{"mask", ExportContent::EdgeImage, "edges", ".png"},   ResultWord{"gray", ExportContent::GrayImage, "gray", ".png"},
-    ResultWord{"range", ExportContent::RangeImage, "range", ".png"}, ResultWord{"json", std::nullopt, "detect", ".json"},
-    ResultWord{"report", std::nullopt, "report", ".html"},           ResultWord{"edges", ExportContent::EdgeCloud, "edges", ""},
-    ResultWord{"cloud", ExportContent::FullCloud, "cloud", ""}};
+constexpr std::array kWords{ResultWord{"mask", ExportContent::EdgeImage, "edges", ".png"},
+                            ResultWord{"gray", ExportContent::GrayImage, "gray", ".png"},
+                            ResultWord{"range", ExportContent::RangeImage, "range", ".png"},
+                            ResultWord{"json", std::nullopt, "detect", ".json"},
+                            ResultWord{"report", std::nullopt, "report", ".html"},
+                            ResultWord{"edges", ExportContent::EdgeCloud, "edges", ""},
+                            ResultWord{"cloud", ExportContent::FullCloud, "cloud", ""},
+                            ResultWord{"rocks", ExportContent::RockReport, "rocks", ".json"},
+                            ResultWord{"rock-table", ExportContent::RockTable, "rocks", ".csv"},
+                            ResultWord{"rock-labels", ExportContent::RockLabels, "rocks", ".png"},
+                            ResultWord{"rock-outlines", ExportContent::RockOutlines, "rocks", ""},
+                            ResultWord{"rock-hulls", ExportContent::RockHulls, "hulls", ""},
+                            ResultWord{"rock-cloud", ExportContent::RockCloud, "rocks", ""}};
 
 double milliseconds(Clock::time_point since) {
     return std::round(std::chrono::duration<double, std::milli>(Clock::now() - since).count() * 1000) / 1000;
@@ -86,8 +97,9 @@ Json beginRow(const BatchWork& work, std::size_t job) {
             {"program", std::string(version()) + " " + commit()}};
 }
 
-// Every file that was read for this scan: itself, its counts or description, pose, calibration, the record beside it.
-void tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
+// Every file that was read for this scan: itself, its counts or description, pose, calibration, the record beside it. Gives whether the
+// scan's own file can be read at all.
+bool tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
     std::vector<std::string> paths{input};
     for (const fs::path& path : claimedPaths(claims)) {
         if (std::ranges::find(paths, path.string()) == paths.end()) paths.push_back(path.string());
@@ -105,6 +117,7 @@ void tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
     row["files"] = files;
     row["record_beside"] = isThere(sidecarPath(input));
     row["times"]["modified"] = modified;
+    return files[0]["bytes"] >= 0 && files[0]["sha256"].is_string();
 }
 
 Json changedSettings(const Settings& settings) {
@@ -132,24 +145,36 @@ void tellDetection(Json& row, const Detection& detection) {
     if (const auto sentence = leftOutSentence(scan)) row["warnings"].push_back(*sentence);
 }
 
+// As in the JSON of `rocks`, but for the rocks themselves.
+void tellRocks(Json& row, const RockStudy& study) {
+    Json report = rocksReport(study, CoordinateFrame::Scanner);
+    row["rocks"] = Json::object();
+    for (const char* key : {"rock_count", "size_curve", "fines", "not_rock", "outside_region", "labels_sha256", "note"})
+        row["rocks"][key] = std::move(report[key]);
+}
+
 // That makes the same report by itself.
 std::string reportCommand(const BatchWork& work, const Scan& scan) {
     std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o report.html";
-    for (const std::string& flags : {typedFlags(work.method), readingFlags(work.read.options)}) command += flags.empty() ? "" : " " + flags;
+    for (const std::string& flags : {typedFlags(work.method), readingFlags(work.read.options),
+                                     work.withRocks ? std::string("--rocks") : std::string(), typedFlags(work.rocks)})
+        command += flags.empty() ? "" : " " + flags;
     return command;
 }
 
-Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Detection& detection, double loadMs, const fs::path& folder) {
+Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Detection& detection,
+                      const std::shared_ptr<const RockStudy>& rocks, double loadMs, const fs::path& folder) {
     ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
     options.sidecar = work.sidecars;
-    if (wanted.extension == ".html")
-        return writeWholeFile(
-            folder / (wanted.stem + wanted.extension),
-            scanPage(detection, {reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())}));
+    options.rocks = rocks;
+    if (wanted.extension == ".html") {
+        const PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
+        return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, rocks.get()));
+    }
     if (!wanted.content)
         return writeWholeFile(folder / (wanted.stem + wanted.extension),
                               reportText(document("detect", detectReport(detection, loadMs)), true) + "\n");
-    const std::string tail = isCloud(*wanted.content) ? frameTail(options.frame) : "";
+    const std::string tail = namesFrame(*wanted.content, "x" + wanted.extension) ? frameTail(options.frame) : "";
     const auto written = exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
     if (!written) return written.error();
     return Done{};
@@ -210,32 +235,54 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     claimInput(input);
     const auto start = Clock::now();
     ReadingOptions reading = work.read.options;
-    const Result<Scan> opened = openAsAsked(input, reading);
+    Result<Scan> opened = openAsAsked(input, reading);
     const double loadMs = milliseconds(start);
     row["times"] = {{"load_ms", loadMs}};
-    const bool readable = stateOf(input).bytes >= 0 && sha256OfFile(input);
-    tellFiles(row, input, *inputs.claims());
+    const bool readable = tellFiles(row, input, *inputs.claims());
     if (!opened) {
         refuse(row, readable ? "refused" : "failed", opened.error());
         return {};
     }
-    const auto enough = checkMemoryFor(Work::Detect, *opened);
+    const auto enough = checkMemoryFor(work.withRocks ? Work::Rocks : Work::Detect, *opened);
     const Result<Settings> settings = settingsFor(work.method, *opened);
     if (!enough || !settings) {
         refuse(row, "refused", enough ? settings.error() : enough.error());
         return {};
     }
-    const auto detection = detectEdges(std::make_shared<const Scan>(*opened), *settings);
+    const auto detection =
+        detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, work.withRocks ? KeepFor::Rocks : KeepFor::Edges);
     row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
     tellDetection(row, *detection);
+    std::shared_ptr<const RockStudy> rocks;
+    if (work.withRocks) {
+        const auto asked = presetOf(work.rocks, *detection->scan);
+        if (!asked) {
+            refuse(row, "refused", asked.error());
+            return {};
+        }
+        const auto begun = Clock::now();
+        rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), *asked->settings));
+        row["times"]["rocks_ms"] = milliseconds(begun);
+        tellRocks(row, *rocks);
+    }
     for (const WantedFile& wanted : work.wanted) {
-        const auto written = writeOne(work, wanted, *detection, loadMs, staging);
+        const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging);
         if (!written) {
             refuse(row, "failed", written.error());
             return {};
         }
     }
     return surveyPicture(*detection);
+}
+
+} // namespace
+
+namespace {
+
+// Of what is no cloud: ".dxf .geojson"; empty: as those of points.
+std::string formatsOf(ExportContent content) {
+    if (content == ExportContent::RockOutlines) return ".dxf .geojson";
+    return content == ExportContent::RockHulls ? ".ply .obj" : "";
 }
 
 } // namespace
@@ -252,9 +299,13 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
         const bool cloud = word != kWords.end() && *word->extension == '\0';
         if (word == kWords.end() || cloud != (dot < typed.size())) return Error{"this is no result", typed, "use " + wantedWords()};
         const std::string extension = cloud ? typed.substr(dot) : word->extension;
-        const Format* format = cloud ? writtenFormat("x" + extension) : nullptr;
-        if (cloud && (format == nullptr || format->write == nullptr))
+        if (const auto formats = cloud ? formatsOf(*word->content) : std::string(); !formats.empty()) {
+            if ((formats + " ").find(extension + " ") == std::string::npos)
+                return Error{"the extension names no format for this", typed, "use " + formats};
+        } else if (const Format* format = cloud ? writtenFormat("x" + extension) : nullptr;
+                   cloud && (format == nullptr || format->write == nullptr)) {
             return Error{"the extension names no format for points", typed, "use " + writtenExtensions(false)};
+        }
         wanted.push_back({typed, word->content, word->stem, extension});
     }
     return wanted;
@@ -267,8 +318,10 @@ std::string wantedWords() {
     return words;
 }
 
-bool isUnchanged(const BatchWork& work, std::size_t job) {
-    const Json row = rowBefore(work, job);
+namespace {
+
+// The row before still holds: the same input, settings and program, and its results are there.
+bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     if (!row.is_object() || row.value("settings_sha256", "") != work.settingsSha256) return false;
     if (row.value("results", "") != "scans/" + work.names[job] || !row.contains("files") || !row.contains("record_beside")) return false;
     const std::string outcome = row.value("outcome", "");
@@ -293,8 +346,11 @@ bool isUnchanged(const BatchWork& work, std::size_t job) {
     });
 }
 
+} // namespace
+
 std::string scanForArchive(const BatchWork& work, std::size_t job, int worker) {
-    if (isUnchanged(work, job)) return {};
+    const Json old = rowBefore(work, job);
+    if (isUnchanged(work, job, old)) return {};
     const auto start = Clock::now();
     const double cpuBefore = cpuMilliseconds();
     const fs::path staging = work.workFolder / std::to_string(worker);
@@ -312,8 +368,7 @@ std::string scanForArchive(const BatchWork& work, std::size_t job, int worker) {
         fs::create_directories(staging, problem);
         picture.clear();
     }
-    if (const auto moved = moveIntoPlace(staging, folderOf(work, job), rowBefore(work, job), row); !moved)
-        refuse(row, "failed", moved.error());
+    if (const auto moved = moveIntoPlace(staging, folderOf(work, job), old, row); !moved) refuse(row, "failed", moved.error());
     if (row["outcome"] != "done") row["times"]["memory_bytes"] = work.memoryBytes;
     row["times"]["total_ms"] = milliseconds(start);
     row["times"]["cpu_ms"] = std::round((cpuMilliseconds() - cpuBefore) * 1000) / 1000;

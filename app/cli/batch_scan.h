@@ -1,6 +1,7 @@
 // One scan of an archive, from its file to its row: what a worker of `edgescan-cli batch` does.
 #pragma once
 
+#include "app/cli/rock_flags.h"
 #include "app/shared/options.h"
 #include "core/archive/journal.h"
 
@@ -14,7 +15,8 @@ namespace edgescan::cli {
 struct WantedFile {
     std::string typed;
     std::optional<ExportContent> content; ///< empty: JSON or the report
-    std::string stem, extension;          ///< of the file's name; a cloud's frame comes between
+    [[nodiscard]] bool isOfRocks() const { return content && edgescan::isOfRocks(*content); }
+    std::string stem, extension; ///< of the file's name; a cloud's frame comes between
 };
 
 /// Error: a word that names no result, or a format that cannot hold it. Each is given once.
@@ -32,15 +34,14 @@ struct BatchWork {
     MethodFlags method;
     WriteFlags write;
     std::vector<WantedFile> wanted;
+    bool withRocks = false;
+    RockFlags rocks;
     std::string settingsSha256;    ///< of all that can change a result, the program's version included
     std::uint64_t memoryBytes = 0; ///< of a worker
     bool sidecars = true;
     bool retry = false;      ///< what was refused is tried again
     bool trustTimes = false; ///< a file of the same size and time is not read to see that it is the same
 };
-
-/// The row before still holds: the same input, settings and program, and its results are there.
-[[nodiscard]] bool isUnchanged(const BatchWork& work, std::size_t job);
 
 /// Reads, detects, writes. Gives the row as one line of JSON, a line feed, and the bytes of a small picture for the survey; nothing where
 /// the row before still holds.

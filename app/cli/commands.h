@@ -24,6 +24,7 @@ void addBatch(CLI::App& app, int& code);
 void addReport(CLI::App& app, int& code);
 void addCompare(CLI::App& app, int& code);
 void addCalibrate(CLI::App& app, int& code);
+void addAudit(CLI::App& app, int& code);
 void addThumbnail(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

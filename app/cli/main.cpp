@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     cli::addSimulate(app, code);
     cli::addEvaluate(app, code);
     cli::addVerify(app, code);
+    cli::addAudit(app, code);
     cli::addServe(app, code);
     cli::addRecord(app, code);
     cli::addReplay(app, code);

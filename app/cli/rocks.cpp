@@ -1,5 +1,6 @@
 // edgescan-cli rocks: from the edges of a scan to one label per rock, with what may be said of each.
 #include "app/cli/commands.h"
+#include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/foreign_text.h"
@@ -11,8 +12,8 @@
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "core/report/provenance.h"
+#include "core/report/rock_files.h"
 #include "core/report/rock_report.h"
-#include "core/rocks/rock_preset.h"
 #include "core/rocks/rock_study.h"
 #include "core/rocks/size_curve.h"
 
@@ -34,19 +35,17 @@ struct RockOutput {
     const char* flag;
     ExportContent content;
     const char* tail;
-    bool hasFrame;       ///< its numbers are coordinates
     const char* formats; ///< of outlines and hulls: extensions, commas between; null: any
     const char* help;
 };
 constexpr RockOutput kRockOutputs[]{
-    {"--labels", ExportContent::RockLabels, "_rocks.png", false, nullptr, "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
-    {"--json", ExportContent::RockReport, "_rocks.json", false, nullptr, "All rocks with what may be said of them; - is stdout"},
-    {"--csv", ExportContent::RockTable, "_rocks.csv", true, nullptr, "One row per rock, units in the names"},
-    {"--cloud", ExportContent::RockCloud, "_rocks.pcd", true, nullptr, "All points in metres with a field for rocks"},
-    {"--outlines", ExportContent::RockOutlines, "_rocks.dxf", true, ".dxf,.geojson",
+    {"--labels", ExportContent::RockLabels, "_rocks.png", nullptr, "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
+    {"--json", ExportContent::RockReport, "_rocks.json", nullptr, "All rocks with what may be said of them; - is stdout"},
+    {"--csv", ExportContent::RockTable, "_rocks.csv", nullptr, "One row per rock, units in the names"},
+    {"--cloud", ExportContent::RockCloud, "_rocks.pcd", nullptr, "All points in metres with a field for rocks"},
+    {"--outlines", ExportContent::RockOutlines, "_rocks.dxf", ".dxf,.geojson",
      "Closed polylines in space (.dxf), or polygons in the picture (.geojson)"},
-    {"--hulls", ExportContent::RockHulls, "_hulls.ply", true, ".ply,.obj",
-     "Convex hulls of the visible points, never a volume: .ply or .obj"},
+    {"--hulls", ExportContent::RockHulls, "_hulls.ply", ".ply,.obj", "Convex hulls of the visible points, never a volume: .ply or .obj"},
 };
 constexpr std::size_t kOutputs = std::size(kRockOutputs);
 constexpr std::size_t placeOf(ExportContent content) {
@@ -59,11 +58,10 @@ constexpr std::size_t kReport = placeOf(ExportContent::RockReport);
 constexpr std::size_t kOutlines = placeOf(ExportContent::RockOutlines);
 
 struct RocksFlags {
-    std::string file, folder, edits, region, writeEdits;
+    std::string file, folder, writeEdits;
     std::array<std::string, kOutputs> paths;
     std::vector<std::string> why, split;
-    std::vector<std::pair<const RockParameter*, double>> typed; // settings
-    std::vector<RegionCorner> typedRegion;
+    RockFlags rocks;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
@@ -82,8 +80,8 @@ std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
         std::string path = flags.paths[n];
         if (path.empty() && !flags.folder.empty()) {
             const fs::path tail = output.tail;
-            path = (fs::path(flags.folder) / scan.name).string() + tail.stem().string() + (output.hasFrame ? frameTail(frame) : "") +
-                   tail.extension().string();
+            path = (fs::path(flags.folder) / scan.name).string() + tail.stem().string() +
+                   (namesFrame(output.content, tail) ? frameTail(frame) : "") + tail.extension().string();
         }
         if (!path.empty()) files.push_back({&output, path});
     }
@@ -100,21 +98,6 @@ Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const ch
                      "give LINE,BEAM with lines from 0 to " + std::to_string(scan.lines() - 1) + " and beams from 0 to " +
                          std::to_string(scan.beams() - 1)};
     return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
-}
-
-// What the file of edits says; of the settings what is typed goes before what the file has.
-Result<RockPreset> presetOf(const RocksFlags& flags, const Scan& scan) {
-    RockPreset preset;
-    if (!flags.edits.empty()) {
-        auto read = readRockPreset(flags.edits, scan);
-        if (!read) return read.error();
-        preset = std::move(*read);
-    }
-    RockSettings settings = preset.settings.value_or(RockSettings{});
-    for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
-    if (!flags.typedRegion.empty()) settings.region = flags.typedRegion;
-    preset.settings = settings;
-    return preset;
 }
 
 // A click at each of these cells, one after the other.
@@ -182,7 +165,7 @@ Result<Done> findRocks(const RocksFlags& flags) {
     if (auto enough = checkMemoryFor(Work::Rocks, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
-    const auto preset = presetOf(flags, *opened);
+    const auto preset = presetOf(flags.rocks, *opened);
     if (!preset) return preset.error();
     if (const auto sentence = leftOutSentence(*opened)) complain(flags.file + ": " + *sentence);
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, KeepFor::Rocks);
@@ -197,11 +180,6 @@ Result<Done> findRocks(const RocksFlags& flags) {
 
 // Wrong usage is found before anything is read.
 Result<Done> checkUsage(RocksFlags& flags) {
-    if (!flags.region.empty()) {
-        const auto region = parseRegion(flags.region);
-        if (!region) return region.error();
-        flags.typedRegion = *region;
-    }
     std::set<fs::path> outputs;
     std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
     paths.push_back(flags.writeEdits);
@@ -224,7 +202,7 @@ Result<Done> checkUsage(RocksFlags& flags) {
             return Error{"two results cannot have one file", path, "give each a name of its own"};
     }
     claimInput(flags.file);
-    if (!flags.edits.empty()) claimInput(flags.edits);
+    if (const auto rocks = checkRocks(flags.rocks); !rocks) return rocks.error();
     return checkMethod(flags.method);
 }
 
@@ -262,24 +240,7 @@ void addRocks(CLI::App& app, int& code) {
         ->expected(2)
         ->group(results);
     const char* group = "Rocks";
-    for (const RockParameter& p : rockParameters()) {
-        const std::string flag = std::string("--") + p.key;
-        const NumberLimits limits{p.minimum, p.maximum};
-        const auto take = [flags, flag, limits, &p](const std::string& text) {
-            flags->typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
-        };
-        const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
-        command.add_option_function<std::string>(flag, take, p.help + unit)
-            ->type_name(rangeName(limits))
-            ->default_str(shortestText(p.get(RockSettings{})))
-            ->group(group);
-    }
-    command.add_option("--region", flags->region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
-        ->group(group);
-    command
-        .add_option("--edits", flags->edits,
-                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/rocks-method.md)")
-        ->group(group);
+    addRockFlags(command, flags->rocks, true);
     command.add_option("--split", flags->split, "Splits the rock at this cell, as LINE,BEAM, as a click would")->expected(1)->group(group);
     command.add_option("--write-edits", flags->writeEdits, "Where settings and edits go, those of --split included")->group(group);
     addMethodFlags(command, flags->method);

@@ -1,6 +1,7 @@
 // Journals: RESULTS/.batch/rows[-3-of-20].ndjson, and the pictures of the survey in a file beside each.
 #include "core/archive/journal.h"
 
+#include "core/base/append_file.h"
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -35,23 +36,6 @@ constexpr double kSyncSeconds = 1;
 Error journalError(const fs::path& path, int code) {
     return {std::string("what was done cannot be noted (") + std::strerror(code) + ")", path.string(),
             "free some space or check the rights, then run the same command again: it goes on from here"};
-}
-
-// What is written stands at the end of the file wholly, or not at all.
-int appendWhole(int file, const std::string& bytes) {
-    const off_t before = ::lseek(file, 0, SEEK_END);
-    std::size_t at = 0;
-    while (at < bytes.size()) {
-        const ssize_t count = ::write(file, bytes.data() + at, bytes.size() - at);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) {
-            const int code = errno;
-            static_cast<void>(::ftruncate(file, before));
-            return code;
-        }
-        at += static_cast<std::size_t>(count);
-    }
-    return 0;
 }
 
 std::vector<fs::path> journalsIn(const fs::path& results) {

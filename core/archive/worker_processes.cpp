@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <vector>
 
@@ -105,6 +106,14 @@ constexpr bool kLimitsAddresses = true;
         if (large) break;
     }
     ::_exit(0);
+}
+
+// Those that are left behind by fork() may hold a lock that nobody opens any more. 0 where the system does not tell.
+std::size_t threadsOfThisProcess() {
+    std::error_code none;
+    std::size_t threads = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task", none)) threads += entry.path().empty() ? 0 : 1;
+    return threads;
 }
 
 class WorkerPool {
@@ -246,6 +255,11 @@ private:
 
 } // namespace
 
-Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs) { return WorkerPool(limits, jobs).run(); }
+Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs) {
+    if (const std::size_t threads = threadsOfThisProcess(); threads > 1)
+        return Error{"this process has " + std::to_string(threads) + " threads, and a copy of it could wait for one of them for ever", "",
+                     "start no thread before the work is given to processes; this is a fault of the program"};
+    return WorkerPool(limits, jobs).run();
+}
 
 } // namespace edgescan

@@ -32,7 +32,8 @@ struct Jobs {
 };
 
 /// Returns when every job that was given out has ended. A worker does one job after the other; a new one takes the place of one that died
-/// or took most of its memory. This process must have no threads. Error: no process can be made; jobs given out are ended and told.
+/// or took most of its memory. Error: this process has other threads, whose locks a copy could
+/// wait for for ever; no process can be made; jobs given out are ended and told.
 Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs);
 
 } // namespace edgescan

@@ -64,6 +64,11 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+std::string htmlImage(const std::string& png, const std::string& alternative) {
+    if (png.empty()) return "<p>There are no cells to show.</p>\n";
+    return "<img alt=\"" + htmlText(alternative) + "\" src=\"data:image/png;base64," + base64(png) + "\">\n";
+}
+
 std::string htmlPage(const std::string& title, const std::string& body, const std::string& script) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; "

@@ -16,6 +16,9 @@ namespace edgescan {
 
 [[nodiscard]] std::string base64(std::string_view bytes);
 
+/// A picture within the page, from PNG bytes; a sentence where there are none.
+[[nodiscard]] std::string htmlImage(const std::string& png, const std::string& alternative);
+
 /// A whole page. `body` and `script` are markup and code already. The page may load nothing from anywhere: its own policy says so.
 [[nodiscard]] std::string htmlPage(const std::string& title, const std::string& body, const std::string& script);
 

@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/georef/placed_points.h"
 #include "core/page/html.h"
+#include "core/page/rock_section.h"
 #include "core/page/scan_pictures.h"
 #include "core/points/edge_colours.h"
 #include "core/report/provenance.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace edgescan {
 namespace {
@@ -127,11 +129,6 @@ std::string edgeLegend(const Detection& detection) {
     return html + "</div>\n";
 }
 
-std::string imageOf(const std::string& png, const std::string& alternative) {
-    if (png.empty()) return "<p>There are no cells to show.</p>\n";
-    return "<img alt=\"" + htmlText(alternative) + "\" src=\"data:image/png;base64," + base64(png) + "\">\n";
-}
-
 std::string scaleOf(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     std::string text = "Across: " + std::to_string(scan.beams()) + " beams";
@@ -149,14 +146,14 @@ std::string picturesOf(const Detection& detection) {
     const CloudPicture cloud = cloudPicture(detection, kCloudWidth, kCloudHeight);
     const double barMetres = cloud.metrePixels * 5 < kCloudWidth / 2.0 ? 5 : 1;
     std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n<figure class=\"picture\">" +
-                       imageOf(grayPicture(detection, kMostPagePixels), "Ranges as gray levels, line by line");
+                       htmlImage(grayPicture(detection, kMostPagePixels), "Ranges as gray levels, line by line");
     html += "<div class=\"legend\"><span>" + metres(scale.nearMm) +
             "</span><span class=\"bar\" style=\"background:linear-gradient(to right,#000,#fff)\"></span><span>" + metres(scale.farMm) +
             "</span>" + (scale.logarithmic ? "<span>equal ratios</span>" : "") +
             "</div>\n<figcaption>Gray levels: black is near, or nothing came back. " + scaleOf(scan) + ".</figcaption></figure>\n";
-    html += "<figure class=\"picture\">" + imageOf(edgePicture(detection, kMostPagePixels), "Edges on darkened gray levels") +
+    html += "<figure class=\"picture\">" + htmlImage(edgePicture(detection, kMostPagePixels), "Edges on darkened gray levels") +
             edgeLegend(detection) + "<figcaption>Edges. " + scaleOf(scan) + ".</figcaption></figure>\n</div>\n";
-    html += "<figure class=\"picture\">" + imageOf(cloud.png, "The points in perspective, seen from behind the scanner") +
+    html += "<figure class=\"picture\">" + htmlImage(cloud.png, "The points in perspective, seen from behind the scanner") +
             "<div class=\"legend\"><span class=\"bar\" style=\"background:#444;height:4px;flex:none;width:" +
             fixedText(100 * barMetres * cloud.metrePixels / kCloudWidth, 2) + "%\"></span><span>" + fixedText(barMetres, 0) +
             " m at the middle of the cloud</span></div>\n<figcaption>The points, edges in their colours.</figcaption></figure>\n";
@@ -205,7 +202,7 @@ std::string againOf(const Detection& detection, const Json& record, const PageWo
     return html;
 }
 
-std::string dataOf(const Detection& detection, const ViewPoints& view) {
+std::string dataOf(const Detection& detection, const ViewPoints& view, const RockStudy* rocks) {
     Json colours = Json::array();
     for (const Rgb& colour : kEdgeColours) colours.push_back({colour.red, colour.green, colour.blue});
     Json data{{"count", view.count},
@@ -219,6 +216,10 @@ std::string dataOf(const Detection& detection, const ViewPoints& view) {
               {"cells", base64(view.cells)},
               {"classes", base64(view.classes)},
               {"levels", base64(view.levels)}};
+    if (rocks != nullptr) {
+        data["rocks"] = base64(view.rocks);
+        data["faces"] = rockFaceData(*rocks);
+    }
     if (const auto* polar = std::get_if<PolarGeometry>(&detection.scan->geometry)) {
         data["beam_deg"] = polar->beamDeg;
         data["line_deg"] = polar->lineDeg;
@@ -228,21 +229,23 @@ std::string dataOf(const Detection& detection, const ViewPoints& view) {
 
 } // namespace
 
-std::string scanPage(const Detection& detection, const PageWords& words) {
+std::string scanPage(const Detection& detection, const PageWords& words, const RockStudy* rocks) {
     const Scan& scan = *detection.scan;
     ExportOptions options;
     options.operatorName = words.operatorName;
     options.role = words.role;
     const auto parsed = parseOrderedJson(exportRecord(ExportContent::EdgeImage, detection, options), "record");
     const Json record = parsed ? *parsed : Json{{"warnings", Json::array()}, {"acquisition", Json::object()}};
-    const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges);
+    const std::optional<RockFaces> faces = rocks == nullptr ? std::nullopt : std::optional(rockFaces(*rocks));
+    const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges, faces ? &*faces : nullptr);
     const std::string title = "Scan " + (scan.name.empty() ? scan.path : scan.name);
     std::string body =
         "<main>\n<h1>" + htmlText(title) +
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
-    body += warningsOf(record) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) + completenessOf(scan, record) +
-            settingsOf(detection) + againOf(detection, record, words) + "</main>\n" + dataOf(detection, view);
+    body += warningsOf(record) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
+            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) + completenessOf(scan, record) +
+            settingsOf(detection) + againOf(detection, record, words) + "</main>\n" + dataOf(detection, view, rocks);
     return htmlPage(title, body, reportScript());
 }
 

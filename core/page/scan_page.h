@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/method/detection.h"
+#include "core/rocks/rock_study.h"
 
 #include <string>
 
@@ -11,8 +12,8 @@ namespace edgescan {
 inline constexpr std::size_t kMostPagePoints = 60'000, kMostPageEdges = 40'000;
 /// Most pixels along a side of the gray and the edge picture; larger ones are made smaller.
 inline constexpr int kMostPagePixels = 1200;
-/// No report is larger, whatever the scan.
-inline constexpr std::size_t kMostPageBytes = 14'000'000;
+/// No report is larger, whatever the scan; with rocks it may be as much larger.
+inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 9'000'000;
 
 struct PageWords {
     std::string command; ///< that makes the report again
@@ -20,7 +21,7 @@ struct PageWords {
     std::string madeUtc;
 };
 
-/// The whole page. All of its text that comes from files is escaped.
-[[nodiscard]] std::string scanPage(const Detection& detection, const PageWords& words);
+/// The whole page; `rocks` (may be null) are of the same detection. All of its text that comes from files is escaped.
+[[nodiscard]] std::string scanPage(const Detection& detection, const PageWords& words, const RockStudy* rocks = nullptr);
 
 } // namespace edgescan

@@ -150,7 +150,17 @@ std::string edgePicture(const Detection& detection, int mostPixels) {
     return bytes ? *bytes : std::string();
 }
 
-CloudPicture cloudPicture(const Detection& detection, int width, int height) {
+std::string rockPicture(const Detection& detection, const RockFaces& faces, int mostPixels) {
+    const auto picture = reduced<Rgb>(detection, mostPixels, [&](const Block& block) {
+        if (const auto face = faces.at(block.lines[0], block.beams[0])) return *face;
+        const auto level = static_cast<std::uint8_t>(meanLevel(detection, block) * 3 / 5);
+        return Rgb{level, level, level};
+    });
+    const auto bytes = pngRgbBytes(picture, "report");
+    return bytes ? *bytes : std::string();
+}
+
+CloudPicture cloudPicture(const Detection& detection, int width, int height, const RockFaces* faces) {
     const PagePoints place(*detection.scan);
     std::vector<Eigen::Vector3d> points;
     std::vector<std::size_t> cells;
@@ -171,9 +181,12 @@ CloudPicture cloudPicture(const Detection& detection, int width, int height) {
         depthSum += z;
         const int x = static_cast<int>(std::floor(width / 2.0 + camera.focal * d.dot(camera.right) / z));
         const int y = static_cast<int>(std::floor(height / 2.0 - camera.focal * d.dot(camera.up) / z));
-        const bool edge = (*detection.mask)[cells[n]] != 0;
+        const bool edge = faces == nullptr && (*detection.mask)[cells[n]] != 0;
         const auto level = static_cast<std::uint8_t>(60 + detection.gray->levels[cells[n]] * 3 / 5);
-        const Rgb colour = edge ? edgeColour(detection, cells[n]) : Rgb{level, level, level};
+        const auto beams = static_cast<std::size_t>(detection.scan->beams());
+        const auto face =
+            faces == nullptr ? std::nullopt : faces->at(static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams));
+        const Rgb colour = edge ? edgeColour(detection, cells[n]) : face.value_or(Rgb{level, level, level});
         const auto nearer = static_cast<float>(edge ? z * 0.995 : z); // an edge is not hidden by the surface that it lies on
         for (int dy = 0; dy < kSplat; ++dy) {
             for (int dx = 0; dx < kSplat; ++dx) {
@@ -188,7 +201,7 @@ CloudPicture cloudPicture(const Detection& detection, int width, int height) {
     return {bytes ? *bytes : std::string(), camera.focal / middle};
 }
 
-ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges) {
+ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges, const RockFaces* faces) {
     const Scan& scan = *detection.scan;
     ViewPoints view;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
@@ -212,6 +225,7 @@ ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::s
         const int kind = !edge ? 0 : 1 + (detection.classes ? static_cast<int>((*detection.classes)[k]) : 0);
         append(view.classes, static_cast<std::uint8_t>(kind));
         append(view.levels, detection.gray->levels[k]);
+        if (faces != nullptr) append(view.rocks, static_cast<std::uint16_t>(faces->labels[k] <= UINT16_MAX ? faces->labels[k] : 0));
         ++view.count;
     }
     return view;

@@ -120,7 +120,8 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     if (scan.intensity.size() > 0) {
         std::vector<float> intensity;
         intensity.reserve(cells.size());
-        for (std::size_t n = 0; n < ownPoints; ++n) intensity.push_back(scan.intensity[cells[n]]);
+        for (std::size_t n = 0; n < ownPoints; ++n)
+            intensity.push_back(scan.intensity.at(static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam)));
         intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // points attached to a cell bring none along
         cloud.columns.push_back({"intensity", std::move(intensity)});
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/report/provenance.h"
 #include "core/rocks/rock_study.h"
 #include "core/scan/placement.h"
 
@@ -11,6 +12,9 @@
 #include <string>
 
 namespace edgescan {
+
+/// Whether names of files of this content say in which frame their coordinates are: clouds, tables, hulls, outlines in space.
+[[nodiscard]] bool namesFrame(ExportContent content, const std::filesystem::path& path);
 
 /// 0 none, then the rocks. Error: more rocks than a picture of 16 bits can number.
 Result<Grid<std::uint16_t>> labelPicture(const RockStudy& study, const std::string& where);

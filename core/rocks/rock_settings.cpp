@@ -2,6 +2,7 @@
 #include "core/rocks/rock_settings.h"
 
 #include "core/base/json_fields.h"
+#include "core/base/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,19 @@ Result<std::vector<RegionCorner>> parseRegion(std::string_view text) {
     }
     if (corners.size() < 2) return error;
     return corners;
+}
+
+std::string rockSettingsFlags(const RockSettings& settings) {
+    std::string text;
+    for (const RockParameter& p : rockParameters()) {
+        if (p.get(settings) == p.get(RockSettings{})) continue;
+        text += (text.empty() ? "--" : " --") + std::string(p.key) + " " + shortestText(p.get(settings));
+    }
+    std::string corners;
+    for (const RegionCorner& corner : settings.region)
+        corners += (corners.empty() ? "" : " ") + std::to_string(corner.line) + "," + std::to_string(corner.beam);
+    if (!corners.empty()) text += (text.empty() ? "--region '" : " --region '") + corners + "'";
+    return text;
 }
 
 nlohmann::ordered_json rockSettingsToJson(const RockSettings& settings) {

@@ -51,6 +51,9 @@ struct RockParameter {
 /// "LINE,BEAM LINE,BEAM ...": two corners or more. Error: something else.
 Result<std::vector<RegionCorner>> parseRegion(std::string_view text);
 
+/// "--level 1 --region '0,0 9,9'": what is not as usual, for a POSIX shell.
+[[nodiscard]] std::string rockSettingsFlags(const RockSettings& settings);
+
 /// {"level": 0, ..., "region": [[line, beam], ...]}; and back. Error: unknown key, outside the limits; `where` goes into it.
 [[nodiscard]] nlohmann::ordered_json rockSettingsToJson(const RockSettings& settings);
 Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const std::string& where);

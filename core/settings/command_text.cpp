@@ -21,7 +21,7 @@ std::vector<std::string> differences(const Settings& from, const Settings& to) {
 
 } // namespace
 
-std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
+std::string settingsFlags(const Settings& settings) {
     const auto presets = builtInPresets();
     std::string nearest = presets.front().name;
     std::vector<std::string> fewest = differences(presets.front().settings, settings);
@@ -31,9 +31,14 @@ std::string detectCommand(const std::string& program, const std::string& path, c
         nearest = preset.name;
         fewest = std::move(flags);
     }
-    std::string command = program + " detect " + shellQuoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " --preset " + nearest;
-    for (const std::string& flag : fewest) command += " " + flag;
-    return command + " --json -";
+    std::string text = "--preset " + nearest;
+    for (const std::string& flag : fewest) text += " " + flag;
+    return text;
+}
+
+std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags, const Settings& settings) {
+    return program + " detect " + shellQuoted(path) + (readFlags.empty() ? "" : " " + readFlags) + " " + settingsFlags(settings) +
+           " --json -";
 }
 
 } // namespace edgescan

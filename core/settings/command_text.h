@@ -7,7 +7,10 @@
 
 namespace edgescan {
 
-/// PROGRAM detect 'PATH' READFLAGS --preset NAME --lower 12 ...: the nearest built-in preset and what differs from it. The path is
+/// "--preset NAME --lower 12 ...": the nearest built-in preset and what differs from it.
+[[nodiscard]] std::string settingsFlags(const Settings& settings);
+
+/// PROGRAM detect 'PATH' READFLAGS and settingsFlags(). The path is
 /// quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...", may be empty) are taken as they are.
 [[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,
                                         const Settings& settings);

@@ -1,5 +1,6 @@
 // A run over an archive from outside: broken scans, kill -9, parts and their merge; the table is that of an undisturbed run.
 #include "core/io/save_scan.h"
+#include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -183,6 +184,39 @@ TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
     EXPECT_NE(collide.err.find("{path}"), std::string::npos) << collide.err;
     EXPECT_EQ(runCli("batch " + (folder / "archive").string() + " -o " + (folder / "archive").string()).code, 1);
     EXPECT_FALSE(fs::exists(folder / "r"));
+}
+
+TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "archive");
+    for (int n = 0; n < 3; ++n)
+        ASSERT_TRUE(saveScan(*test::rockScene("hangup", 70U + static_cast<unsigned>(n), 160, 183).scan,
+                             folder / "archive" / ("bell" + std::to_string(n) + ".json")));
+    const std::string wanted = "--results rocks,rock-table,rock-labels,rock-outlines.geojson,rock-hulls.obj,rock-cloud.pcd,report ";
+    const auto run = runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto rows = rowsOf(folder / "r");
+    ASSERT_EQ(rows.size(), 3U);
+    for (const json& row : rows) {
+        const fs::path results = folder / "r" / row["results"].get<std::string>();
+        const json alone = json::parse(runCli("rocks " + row["input"].get<std::string>() + " --min-cells 60 --oversize 0.4 --json -").out);
+        ASSERT_GT(alone["rock_count"], 5);
+        for (const char* key : {"rock_count", "size_curve", "fines", "labels_sha256"}) EXPECT_EQ(row["rocks"][key], alone[key]) << key;
+        EXPECT_EQ(json::parse(fileText(results / "rocks.json"))["labels_sha256"], alone["labels_sha256"]);
+        EXPECT_EQ(row["outputs"].size(), 7U + 6U) << row["outputs"]; // and their records
+        EXPECT_NE(fileText(results / "report.html").find("<table id=\"rocks\">"), std::string::npos);
+    }
+    const std::string table = fileText(folder / "r" / "results.csv");
+    EXPECT_NE(table.find(",rocks,rocks_visible_wide_p20_m,"), std::string::npos);
+    EXPECT_NE(table.find(rows[0]["rocks"]["labels_sha256"].get<std::string>()), std::string::npos);
+    // Other settings of rocks are other results; the same ones none.
+    EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4")).out)["unchanged"], 3);
+    EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 80 --oversize 0.4")).out)["worked"], 3);
+    // For the table alone; and without rocks their flags say nothing.
+    ASSERT_EQ(runCli(inArchive(folder, "t", "--results none --rocks")).code, 0);
+    EXPECT_GT(rowsOf(folder / "t")[0]["rocks"]["rock_count"], 3);
+    EXPECT_EQ(runCli(inArchive(folder, "u", "--min-cells 60")).code, 2);
+    EXPECT_EQ(runCli(inArchive(folder, "u", "--results rock-hulls.dxf")).code, 2);
 }
 
 } // namespace

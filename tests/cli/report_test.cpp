@@ -1,6 +1,7 @@
 // The report of a scan: one file that needs no other, in which text of files stays text, and that works in a real browser.
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -132,6 +133,59 @@ TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
     const std::string picked = told["picked"];
     ASSERT_TRUE(std::regex_search(picked, match, std::regex("Line ([0-9]+), beam ([0-9]+): range ([0-9]+) mm"))) << picked;
     EXPECT_EQ(std::stod(match[3]), std::round(scan.rangeMm.at(std::stoi(match[1]), std::stoi(match[2])))) << picked;
+}
+
+TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
+    const test::TemporaryFolder folder;
+    const fs::path scan = folder / "bell.json", page = folder / "s.html";
+    ASSERT_TRUE(saveScan(*test::rockScene("hangup", 77, 240, 274).scan, scan));
+    const auto run = runCli("report " + scan.string() + " -o " + page.string() + " --rocks --level 0.5 --oversize 0.6");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string text = fileText(page);
+    const json rocks = json::parse(runCli("rocks " + scan.string() + " --level 0.5 --oversize 0.6 --json -").out);
+    ASSERT_GT(rocks["rock_count"], 10);
+    EXPECT_NE(text.find(std::to_string(rocks["rock_count"].get<int>()) + " rocks, each a candidate - geometry only, one viewpoint"),
+              std::string::npos);
+    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 5U);
+    const std::size_t table = text.find("<table id=\"rocks\">");
+    ASSERT_NE(table, std::string::npos);
+    EXPECT_EQ(countOf(text.substr(table, text.find("</table>", table) - table), "<tr>"),
+              1 + std::min<std::size_t>(25, rocks["rocks"].size()));
+    double longest = 0;
+    for (const json& rock : rocks["rocks"]) longest = std::max(longest, rock["visible_long_m"].get<double>());
+    const std::size_t first = text.find("<td class=\"number\">", text.find("<td class=\"number\">", table) + 1);
+    EXPECT_NEAR(std::stod(text.substr(first + 19)), longest, 0.006);
+    EXPECT_EQ(countOf(text, "<svg id=\"sizes\""), 1U);
+    EXPECT_NE(text.find("over 0.60 m"), std::string::npos);
+    EXPECT_NE(text.find("40 % and more"), std::string::npos);
+    EXPECT_NE(text.find("--rocks --level 0.5 --oversize 0.6"), std::string::npos);
+    EXPECT_EQ(runCli("report " + scan.string() + " -o " + page.string() + " --level 1").code, 2);
+    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
+    const std::string found = inBrowser(folder.path(), page, R"JS(
+        var view = document.getElementById('view'), found = {};
+        function seen() {
+          var copy = document.createElement('canvas'); copy.width = view.width; copy.height = view.height;
+          var pen = copy.getContext('2d'); pen.drawImage(view, 0, 0);
+          var d = pen.getImageData(0, 0, copy.width, copy.height).data, counts = { coloured: 0, green: 0 };
+          for (var i = 0; i < d.length; i += 4) {
+            if (Math.abs(d[i] - d[i + 1]) + Math.abs(d[i + 1] - d[i + 2]) > 40) counts.coloured++;
+            if (d[i + 1] > 200 && d[i] < 60) counts.green++;
+          }
+          return counts;
+        }
+        found.rocks = seen();
+        var buttons = document.querySelectorAll('#viewtools button');
+        buttons[buttons.length - 1].click(); found.edges = seen();
+        buttons[buttons.length - 1].click();
+        view.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true, cancelable: true }));
+        found.picked = document.getElementById('pick').textContent;
+        document.body.setAttribute('data-found', JSON.stringify(found));)JS");
+    ASSERT_FALSE(found.empty());
+    const json told = json::parse(found);
+    EXPECT_GT(told["rocks"]["coloured"].get<int>(), 3000) << told;
+    EXPECT_EQ(told["rocks"]["green"].get<int>(), 0) << told;
+    EXPECT_GT(told["edges"]["green"].get<int>(), 100) << told;
+    EXPECT_NE(told["picked"].get<std::string>().find("Line "), std::string::npos) << told;
 }
 
 TEST(CliReport, PrintsOnA4InARealBrowser) {

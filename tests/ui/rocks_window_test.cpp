@@ -14,6 +14,7 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -546,6 +547,36 @@ private slots:
         }
         on.window.rocks().exportTo(QString::fromStdString(place("window.xls")));
         QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
+    }
+
+    void theReportEqualsThatOfTheCommandLine() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        click(on, 2);
+        QTest::keyClick(&on.window, Qt::Key_N);
+        QVERIFY(settled(on));
+        const std::string page = (folder_ / "window.html").string();
+        QSignalSpy ended(&on.window.report(), &ScanReport::ended);
+        on.window.report().writeTo(QString::fromStdString(page));
+        QVERIFY(on.window.report().working());
+        QVERIFY(ended.wait(30000));
+        QVERIFY2(on.window.notice().kind() == NoticeBar::Kind::Done, qPrintable(on.window.notice().text()));
+        const QString text = QString::fromStdString(test::fileText(page));
+        QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
+        // Its command makes it again, but for the time in it.
+        const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
+        QVERIFY(command.hasMatch());
+        std::filesystem::rename(page, folder_ / "before.html");
+        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rockPresetPath(bell_)); }, 5000));
+        const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
+        QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
+        const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");
+        const auto plain = [&](QString page) { return page.remove(made).replace("&#39;default&#39;", "default"); };
+        const QString one = plain(text), other = plain(QString::fromStdString(test::fileText(page)));
+        const auto differ = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+        const auto from = std::max<qsizetype>(0, differ.first - one.begin() - 60);
+        QVERIFY2(one == other,
+                 qPrintable("here: " + one.mid(static_cast<int>(from), 160) + "\nthere: " + other.mid(static_cast<int>(from), 160)));
     }
 
     void anotherScanHasRocksOfItsOwn() {

@@ -19,7 +19,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kBetweenSweepsMs = 1000;
+constexpr int kBetweenSweepsMs = 800; // rocks are those of a second ago at most, and the time that they take
 
 bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier); }
 

@@ -68,6 +68,8 @@ public:
     [[nodiscard]] const std::vector<RockEdit>& edits() const { return edits_; }
     [[nodiscard]] RockByHand byHand() const { return {edits_, settings_.region}; }
     void setByHand(const RockByHand& byHand);
+    /// The file beside the scan that holds them; empty where there are none, or nowhere to keep them.
+    [[nodiscard]] std::string keptIn() const { return byHand() == RockByHand{} ? std::string() : beside_.path(); }
     void mergeSelected();
     /// What the next click or drag does; afterwards none.
     void useTool(RockTool tool);

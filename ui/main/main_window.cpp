@@ -99,7 +99,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
       explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
-      selection_(session_, views_, rocks_, *notice_, undo_) {
+      selection_(session_, views_, rocks_, *notice_, undo_), report_(session_, files_, rocks_, *notice_, memory),
+      audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -119,6 +120,10 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     status_->addKept(warnings_);
     connect(warnings_, &QToolButton::clicked, this,
             [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
+    connect(warnings_, &WarningButton::warningsRaised, &audit_, &AuditTrail::noteWarnings);
+    connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
+        audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});
+    });
     for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     connectSession();

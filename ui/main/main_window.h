@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/base/plain_window.h"
+#include "ui/control/audit_trail.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
@@ -9,6 +10,7 @@
 #include "ui/control/live.h"
 #include "ui/control/measures.h"
 #include "ui/control/rocks.h"
+#include "ui/control/scan_report.h"
 #include "ui/control/selection.h"
 #include "ui/control/targets.h"
 #include "ui/control/tuning.h"
@@ -52,6 +54,8 @@ public:
     [[nodiscard]] Live& live() { return live_; }
     [[nodiscard]] Explanation& explanation() { return explanation_; }
     [[nodiscard]] Rocks& rocks() { return rocks_; }
+    [[nodiscard]] AuditTrail& audit() { return audit_; }
+    [[nodiscard]] ScanReport& report() { return report_; }
     [[nodiscard]] RocksPanel& rocksPanel() { return *rocksPanel_; }
     [[nodiscard]] RockTable& rockTable() { return *rockTable_; }
     [[nodiscard]] Targets& targets() { return targets_; }
@@ -136,6 +140,8 @@ private:
     Targets targets_;
     Measures measures_;
     Selection selection_;
+    ScanReport report_;
+    AuditTrail audit_;
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;

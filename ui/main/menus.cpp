@@ -57,6 +57,7 @@ Command fileMenu(MainWindow& w) {
                                             exported("&Range Image…", "", ExportContent::RangeImage),
                                             command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
                                         }),
+                                command("Re&port…", "", [&w] { w.report().ask(); }),
                                 command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
                                 command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
                                 kLine,

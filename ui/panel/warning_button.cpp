@@ -15,11 +15,13 @@ void WarningButton::showWarnings(const QStringList& warnings) {
     warnings_ = warnings;
     acknowledged_ = false;
     showState();
+    emit warningsRaised(warnings_);
 }
 
 void WarningButton::acknowledge() {
     acknowledged_ = true;
     showState();
+    emit warningsAcknowledged();
 }
 
 void WarningButton::showState() {

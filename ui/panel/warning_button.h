@@ -18,6 +18,10 @@ public:
     [[nodiscard]] const QStringList& warnings() const { return warnings_; }
     [[nodiscard]] bool acknowledged() const { return acknowledged_; }
 
+signals:
+    void warningsRaised(const QStringList& warnings);
+    void warningsAcknowledged();
+
 private:
     void showState();
 

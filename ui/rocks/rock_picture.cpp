@@ -42,21 +42,12 @@ Paints paintsOf(const RockPicture& picture) {
     paints.plain.push_back({qRgba(0, 0, 0, 0), qRgb(gray, gray, gray)});
     paints.stripe = paints.plain;
     for (const Rock& rock : picture.study.rocks) {
-        const QColor colour = kRockColours[picture.colours[rock.label]];
+        const QColor colour = rockColour(picture.colours[rock.label]);
         const auto painted = [](const QColor& c) { return Paint{qPremultiply(qRgba(c.red(), c.green(), c.blue(), kFaceAlpha)), c.rgb()}; };
         paints.plain.push_back(painted(colour));
         paints.stripe.push_back(painted(isDoubtful(rock) ? colour.darker(300) : colour));
     }
     return paints;
-}
-
-// Cells of rocks with another label beside them; between two rocks only one of the two, so that the border is one cell wide.
-bool onBorder(const Grid<std::uint32_t>& labels, int line, int beam) {
-    const std::uint32_t own = labels.at(line, beam);
-    if (own == 0) return false;
-    const auto other = [&](int i, int j) { return !labels.contains(i, j) || labels.at(i, j) != own; };
-    const auto none = [&](int i, int j) { return !labels.contains(i, j) || labels.at(i, j) == 0; };
-    return other(line, beam + 1) || other(line + 1, beam) || none(line, beam - 1) || none(line - 1, beam);
 }
 
 } // namespace
@@ -89,10 +80,10 @@ std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detec
         for (int beam = 0; beam < labels.beams; ++beam, ++k) {
             const std::uint32_t label = labels[k];
             const bool isOutside = inside[k] == 0 && label == 0 && (line - beam + labels.beams) % hatch < dark + dark / 2;
-            const Paint& paint = isOutside                      ? paints.outside
-                                 : onBorder(labels, line, beam) ? paints.border
-                                 : (line + beam) % hatch < dark ? paints.stripe[label]
-                                                                : paints.plain[label];
+            const Paint& paint = isOutside                          ? paints.outside
+                                 : isRockBorder(labels, line, beam) ? paints.border
+                                 : (line + beam) % hatch < dark     ? paints.stripe[label]
+                                                                    : paints.plain[label];
             pixels[beam] = paint.face;
             (*points)[k] = bytesOf(paint.point);
         }

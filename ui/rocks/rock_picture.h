@@ -23,7 +23,7 @@ struct RockPicture {
     std::shared_ptr<const Detection> detection;
     RockStudy study;
     Grid<std::uint32_t> labels;        ///< lines x beams: 0 none, else the place in study.rocks + 1
-    std::vector<std::uint8_t> colours; ///< by label: places in kRockColours
+    std::vector<std::uint8_t> colours; ///< by label: places in kRockFaceColours
     std::shared_ptr<const QImage>
         faces; ///< beams x lines: translucent, dark between rocks, doubtful rocks hatched, striped outside the region
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< by cell, four bytes: red, green, blue, 255; gray beside rocks

@@ -47,7 +47,7 @@ const std::array<RockColumn, 11>& columns() {
         {QT_TRANSLATE_NOOP("QObject", "contacts (≥)"), QT_TRANSLATE_NOOP("QObject", "Rocks that it is seen to touch: at least these"),
          [](const Rock& r) { return static_cast<double>(r.contacts.size()); },
          [](const Rock& r) { return atLeast(static_cast<double>(r.contacts.size()), 0); }},
-        {QT_TRANSLATE_NOOP("QObject", "free below [m] (≥)"),
+        {QT_TRANSLATE_NOOP("QObject", "free below [m]"),
          QT_TRANSLATE_NOOP("QObject", "Free height under its lowest visible point: at least this; what sent nothing back is never free"),
          [](const Rock& r) { return r.freeBelowM; }, [](const Rock& r) { return atLeast(r.freeBelowM, 2); }},
         {QT_TRANSLATE_NOOP("QObject", "arch [°] ± 25"),
@@ -70,7 +70,7 @@ constexpr int kConfidenceColumn = 10;
 
 QImage rockSwatch(const RockPicture& picture, const Rock& rock, int side) {
     QImage image(side, side, QImage::Format_RGB32);
-    const QColor colour = kRockColours[picture.colours[rock.label]];
+    const QColor colour = rockColour(picture.colours[rock.label]);
     image.fill(colour);
     if (!isDoubtful(rock)) return image;
     QPainter painter(&image);

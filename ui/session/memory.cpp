@@ -28,6 +28,8 @@ Memory::Memory(const QString& iniPath) {
 
 QString Memory::usualPath() { return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/edgescan/viewer.ini"; }
 
+QString Memory::place() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
+
 QByteArray Memory::bytes(const QString& key) const { return file_ ? file_->value(key).toByteArray() : QByteArray(); }
 void Memory::keep(const QString& key, const QByteArray& value) {
     if (file_) file_->setValue(key, value);

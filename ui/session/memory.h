@@ -18,6 +18,9 @@ public:
     /// In the user's configuration folder.
     [[nodiscard]] static QString usualPath();
 
+    /// Its folder, where other things that survive belong; empty when nothing is remembered.
+    [[nodiscard]] QString place() const;
+
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     void keep(const QString& key, const QByteArray& value);
     [[nodiscard]] QString text(const QString& key, const QString& otherwise = {}) const;

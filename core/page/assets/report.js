@@ -14,6 +14,8 @@
   var positions = new Float32Array(bytesOf(data.positions).buffer), ranges = new Float32Array(bytesOf(data.ranges).buffer);
   var cells = new Uint32Array(bytesOf(data.cells).buffer), classes = bytesOf(data.classes), levels = bytesOf(data.levels);
 
+  var rocks = data.rocks ? new Uint16Array(bytesOf(data.rocks).buffer) : null, rocksOn = rocks !== null;
+
   // ---- vectors ----
   function minus(a, b) { return [a[0] - b[0], a[1] - b[1], a[2] - b[2]]; }
   function plus(a, b, t) { return [a[0] + b[0] * t, a[1] + b[1] * t, a[2] + b[2] * t]; }
@@ -51,6 +53,24 @@
     gl.compileShader(s);
     return s;
   }
+  // Faces of rocks, doubtful ones striped; else edges.
+  function colourOf(k) {
+    var level = 60 + levels[k] * 0.6;
+    if (!rocksOn) return classes[k] ? data.colours[classes[k] - 1] : [level, level, level];
+    var face = rocks[k] ? data.faces.rocks[rocks[k] - 1] : null;
+    if (!face) return [level * 0.6, level * 0.6, level * 0.6];
+    var dark = face[1] && (Math.floor(cells[k] / data.beams) + cells[k] % data.beams) % 8 < 3 ? 0.33 : 1;
+    return data.faces.colours[face[0]].map(function (c) { return c * dark; });
+  }
+  function paint() {
+    var colours = new Uint8Array(count * 4);
+    for (var k = 0; k < count; k++) {
+      var c = colourOf(k);
+      colours.set([c[0], c[1], c[2], classes[k] && !rocksOn ? 255 : 0], k * 4);
+    }
+    return colours;
+  }
+  var colourBuffer = null;
   function prepare() {
     program = gl.createProgram();
     gl.attachShader(program, shader(gl.VERTEX_SHADER,
@@ -62,14 +82,9 @@
       'precision mediump float; varying vec3 shown; void main() { gl_FragColor = vec4(shown, 1.0); }'));
     gl.linkProgram(program);
     gl.useProgram(program);
-    var colours = new Uint8Array(count * 4);
-    for (var k = 0; k < count; k++) {
-      var level = 60 + levels[k] * 0.6;
-      var c = classes[k] ? data.colours[classes[k] - 1] : [level, level, level];
-      colours.set([c[0], c[1], c[2], classes[k] ? 255 : 0], k * 4);
-    }
-    [['place', positions, 3, gl.FLOAT, false], ['colour', colours, 4, gl.UNSIGNED_BYTE, true]].forEach(function (a) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    [['place', positions, 3, gl.FLOAT, false], ['colour', paint(), 4, gl.UNSIGNED_BYTE, true]].forEach(function (a) {
+      colourBuffer = gl.createBuffer(); // the last one
+      gl.bindBuffer(gl.ARRAY_BUFFER, colourBuffer);
       gl.bufferData(gl.ARRAY_BUFFER, a[1], gl.STATIC_DRAW);
       var at = gl.getAttribLocation(program, a[0]);
       gl.enableVertexAttribArray(at);
@@ -136,7 +151,9 @@
     var text = 'Line ' + line + ', beam ' + beam + ': range ' + Math.round(ranges[k]) + ' mm, ' + names[classes[k]] + '; ';
     text += (data.placed ? ['E ', 'N ', 'elevation '] : ['x ', 'y ', 'z ']).map(function (n, a) { return n + place[a].toFixed(3); }).join(', ') + ' m';
     if (data.beam_deg) text += '; beam at ' + data.beam_deg[beam].toFixed(3) + ' degrees, line at ' + data.line_deg[line].toFixed(3) + ' degrees';
-    told.textContent = text + '.';
+    text += '.';
+    if (rocks && rocks[k]) text += ' Rock ' + rocks[k] + ': ' + data.faces.rocks[rocks[k] - 1][2] + '.';
+    told.textContent = text;
   }
 
   // ---- hands and keys ----
@@ -217,6 +234,13 @@
   button('Farther', function () { nearer(1.25); });
   button('Larger points', function () { pointSize = pointSize % 5 + 1; draw(); });
   button('From the start', function () { now = copy(start); draw(); });
+  if (rocks) button('Rocks', function (b) {
+    rocksOn = !rocksOn;
+    b.setAttribute('aria-pressed', rocksOn);
+    gl.bindBuffer(gl.ARRAY_BUFFER, colourBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, paint(), gl.STATIC_DRAW);
+    draw();
+  });
   prepare();
   draw();
   window.addEventListener('resize', draw);

@@ -6,7 +6,10 @@
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
+
+#include <future>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include <algorithm>
 #include <csignal>
@@ -211,6 +214,24 @@ TEST(ResultsTable, IsCsvThatNoSpreadsheetTakesForFormulas) {
     EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
     EXPECT_NE(csv.find("\"a | b, c\",two\\nlines,1.5,"), std::string::npos) << csv;
     EXPECT_EQ(ndjsonTable({row}).find("picture"), std::string::npos);
+}
+
+TEST(WorkerProcesses, AreNotMadeOfAProcessWithThreads) {
+    std::promise<void> end;
+    std::thread other([until = end.get_future()] { until.wait(); });
+    bool asked = false;
+    Jobs jobs;
+    jobs.next = [&]() -> std::optional<std::size_t> {
+        asked = true;
+        return std::nullopt;
+    };
+    jobs.goOn = [] { return true; };
+    const auto ran = runInProcesses({1, 0, 0}, jobs);
+    end.set_value();
+    other.join();
+    ASSERT_FALSE(ran);
+    EXPECT_NE(ran.error().sentence().find("2 threads"), std::string::npos) << ran.error().sentence();
+    EXPECT_FALSE(asked);
 }
 
 } // namespace

@@ -1,0 +1,55 @@
+// edgescan-cli audit: whether an audit log is as it was written, and which lines are not.
+#include "app/cli/commands.h"
+#include "app/shared/exits.h"
+#include "app/shared/json_output.h"
+#include "core/audit/audit_check.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct Audited {
+    std::string file, last;
+    bool json = false;
+};
+
+nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check) {
+    nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+    for (const AuditFault& fault : check.faults)
+        faults.push_back(
+            {{"kind", auditFaultName(fault.kind)}, {"line", fault.place}, {"written_as", fault.n}, {"sentence", fault.sentence}});
+    return {{"input", asked.file}, {"lines", check.lines}, {"last_sha256", check.last}, {"recovered", check.recovered}, {"faults", faults}};
+}
+
+int run(const Audited& asked) {
+    const auto check = checkAudit(asked.file, asked.last);
+    if (!check) {
+        complain(check.error());
+        if (asked.json) say(refusal("audit", asked.file, check.error()), true);
+        return kRefused;
+    }
+    if (asked.json) {
+        say(document("audit", auditReport(asked, *check)), true);
+    } else {
+        for (const AuditFault& fault : check->faults) say(std::string(auditFaultName(fault.kind)) + ": " + fault.sentence);
+        say(std::to_string(check->lines) + " lines as they were written, " + std::to_string(check->faults.size()) + " faults; last hash " +
+            (check->last.empty() ? "none" : check->last));
+    }
+    return check->faults.empty() ? kDone : kRefused;
+}
+
+} // namespace
+
+void addAudit(CLI::App& app, int& code) {
+    auto asked = std::make_shared<Audited>();
+    CLI::App& command = *app.add_subcommand("audit", "Checks an audit log: names each line that was altered, dropped or moved");
+    command.add_option("LOG", asked->file, "The log, audit.jsonl")->required();
+    command.add_option("--last", asked->last, "A hash of it that was noted elsewhere: a log without that line lacks its end");
+    command.add_flag("--json", asked->json, "One JSON object on stdout");
+    command.callback([asked, &code] { code = run(*asked); });
+}
+
+} // namespace edgescan::cli

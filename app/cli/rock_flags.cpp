@@ -1,0 +1,67 @@
+// Flags of rocks.
+#include "app/cli/rock_flags.h"
+
+#include "core/base/inputs.h"
+#include "core/base/shell_quoted.h"
+
+namespace edgescan::cli {
+
+void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
+    const char* group = "Rocks";
+    for (const RockParameter& p : rockParameters()) {
+        const std::string flag = std::string("--") + p.key;
+        const NumberLimits limits{p.minimum, p.maximum};
+        const auto take = [&flags, flag, limits, &p](const std::string& text) {
+            flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
+        };
+        const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
+        command.add_option_function<std::string>(flag, take, p.help + unit)
+            ->type_name(rangeName(limits))
+            ->default_str(shortestText(p.get(RockSettings{})))
+            ->group(group);
+    }
+    command.add_option("--region", flags.region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
+        ->group(group);
+    if (!ofOneScan) return;
+    command
+        .add_option("--edits", flags.edits,
+                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/rocks-method.md)")
+        ->group(group);
+}
+
+bool anyTyped(const RockFlags& flags) { return !flags.typed.empty() || !flags.region.empty() || !flags.edits.empty(); }
+
+Result<Done> checkRocks(RockFlags& flags) {
+    if (!flags.region.empty()) {
+        const auto region = parseRegion(flags.region);
+        if (!region) return region.error();
+        flags.corners = *region;
+    }
+    if (!flags.edits.empty()) claimInput(flags.edits);
+    return Done{};
+}
+
+std::string typedFlags(const RockFlags& flags) {
+    std::string text;
+    const auto add = [&](const std::string& flag, const std::string& value) { text += (text.empty() ? "--" : " --") + flag + " " + value; };
+    for (const auto& [parameter, value] : flags.typed) add(parameter->key, shortestText(value));
+    if (!flags.region.empty()) add("region", shellQuoted(flags.region));
+    if (!flags.edits.empty()) add("edits", shellQuoted(flags.edits));
+    return text;
+}
+
+Result<RockPreset> presetOf(const RockFlags& flags, const Scan& scan) {
+    RockPreset preset;
+    if (!flags.edits.empty()) {
+        auto read = readRockPreset(flags.edits, scan);
+        if (!read) return read.error();
+        preset = std::move(*read);
+    }
+    RockSettings settings = preset.settings.value_or(RockSettings{});
+    for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
+    if (!flags.corners.empty()) settings.region = flags.corners;
+    preset.settings = settings;
+    return preset;
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,39 @@
+// edgescan-cli audit from outside: it names the line, in words and as JSON.
+#include "core/audit/audit_log.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace edgescan {
+namespace {
+
+using nlohmann::json;
+using test::runCli;
+
+TEST(CliAudit, NamesTheLineThatWasAltered) {
+    const test::TemporaryFolder folder;
+    const std::string path = (folder / "audit.jsonl").string();
+    const AuditLog log(path);
+    for (int n = 0; n < 4; ++n) ASSERT_TRUE(log.append("opened", {{"scan", "bell" + std::to_string(n)}}));
+    const auto whole = runCli("audit " + path + " --json");
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    const json told = json::parse(whole.out);
+    EXPECT_EQ(told["schema"], "edgescan-audit/1");
+    EXPECT_EQ(told["lines"], 4);
+    EXPECT_EQ(runCli("audit " + path + " --last " + told["last_sha256"].get<std::string>()).code, 0);
+    EXPECT_EQ(runCli("audit " + path + " --last 00").code, 1);
+    std::string text = test::fileText(path);
+    text.replace(text.find("bell2"), 5, "bell9");
+    std::ofstream(path, std::ios::binary) << text;
+    const auto altered = runCli("audit " + path);
+    EXPECT_EQ(altered.code, 1);
+    EXPECT_NE(altered.out.find("altered: line 3"), std::string::npos) << altered.out;
+    EXPECT_EQ(json::parse(runCli("audit " + path + " --json").out)["faults"][0]["line"], 3);
+    EXPECT_EQ(runCli("audit " + (folder / "none").string()).code, 1);
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,95 @@
+// What is done in the real window stands in the audit log; a full disk is seen.
+#include "core/audit/audit_check.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+
+#include <QSignalSpy>
+
+#include <fstream>
+#include <map>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class AuditWindowTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+    static std::vector<AuditLine> linesOf(const std::filesystem::path& path) {
+        std::vector<AuditLine> lines;
+        std::ifstream file(path);
+        for (std::string text; std::getline(file, text);) {
+            const auto line = auditLine(text, "");
+            if (line) lines.push_back(*line);
+        }
+        return lines;
+    }
+    static bool written(WindowFixture& on) {
+        return QTest::qWaitFor([&] { return on.window.audit().written(); }, 5000);
+    }
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(saveScan(test::boxesScan(60, 90, 4, 0.02), scan_));
+    }
+
+    void whatIsDoneIsNotedAndTheChainHolds() {
+        const std::filesystem::path place = folder_ / "a";
+        std::filesystem::create_directories(place);
+        {
+            WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
+            QVERIFY(on.showWith(scan_));
+            on.window.views().pin(45U * 90U + 20U);
+            Settings settings;
+            settings.sensitivity = 1.5;
+            QVERIFY(on.use(settings));
+            QSignalSpy saved(&on.window.session(), &Session::saved);
+            on.window.session().save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
+            QVERIFY(saved.wait(10000));
+            QVERIFY(written(on));
+        }
+        const auto check = checkAudit(place / "audit.jsonl");
+        QVERIFY(check);
+        QVERIFY2(check->faults.empty(), check->faults.empty() ? "" : check->faults[0].sentence.c_str());
+        std::map<std::string, AuditLine> last;
+        for (const AuditLine& line : linesOf(place / "audit.jsonl")) last[line.event] = line;
+        for (const char* event : {"started", "opened", "pinned", "exported", "ended"}) QVERIFY2(last.contains(event), event);
+        QCOMPARE(last["opened"].details["scan"].get<std::string>(), scan_);
+        QCOMPARE(last["pinned"].details["line"].get<int>(), 45);
+        QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("edge image"));
+        QCOMPARE(last["exported"].details["settings"]["sensitivity"].get<double>(), 1.5);
+        QCOMPARE(test::runCli("audit '" + (place / "audit.jsonl").string() + "'").code, 0);
+    }
+
+    void aFullDiskIsSeenAndNothingElseFails() {
+        const std::filesystem::path place = folder_ / "b";
+        std::filesystem::create_directories(place);
+        std::filesystem::create_symlink("/dev/full", place / "audit.jsonl");
+        WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.notice().isVisible() && on.window.notice().text().contains("AUDIT LOG"); }, 5000));
+        QVERIFY(!on.window.audit().written());
+        // Space again: what was done meanwhile is there too.
+        std::filesystem::remove(place / "audit.jsonl");
+        on.window.views().pin(5);
+        QVERIFY(written(on));
+        const std::vector<AuditLine> lines = linesOf(place / "audit.jsonl");
+        QVERIFY(lines.size() >= 3);
+        QCOMPARE(lines[0].event, std::string("started"));
+        QCOMPARE(lines.back().event, std::string("pinned"));
+    }
+
+    void withoutMemoryThereIsNone() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.window.audit().written());
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<AuditWindowTest>(argc, argv); }
+#include "audit_window_test.moc"
