@@ -73,11 +73,18 @@ private slots:
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("HELD"));
         QVERIFY(badge.sign() != StateBadge::Sign::Good);
+        // The badge of the picture says the same, with the time of its newest line.
+        const QRegularExpression time("^HELD · [0-9]{4}-[0-9]{2}-[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} UTC$");
+        QVERIFY2(time.match(window.origin().text()).hasMatch(), qPrintable(window.origin().text()));
+        QVERIFY(window.origin().sign() == StateBadge::Sign::Waiting);
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("LIVE"));
+        QVERIFY2(window.origin().text().startsWith("LIVE · "), qPrintable(window.origin().text()));
+        QVERIFY(window.origin().sign() == StateBadge::Sign::Good);
         window.files().open({QString::fromStdString(bell_)});
         QTRY_VERIFY_WITH_TIMEOUT(on.picture().detection->scan->path == bell_, 20000);
         QTRY_VERIFY2(badge.text().contains("another picture") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
+        QVERIFY2(window.origin().text().startsWith("FILE bell"), qPrintable(window.origin().text()));
         press(window, "live-follow");
         QTRY_COMPARE_WITH_TIMEOUT(badge.text(), QString("LIVE"), 10000);
         QVERIFY(on.picture().detection->scan->path != bell_);

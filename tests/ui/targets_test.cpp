@@ -9,10 +9,12 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/cloud/point_pick.h"
+#include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/why_card.h"
 #include "ui/live/state_badge.h"
 #include "ui/main/tool_bar.h"
+#include "ui/panel/status_line.h"
 #include "ui/targets/target_card.h"
 #include "ui/targets/targets_panel.h"
 
@@ -457,6 +459,76 @@ private slots:
         QVERIFY2(verified->identical, verificationText(*verified).c_str());
         only->setChecked(false);
         QVERIFY(dialog.options().selection == nullptr && dialog.count() > valid);
+    }
+
+    void arrowsPointAndReturnClicks() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        gray.setFocus();
+        QTest::keyClick(&gray, Qt::Key_Right);
+        QCOMPARE(*gray.markedCell(), QPoint(81, 60)); // from the middle
+        QTest::keyClick(&gray, Qt::Key_Up);
+        QTest::keyClick(&gray, Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(*gray.markedCell(), QPoint(71, 59));
+        QCOMPARE(*on.window.views().edges().markedCell(), QPoint(71, 59));
+        QVERIFY2(on.window.statusLine().probeShown().contains("line 59  beam 71"), qPrintable(on.window.statusLine().probeShown()));
+        QTest::keyClick(&gray, Qt::Key_Return);
+        QCOMPARE(static_cast<int>(targets(on).size()), 1);
+        QCOMPARE(targets(on).front().cell, 59U * 160 + 71);
+        // With a cell pinned it goes on, and takes nothing from it; never out of the grid.
+        for (int n = 0; n < 30; ++n) QTest::keyClick(&gray, Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(*gray.markedCell(), QPoint(71, 119));
+        QCOMPARE(*on.window.views().edges().markedCell(), QPoint(71, 59));
+        QTest::keyClick(&gray, Qt::Key_Return);
+        QCOMPARE(targets(on).back().cell, 119U * 160 + 71);
+        // Zoomed in, the view follows.
+        gray.viewPort()->fitTo(QRectF(60, 100, 10, 10));
+        for (int n = 0; n < 5; ++n) QTest::keyClick(&gray, Qt::Key_Right, Qt::ControlModifier);
+        QVERIFY(gray.rect().contains(pixelOf(gray, 119, 121)));
+    }
+
+    void everyCommandIsFoundByItsName() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        QStringList seen;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            auto* palette = on.window.findChild<CommandPalette*>();
+            if (palette == nullptr || !palette->isVisible()) return;
+            look.stop();
+            const int all = palette->list()->count();
+            QTest::keyClicks(palette->words(), "vert meas");
+            seen << QString::number(all) << QString::number(palette->list()->count()) << palette->list()->item(0)->text();
+            QTest::keyClick(palette->words(), Qt::Key_Return);
+        });
+        look.start(30);
+        QTest::keyClick(&on.window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(static_cast<int>(seen.size()), 3);
+        QVERIFY2(seen[0].toInt() > 60 && seen[1] == "1" && seen[2].startsWith("Measure > Vertical"), qPrintable(seen.join(' ')));
+        QVERIFY(on.window.measures().kind() == MeasureKind::Vertical);
+    }
+
+    void pageDownGoesThroughTheFolder() {
+        const std::filesystem::path folder = folder_ / "series";
+        std::filesystem::create_directories(folder);
+        for (const int lines : {20, 30, 40})
+            QVERIFY(bool(saveScan(test::boxesScan(lines, 60, 3), folder / ("scan" + std::to_string(lines) + ".json"))));
+        QVERIFY(bool(writeWholeFile((folder / "scan30.pcd.provenance.json").string(), std::string("{}"))));
+        WindowFixture on;
+        QVERIFY(showWith(on, (folder / "scan20.json").string()));
+        const auto lines = [&] { return on.picture().detection->scan->lines(); };
+        QTest::keyClick(&on.window, Qt::Key_PageDown);
+        QTRY_COMPARE(lines(), 30);
+        QVERIFY(on.settled());
+        QTest::keyClick(&on.window, Qt::Key_PageDown);
+        QTRY_COMPARE(lines(), 40);
+        QVERIFY(on.settled());
+        QTest::keyClick(&on.window, Qt::Key_PageDown);
+        QVERIFY2(on.window.notice().text().contains("last scan"), qPrintable(on.window.notice().text()));
+        QTest::keyClick(&on.window, Qt::Key_PageUp);
+        QTRY_COMPARE(lines(), 30);
+        QVERIFY(on.settled());
     }
 
     void theBadgeSaysWhereThePictureComesFrom() {

@@ -9,6 +9,7 @@
 #include "ui/dialogs/reading_dialog.h"
 #include "ui/session/memory.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -30,6 +31,22 @@ QString openFilters() {
     filters.removeAll(QString());
     all << "*.gz"; // any of them
     return QObject::tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + QObject::tr("All files (*)");
+}
+
+/// The scans that lie beside it, by their names, itself among them; what others belong to a scan (records, settings) is passed over.
+QStringList scansBeside(const QString& path) {
+    QStringList patterns;
+    for (const Format& format : formats()) {
+        for (const char* extension : format.reads) patterns << QString("*") + extension;
+    }
+    const QFileInfo own(path);
+    QStringList scans;
+    for (const QFileInfo& file : own.dir().entryInfoList(patterns, QDir::Files | QDir::Readable, QDir::Name)) {
+        // A raw grid is a description and its numbers: the one that was opened counts.
+        const bool part = file.suffix() == "u16" || file.fileName().endsWith(".provenance.json");
+        if (!part || file.fileName() == own.fileName()) scans << file.absoluteFilePath();
+    }
+    return scans;
 }
 
 } // namespace
@@ -88,10 +105,18 @@ void Files::reload() {
 }
 
 void Files::step(int files) {
+    if (series_.size() <= 1 && !path_.isEmpty()) { // one file was opened: its folder is the series
+        const QStringList beside = scansBeside(path_);
+        const auto own = static_cast<int>(beside.indexOf(QFileInfo(path_).absoluteFilePath()));
+        if (own >= 0) {
+            series_ = beside;
+            place_ = own;
+        }
+    }
     const int place = place_ + files;
     if (place < 0 || place >= series_.size()) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           files > 0 ? tr("This is the last file of the series.") : tr("This is the first file of the series."));
+        notice_.showNotice(NoticeBar::Kind::Warning, files > 0 ? tr("This is the last scan of the series or folder.")
+                                                               : tr("This is the first scan of the series or folder."));
         return;
     }
     place_ = place;

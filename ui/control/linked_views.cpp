@@ -211,6 +211,7 @@ void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
 }
 
 void LinkedViews::pin(std::optional<std::size_t> cell) {
+    if (cell && (!shown_ || *cell >= shown_->detection->scan->cells())) return; // of a scan that is gone
     const bool another = std::exchange(pinned_, cell) != cell;
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);

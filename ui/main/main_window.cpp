@@ -8,6 +8,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/control/cell_cursor.h"
 #include "ui/control/source.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
@@ -126,6 +127,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     });
     for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
+    new CellCursor(views_, this);
     connectSession();
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);

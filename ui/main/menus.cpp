@@ -4,6 +4,7 @@
 #include "core/settings/presets.h"
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/sheets.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
@@ -180,8 +181,8 @@ Command scanMenu(MainWindow& w) {
     return submenu(
         "&Scan",
         {
-            command("&Next File of Series", "PgDown", [&files] { files.step(1); }),
-            command("Pre&vious File of Series", "PgUp", [&files] { files.step(-1); }),
+            command("&Next Scan", "PgDown", [&files] { files.step(1); }),
+            command("Pre&vious Scan", "PgUp", [&files] { files.step(-1); }),
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
             linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
@@ -325,7 +326,8 @@ std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
             rocksMenu(window),
             measureMenu(window),
             submenu("&Help",
-                    {command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
+                    {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
+                     command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }
 
 } // namespace edgescan::ui

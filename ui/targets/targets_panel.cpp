@@ -55,9 +55,9 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addWidget(measures_);
     column->addWidget(note_);
     column->addStretch(1);
-    connect(targets_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (!showing_ && row >= 0) emit targetChosen(row);
-    });
+    // Not the current row: a list that gets the focus has one by itself.
+    for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
+        connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::letGoOfAllWanted);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
@@ -70,7 +70,6 @@ TargetsPanel::TargetsPanel(QWidget* parent)
 void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines) {
     if (shown == lines && list.count() == static_cast<int>(lines.size())) return;
     shown = lines;
-    showing_ = true;
     const int before = list.currentRow();
     list.clear();
     int chosen = -1;
@@ -81,7 +80,6 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
     }
     list.setCurrentRow(chosen >= 0 ? chosen : &list == measures_ ? std::min(before, list.count() - 1) : -1);
     fitHeight(list);
-    showing_ = false;
 }
 
 void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {

@@ -60,7 +60,6 @@ private:
     QPushButton* removeMeasure_;
     QLabel* note_;
     std::vector<TargetLine> shownTargets_, shownMeasures_;
-    bool showing_ = false;
 };
 
 } // namespace edgescan::ui

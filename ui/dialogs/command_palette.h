@@ -1,0 +1,40 @@
+// Every command by its name: a few letters and Return.
+#pragma once
+
+#include <QDialog>
+#include <QList>
+
+class QAction;
+class QLineEdit;
+class QListWidget;
+
+namespace edgescan::ui {
+
+/// The commands are read from the actions, so that the list cannot differ from the menus.
+class CommandPalette : public QDialog {
+    Q_OBJECT
+public:
+    CommandPalette(const QList<QAction*>& actions, QWidget* parent);
+
+    [[nodiscard]] QLineEdit* words() const { return words_; }
+    [[nodiscard]] QListWidget* list() const { return list_; }
+    /// That was chosen; null: none.
+    [[nodiscard]] QAction* chosen() const { return chosen_; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void find();
+    void take();
+
+    QList<QAction*> actions_;
+    QLineEdit* words_;
+    QListWidget* list_;
+    QAction* chosen_ = nullptr;
+};
+
+/// Asks, and runs what was chosen.
+void runFromPalette(QWidget* parent, const QList<QAction*>& actions);
+
+} // namespace edgescan::ui
