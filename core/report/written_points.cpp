@@ -38,8 +38,7 @@ PointBounds boundsOf(const CloudColumns& cloud) {
 
 PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
-    return boundsOf(edges ? edgePoints(*detection.scan, *detection.mask, options.frame, options.includeAttached)
-                          : validPoints(*detection.scan, detection.mask.get(), options.frame, options.includeAttached));
+    return boundsOf(placesOfPoints(*detection.scan, edges ? detection.mask.get() : nullptr, options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {
