@@ -117,7 +117,12 @@ std::string printableLines(std::string_view text) {
 std::string printableJson(std::string_view json) {
     std::string result;
     result.reserve(json.size());
+    const auto isPlain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n'; };
     for (std::size_t at = 0; at < json.size();) {
+        const std::size_t from = at; // nearly all of it is plain
+        while (at < json.size() && isPlain(json[at])) ++at;
+        result += json.substr(from, at - from);
+        if (at == json.size()) break;
         const Character c = characterAt(json, at);
         if (!c.valid)
             result += "\\ufffd";

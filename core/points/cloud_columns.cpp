@@ -11,6 +11,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,9 +26,8 @@ constexpr double kLargestInFloat = 1e4; // metres; beyond it a 4-byte float step
 bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
     for (const Eigen::Vector3d& p : points) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(p[axis])) continue;
-            if (std::abs(p[axis]) > kLargestInFloat) return false;
-            if (!computed && static_cast<double>(static_cast<float>(p[axis])) != p[axis]) return false;
+            const bool exact = computed || static_cast<double>(static_cast<float>(p[axis])) == p[axis];
+            if (!(std::abs(p[axis]) <= kLargestInFloat && exact) && std::isfinite(p[axis])) return false;
         }
     }
     return true;
@@ -35,12 +35,13 @@ bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
 
 template <class T>
 void addCoordinates(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, const char* prefix) {
-    for (int axis = 0; axis < 3; ++axis) {
-        std::vector<T> values;
-        values.reserve(points.size());
-        for (const Eigen::Vector3d& p : points) values.push_back(static_cast<T>(p[axis]));
-        cloud.columns.push_back({prefix + std::string(1, static_cast<char>('x' + axis)), std::move(values)});
+    std::array<std::vector<T>, 3> values;
+    for (std::vector<T>& ofAxis : values) ofAxis.reserve(points.size());
+    for (const Eigen::Vector3d& p : points) {
+        for (std::size_t axis = 0; axis < 3; ++axis) values[axis].push_back(static_cast<T>(p[static_cast<Eigen::Index>(axis)]));
     }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        cloud.columns.push_back({prefix + std::string(1, static_cast<char>('x' + axis)), std::move(values[axis])});
 }
 
 void addPoints(CloudColumns& cloud, const std::vector<Eigen::Vector3d>& points, bool computed, const char* prefix = "") {
@@ -84,7 +85,10 @@ struct Chosen {
     std::vector<const AttachedPoint*> attached;
 };
 
-CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame) {
+enum class Columns : std::uint8_t { Places, PlacesAndCells };
+
+CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame,
+                        Columns columns = Columns::PlacesAndCells) {
     const std::vector<CellOfPoint>& cells = chosen.cells;
     const std::size_t ownPoints = cells.size() - chosen.attached.size();
     CloudColumns cloud;
@@ -114,6 +118,7 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     if (placed && every && given != nullptr) asRead = points;
     if (placed) placePoints(cloud, scan, cells, points);
     addPoints(cloud, points, given == nullptr || placed);
+    if (columns == Columns::Places) return cloud;
     addColumn<std::uint32_t>(cloud, "line", cells, [](const CellOfPoint& cell) { return cell.line; });
     addColumn<std::uint32_t>(cloud, "beam", cells, [](const CellOfPoint& cell) { return cell.beam; });
     cloud.columns.push_back({"range_mm", std::move(ranges)});
@@ -172,6 +177,14 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
     return chosen;
 }
 
+Chosen validCells(const Scan& scan, bool withAttached) {
+    return cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
+}
+
+Chosen edgeCellsOf(const Scan& scan, const Grid<std::uint8_t>& edgeMask, bool withAttached) {
+    return cellsWhere(scan, withAttached, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
+}
+
 } // namespace
 
 CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
@@ -186,7 +199,7 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
                          const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks) {
-    const Chosen valid = cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
+    const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
@@ -198,11 +211,15 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
                         const Grid<DepthEdge>* classes) {
-    const Chosen edges =
-        cellsWhere(scan, withAttached, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
+    const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
+}
+
+CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
+    const Chosen chosen = edgeMask != nullptr ? edgeCellsOf(scan, *edgeMask, withAttached) : validCells(scan, withAttached);
+    return columnsFor(scan, chosen, false, frame, Columns::Places);
 }
 
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name)) {

@@ -54,6 +54,9 @@ struct CloudColumns {
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
                                       const Grid<DepthEdge>* classes = nullptr);
 
+/// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
+[[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);
+
 /// Takes the columns out that the condition names.
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name));
 [[nodiscard]] inline bool isColour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }

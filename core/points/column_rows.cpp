@@ -16,7 +16,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
 
 constexpr std::size_t kRowsAtOnce = 2048;
-constexpr int kMineDecimals = 4; // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
+constexpr std::size_t kUsualNumber = 8; // bytes of text with its separator; more is found when it is needed
+constexpr int kMineDecimals = 4;        // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
 void appendRowsOf(std::string& text, const CloudColumns& cloud, std::size_t firstRow, std::size_t lastRow, char separator) {
     for (std::size_t row = firstRow; row < lastRow; ++row) {
@@ -61,10 +62,12 @@ double IntensitySpan::ofOne(double value) const {
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     const std::size_t rows = rowsOf(cloud);
     const int bands = bandsFor(rows, 0);
-    std::vector<std::string> parts(static_cast<std::size_t>(bands));
+    text.reserve(text.size() + kUsualNumber * cloud.columns.size() * rows);
+    std::vector<std::string> parts(static_cast<std::size_t>(bands)); // the first one's rows go into the text itself
     inBands(bands, bands, [&](int first, int) {
         const auto band = static_cast<std::size_t>(first);
-        appendRowsOf(parts[band], cloud, rows * band / parts.size(), rows * (band + 1) / parts.size(), separator);
+        std::string& part = band == 0 ? text : parts[band];
+        appendRowsOf(part, cloud, rows * band / parts.size(), rows * (band + 1) / parts.size(), separator);
     });
     for (const std::string& part : parts) text += part;
 }

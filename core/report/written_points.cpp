@@ -39,8 +39,7 @@ PointBounds boundsOf(const CloudColumns& cloud) {
 PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
     const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
-    return boundsOf(edges ? edgePoints(*scan, *detection.mask, options.frame, options.includeAttached)
-                          : validPoints(*scan, detection.mask.get(), options.frame, options.includeAttached));
+    return boundsOf(placesOfPoints(*scan, edges ? detection.mask.get() : nullptr, options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {

@@ -16,15 +16,6 @@ constexpr float kLeastParity = 0.15F; // index steps
 constexpr int kFewestLines = 10;
 constexpr int kSampledLines = 64;
 
-bool measuredAround(const InverseRange& inverse, int line, int beam) {
-    for (int i = line - 1; i <= line + 1; ++i) {
-        for (int j = beam - 1; j <= beam + 1; ++j) {
-            if (!inverse.isMeasured(i, j)) return false;
-        }
-    }
-    return true;
-}
-
 // From the lines before and after.
 EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
                                 std::uint8_t* __restrict slanted) {

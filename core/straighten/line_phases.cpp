@@ -2,6 +2,7 @@
 #include "core/straighten/line_phases.h"
 
 #include "core/base/order_statistic.h"
+#include "core/base/simd.h"
 #include "core/scan/acquisition.h"
 #include "core/straighten/slip_votes.h"
 
@@ -28,21 +29,28 @@ struct LineOff {
     double steps;
 };
 
-/// How far the beams of a line lie ahead of the mean of both neighbours, beam steps; empty where too few cells tell.
-std::optional<double> offNeighbours(const InverseRange& inverse, int line) {
-    const Grid<float>& u = inverse.u;
-    std::vector<SlipVote> votes;
-    for (int j = 1; j + 1 < u.beams; ++j) {
-        float slant = 0;
-        bool solid = true;
-        for (int i = line - 1; i <= line + 1; ++i) {
-            solid = solid && inverse.isMeasured(i, j - 1) && inverse.isMeasured(i, j) && inverse.isMeasured(i, j + 1);
-            slant += (u.at(i, j + 1) - u.at(i, j - 1)) / 6.0F;
-        }
-        const float share = std::abs(slant) / u.at(line, j);
-        if (!solid || share < kLeastSlant || share > kMostSlant) continue;
-        votes.push_back({(u.at(line, j) - 0.5F * (u.at(line - 1, j) + u.at(line + 1, j))) / slant, share, slant});
+/// Slants along the beams, of a line and both beside it.
+EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                    std::uint8_t* __restrict slanted) {
+    for (int j = 1; j < beams - 1; ++j) {
+        const auto change = [&](std::ptrdiff_t n) { return (u[n + 1] - u[n - 1]) / 6.0F; };
+        const float slant = change(j - stride) + change(j) + change(j + stride);
+        const float share = std::abs(slant) / u[j];
+        slants[j] = slant;
+        slanted[j] = static_cast<std::uint8_t>((share >= kLeastSlant) & (share <= kMostSlant));
     }
+}
+
+/// How far the beams of a line lie ahead of the mean of both neighbours, beam steps; empty where too few cells tell.
+std::optional<double> offNeighbours(const InverseRange& inverse, int line, LineSlants& slants) {
+    const Grid<float>& u = inverse.u;
+    slantsAlongBeams(u.line(line), u.beams, u.beams, slants.slant.data(), slants.slanted.data());
+    std::vector<SlipVote> votes;
+    slants.forEach([&](int j, float slant) {
+        if (!measuredAround(inverse, line, j)) return;
+        const float off = u.at(line, j) - 0.5F * (u.at(line - 1, j) + u.at(line + 1, j));
+        votes.push_back({off / slant, std::abs(slant) / u.at(line, j), slant});
+    });
     if (votes.size() < kFewestVotes) return std::nullopt;
     return static_cast<double>(weightedMiddle(std::move(votes)));
 }
@@ -105,12 +113,13 @@ std::vector<double> linePhases(const InverseRange& inverse) {
     constexpr int kBlock = 96; // lines in one go that are looked at, in three places of a large sweep
     std::vector<LineOff> offs;
     const int lines = inverse.u.lines;
+    LineSlants slants(inverse.u.beams);
     const auto isLookedAt = [&](int line) { return lines <= 4 * kBlock || line % (lines / 3) < kBlock; };
     int looked = 0;
     for (int i = 1; i + 1 < lines; ++i) {
         if (!isLookedAt(i)) continue;
         ++looked;
-        if (const auto off = offNeighbours(inverse, i)) offs.push_back({i, *off});
+        if (const auto off = offNeighbours(inverse, i, slants)) offs.push_back({i, *off});
     }
     const auto told = static_cast<int>(offs.size());
     if (told < kFewestPhasedLines || 2 * told < looked) return {};

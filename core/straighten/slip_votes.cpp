@@ -8,6 +8,15 @@
 
 namespace edgescan {
 
+bool measuredAround(const InverseRange& inverse, int line, int beam) {
+    for (int i = line - 1; i <= line + 1; ++i) {
+        for (int j = beam - 1; j <= beam + 1; ++j) {
+            if (!inverse.isMeasured(i, j)) return false;
+        }
+    }
+    return true;
+}
+
 float explained(const std::vector<SlipVote>& slips, float steps) {
     double with = 0;
     double without = 0;

@@ -1,6 +1,7 @@
 // The displacement of a line as each of its slanted cells shows it.
 #pragma once
 
+#include "core/scan/inverse_range.h"
 #include "core/scan/marked_cells.h"
 
 #include <cstddef>
@@ -33,6 +34,9 @@ struct SlipVote {
     float weight;
     float slant = 0; ///< of u per line
 };
+
+/// Whether a cell and all around it were measured; none of them may be outside of the sweep.
+[[nodiscard]] bool measuredAround(const InverseRange& inverse, int line, int beam);
 
 /// By which share the deviations from straight shrink when a slip of so many steps is taken out. Near 0 when they are only noise.
 [[nodiscard]] float explained(const std::vector<SlipVote>& slips, float steps);

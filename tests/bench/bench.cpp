@@ -46,7 +46,7 @@ struct Goal {
 
 constexpr Goal kPlusToThesis{"EdgeScan+, one thread / thesis's recipe in plain OpenCV", 2.8, 2, 8, true};
 constexpr Goal kPlusWallToThesis{"EdgeScan+, two threads / thesis's recipe in plain OpenCV, wall", 1.8, 1.2, 8, true};
-constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9, 1.6};
+constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9, 1.2};
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 8};
