@@ -36,8 +36,8 @@ QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
     if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
-    if (marks.ring && !marks.tip.isEmpty())
-        area = area.united(tipBox(fontMetrics(), rect(), marks.ring->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
+    if (marks.tipAt && !marks.tip.isEmpty())
+        area = area.united(tipBox(fontMetrics(), rect(), marks.tipAt->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
     return area.toAlignedRect().intersected(rect());
 }
 
@@ -65,7 +65,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
     if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
     if (!marks_.caption.isEmpty()) drawLabel(painter, inner, Qt::AlignRight | Qt::AlignTop, marks_.caption);
-    if (marks_.ring && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.ring->toPoint(), marks_.tip);
+    if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }
 

@@ -14,20 +14,21 @@
 namespace edgescan::ui {
 
 struct OverlayMarks {
-    std::optional<QPointF> ring; ///< the marked point, widget pixels
-    std::optional<QLineF> ray;   ///< from the sensor to the point
-    bool hidden = false;         ///< the point lies behind others: dashed
-    QString centreText;          ///< why the view is empty
-    QString note;                ///< top left
-    QString tip;                 ///< beside the ring
-    QString caption;             ///< top right
-    QString stale;               ///< greys the picture and says why; empty = none
-    ScreenMarks marks;           ///< targets and measurements
-    QPolygonF dragged;           ///< round what is being selected
+    std::optional<QPointF> ring;  ///< the marked point, widget pixels
+    std::optional<QLineF> ray;    ///< from the sensor to the point
+    bool hidden = false;          ///< the point lies behind others: dashed
+    QString centreText;           ///< why the view is empty
+    QString note;                 ///< top left
+    QString tip;                  ///< beside a point ...
+    std::optional<QPointF> tipAt; ///< ... that is in view
+    QString caption;              ///< top right
+    QString stale;                ///< greys the picture and says why; empty = none
+    ScreenMarks marks;            ///< targets and measurements
+    QPolygonF dragged;            ///< round what is being selected
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {
-        return !ring && !ray && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() && marks.empty() &&
+        return !ring && !ray && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() && marks.empty() &&
                dragged.isEmpty();
     }
 };

@@ -269,6 +269,11 @@ void CloudView::updateOverlay() {
     } else {
         marks.note = note_;
     }
+    // A tip is about what the mouse points at; the ring may be that of a target, which stays where it is.
+    const bool pinned =
+        std::ranges::any_of(marks_.targets, [&](const TargetMark& target) { return target.active && target.cell == marked_; });
+    const auto told = hoveredCell_ ? hoveredCell_ : pinned ? std::nullopt : marked_;
+    if (told && !tip_.isEmpty()) marks.tipAt = pixelOf(*told);
     marks.dragged = dragged_;
     if (cloud_ && (!marks_.targets.empty() || !marks_.measures.empty())) marks.marks = marksOnScreen();
     if (marked_ && cloud_ && cloud_->drawable(*marked_)) {
