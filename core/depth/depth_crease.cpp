@@ -104,6 +104,16 @@ void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right)
         addUpBy<FourLanes>(at, reach, left, right);
 }
 
+// Sum of the squares of so many places from their mean, n (n^2 - 1) / 12. With these few it is the same by a product, which takes less.
+constexpr float spreadOf(float count) { return count * (count * count - 1) * (1.0F / 12.0F); }
+constexpr bool isSpreadExact() {
+    for (float count = 1; count <= kMost + 1; ++count) {
+        if (spreadOf(count) != count * (count * count - 1) / 12.0F) return false;
+    }
+    return true;
+}
+static_assert(isSpreadExact());
+
 // Slope of u per step outwards and height of the line over the cell.
 struct SideLine {
     float slope, height;
@@ -111,7 +121,7 @@ struct SideLine {
 inline __attribute__((always_inline)) SideLine fitted(float cells, float sum, float weighted) {
     const float count = cells + 1;
     const float mean = 0.5F * cells;
-    const float spread = std::max(count * (count * count - 1) / 12.0F, 0.5F);
+    const float spread = std::max(spreadOf(count), 0.5F);
     const float slope = (weighted - mean * sum) / spread;
     return {slope, sum / count - mean * slope};
 }
