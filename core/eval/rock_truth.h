@@ -42,6 +42,7 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder);
 struct VisibleSpans {
     double aM = 0.0, bM = 0.0;
 };
+/// With calipers of its own, not those of core/rocks: what scores must not share a fault with what is scored.
 [[nodiscard]] VisibleSpans spansAcrossSight(const std::vector<Eigen::Vector3d>& pointsM);
 
 /// Of the visible part of each rock: where its beams' centres end without noise. In the order of `rocks`.

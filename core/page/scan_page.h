@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostPagePoints = 60'000, kMostPageEdges = 40'000;
 /// Most pixels along a side of the gray and the edge picture; larger ones are made smaller.
 inline constexpr int kMostPagePixels = 1200;
 /// No report is larger, whatever the scan; with rocks it may be as much larger.
-inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 9'000'000;
+inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 12'000'000;
 
 struct PageWords {
     std::string command; ///< that makes the report again

@@ -51,6 +51,9 @@ private slots:
             QSignalSpy saved(&on.window.session(), &Session::saved);
             on.window.session().save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
             QVERIFY(saved.wait(10000));
+            QSignalSpy reported(&on.window.report(), &ScanReport::ended);
+            on.window.report().writeTo(QString::fromStdString((place / "report.html").string()));
+            QVERIFY(reported.wait(10000));
             QVERIFY(written(on));
         }
         const auto check = checkAudit(place / "audit.jsonl");
@@ -61,7 +64,8 @@ private slots:
         for (const char* event : {"started", "opened", "pinned", "exported", "ended"}) QVERIFY2(last.contains(event), event);
         QCOMPARE(last["opened"].details["scan"].get<std::string>(), scan_);
         QCOMPARE(last["pinned"].details["line"].get<int>(), 45);
-        QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("edge image"));
+        QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("report")); // and before it the picture
+        QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{6});
         QCOMPARE(last["exported"].details["settings"]["sensitivity"].get<double>(), 1.5);
         QCOMPARE(test::runCli("audit '" + (place / "audit.jsonl").string() + "'").code, 0);
     }

@@ -24,13 +24,8 @@ AuditTrail::AuditTrail(const QString& folder, const Session& session, const Link
         pinned_.reset();
         note("opened", scanShown());
     });
-    connect(&session, &Session::saved, this, [this](ExportContent what, const QString& path, qint64 count) {
-        Json details = scanShown();
-        details["content"] = exportContentName(what);
-        details["file"] = path.toStdString();
-        details["count"] = count;
-        note("exported", details);
-    });
+    connect(&session, &Session::saved, this,
+            [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportContentName(what), path, count); });
     connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {
         const bool isUndone = index < last;
@@ -57,6 +52,14 @@ void AuditTrail::note(const std::string& event, const Json& details) {
     if (!log_) return;
     lines_.emplace_back(event, details);
     pump();
+}
+
+void AuditTrail::noteExport(const std::string& content, const QString& path, std::optional<qint64> count) {
+    Json details = scanShown();
+    details["content"] = content;
+    details["file"] = path.toStdString();
+    if (count) details["count"] = *count;
+    note("exported", details);
 }
 
 void AuditTrail::noteWarnings(const QStringList& warnings) {

@@ -28,6 +28,8 @@ public:
     ~AuditTrail() override;
 
     void note(const std::string& event, const nlohmann::ordered_json& details);
+    /// What was written to where, and what it is of.
+    void noteExport(const std::string& content, const QString& path, std::optional<qint64> count = std::nullopt);
     void noteWarnings(const QStringList& warnings);
     /// Everything is on the disk.
     [[nodiscard]] bool written() const { return lines_.empty() && !writing_; }

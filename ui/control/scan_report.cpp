@@ -67,10 +67,9 @@ void ScanReport::writeTo(const QString& path) {
         [this, detection, rocks, words, path]() -> std::function<void()> {
             const auto written = writeWholeFile(path.toStdString(), scanPage(*detection, words, rocks ? &rocks->study : nullptr));
             return [this, written, path] {
-                if (written)
-                    notice_.tellSaved(path, tr("a page for any browser"));
-                else
-                    notice_.tell(written.error());
+                if (!written) return notice_.tell(written.error());
+                notice_.tellSaved(path, tr("a page for any browser"));
+                emit saved(path);
             };
         },
         [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, tr("The report could not be made (%1).").arg(what)); },

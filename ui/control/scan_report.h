@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool working() const { return working_ > 0; }
 
 signals:
+    /// The page is on the disk.
+    void saved(const QString& path);
     void ended();
 
 private:

@@ -121,6 +121,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     status_->addKept(warnings_);
     connect(warnings_, &QToolButton::clicked, this,
             [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
+    connect(&report_, &ScanReport::saved, &audit_, [this](const QString& path) { audit_.noteExport("report", path); });
     connect(warnings_, &WarningButton::warningsRaised, &audit_, &AuditTrail::noteWarnings);
     connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
         audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});

@@ -119,6 +119,25 @@ TEST(RockRows, FreeHeightBelowEndsWhereSomethingStandsOrNothingCameBack) {
     EXPECT_LT(alone.rocks[0].freeBelowM, f.rocks[0].freeBelowM - 0.5);
 }
 
+TEST(RockRows, CellsThatSawPastTheRimMakeNoRockLonger) {
+    const FoundBalls f = found(ballsScan({{{0.3, 0.0, 5.0}, 0.5}}));
+    ASSERT_EQ(f.rocks.size(), 1U);
+    RockLeaves leaves = f.leaves;
+    Scan scan = *leaves.inputs.scan;
+    const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
+    int changed = 0;
+    for (std::size_t k = 0; k < scan.cells() && changed < 4; ++k) { // the first ones, at its upper rim
+        if (labels[k] != 1 || scan.state[k] != CellState::Valid) continue;
+        scan.rangeMm[k] += 9000.0F;
+        ++changed;
+    }
+    leaves.inputs.scan = std::make_shared<const Scan>(std::move(scan));
+    const std::vector<Rock> rocks = rockRows(leaves, f.map);
+    EXPECT_NEAR(rocks[0].longM, f.rocks[0].longM, 0.05);
+    EXPECT_NEAR(rocks[0].wideM, f.rocks[0].wideM, 0.05);
+    EXPECT_NEAR(rocks[0].distanceM, f.rocks[0].distanceM, 0.01);
+}
+
 TEST(RockRows, SizesAndFinesAddUp) {
     const FoundBalls f = found(ballsScan({{{-1.5, 0.0, 5.0}, 0.5}, {{0.2, 0.0, 5.0}, 0.3}, {{1.6, 0.0, 5.0}, 0.4}}));
     ASSERT_EQ(f.rocks.size(), 3U);
