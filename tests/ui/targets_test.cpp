@@ -135,6 +135,8 @@ private slots:
         QTest::mouseClick(on.window.targetsPanel().card().lock(), Qt::LeftButton);
         QVERIFY(on.window.targets().active()->locked);
         QVERIFY(!on.window.targetsPanel().card().close()->isEnabled());
+        QTest::keyClick(&on.window, Qt::Key_Delete);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
         on.window.notice().hide();
         on.window.views().cloud().setFocus();
         QTest::keyClick(&on.window, Qt::Key_Escape);
