@@ -135,6 +135,8 @@ private slots:
         QTest::mouseClick(on.window.targetsPanel().card().lock(), Qt::LeftButton);
         QVERIFY(on.window.targets().active()->locked);
         QVERIFY(!on.window.targetsPanel().card().close()->isEnabled());
+        QTest::keyClick(&on.window, Qt::Key_Delete);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
         on.window.notice().hide();
         on.window.views().cloud().setFocus();
         QTest::keyClick(&on.window, Qt::Key_Escape);
@@ -379,9 +381,10 @@ private slots:
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
         QCOMPARE(cloud.geometryOfCloud()->validCount, left);
-        QVERIFY(cloud.selection() && *cloud.selection() == wanted);
+        QVERIFY(selection.cells() == wanted && !cloud.selection()); // alone it needs no colour of its own
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QCOMPARE(cloud.geometryOfCloud()->validCount, points);
+        QVERIFY(cloud.selection() && *cloud.selection() == wanted);
         // Another scan knows nothing of it.
         QVERIFY(on.open(plate_));
         QVERIFY(selection.cells().empty() && selection.hidden().empty() && !gray.selection() && !cloud.selection());
@@ -433,6 +436,42 @@ private slots:
         emit on.window.views().gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
         QVERIFY(on.window.selection().cells() == chain);
         QVERIFY2(on.window.notice().text().contains("press K first"), qPrintable(on.window.notice().text()));
+    }
+
+    void aRockIsSelectedAndStandsOnTheCard() {
+        SimulationSettings settings;
+        settings.seed = 4711;
+        settings.lines = 250;
+        settings.beams = 286;
+        const std::string bell = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, bell)));
+        WindowFixture on;
+        QVERIFY(showWith(on, bell));
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        const RockPicture& rocks = *on.window.rocks().picture();
+        const Rock& largest = rocks.study.rocks.front();
+        on.window.views().pin(largest.cell);
+        QVERIFY(known(on));
+        const QString spans = QString("no. 1: %1 × %2 ± ").arg(largest.longM, 0, 'f', 2).arg(largest.wideM, 0, 'f', 2);
+        QVERIFY2(on.window.targetsPanel().card().text().contains("Rock, visible: " + spans),
+                 qPrintable(on.window.targetsPanel().card().text()));
+        // A click with the tool takes all its cells, and leaves the rocks' own selection alone.
+        QTest::keyClick(&on.window, Qt::Key_B);
+        std::uint32_t inside = largest.cell;
+        while (rocks.labelAt(inside) == 1 && (*on.picture().detection->mask)[inside] != 0) ++inside;
+        QCOMPARE(rocks.labelAt(inside), 1U);
+        emit on.window.views().gray().clicked(static_cast<int>(inside / 286), static_cast<int>(inside % 286));
+        CellSet wanted;
+        for (std::size_t k = 0; k < rocks.labels.size(); ++k) {
+            if (rocks.labels[k] == 1) wanted.push_back(static_cast<std::uint32_t>(k));
+        }
+        QVERIFY(on.window.selection().cells() == wanted);
+        QVERIFY(on.window.rocks().selected().empty());
+        // Isolated, it is alone in the cloud; its face keeps its colour.
+        QTest::keyClick(&on.window, Qt::Key_I);
+        QVERIFY(on.window.views().cloud().geometryOfCloud()->validCount <= wanted.size());
+        QVERIFY(on.window.views().cloud().faces() != nullptr);
     }
 
     void anExportOfTheSelectionCarriesItsRecord() {

@@ -40,7 +40,7 @@ constexpr double kAmbient = 0.5;          // of the cloud's colour where the sur
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
-const QColor kSelected(120, 190, 255); // points of the selection, which are larger as well
+const QColor kSelected(70, 124, 196); // the blue of rock faces: edges are told from it; its points are larger as well
 
 // A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
 class HaloMapper : public vtkOpenGLPolyDataMapper {
@@ -125,6 +125,8 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     }
     renderer_->AddActor(selection_.actor);
     setColour(selection_.actor, kSelected);
+    selection_.actor->GetProperty()->SetAmbient(kAmbient);
+    selection_.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
@@ -227,6 +229,7 @@ void CloudScene::setOutline(EdgeCells::Indices cells) {
 
 void CloudScene::setSelection(EdgeCells::Indices cells) {
     setLayer(selection_, cells);
+    selection_.data->GetPointData()->SetNormals(cells ? normals_.Get() : nullptr); // shaded as the cloud is: it keeps its form
     selection_.actor->SetVisibility(cells != nullptr);
     selected_ = std::move(cells);
 }
@@ -267,6 +270,7 @@ void CloudScene::setLook(const CloudLook& look) {
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
     outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
+    selection_.actor->GetProperty()->SetLighting(look.shaded);
     selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
     edgesShown_ = look.edges;
     byClass_ = look.byClass;

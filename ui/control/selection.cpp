@@ -36,7 +36,7 @@ std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const Ce
         if (k < cells) pixel(k) = qPremultiply(qRgba(30, 30, 30, 225));
     }
     for (const std::uint32_t k : selected) {
-        if (k < cells) pixel(k) = qPremultiply(qRgba(120, 190, 255, (k / width + k % width) % 4 == 0 ? 230 : 110));
+        if (k < cells) pixel(k) = qPremultiply(qRgba(70, 124, 196, (k / width + k % width) % 4 == 0 ? 230 : 130));
     }
     return image;
 }
@@ -184,7 +184,10 @@ void Selection::use(const State& state) {
 void Selection::show() {
     if (!session_.picture()) return;
     const Picture& picture = *session_.picture();
-    const auto image = selectionPicture(state_.selected, state_.hidden, picture.gray->width(), picture.gray->height());
+    // Where nothing else is left to be seen it needs no colour of its own.
+    const bool isolated = state_.selected.size() + state_.hidden.size() >= picture.detection->scan->cells();
+    const CellSet coloured = isolated ? CellSet() : state_.selected;
+    const auto image = selectionPicture(coloured, state_.hidden, picture.gray->width(), picture.gray->height());
     for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setSelection(image);
     CloudView& cloud = views_.cloud();
     std::shared_ptr<std::vector<std::uint8_t>> mask;
@@ -195,7 +198,7 @@ void Selection::show() {
         }
     }
     cloud.setHidden(std::move(mask));
-    cloud.setSelection(state_.selected.empty() ? nullptr : std::make_shared<const CellSet>(state_.selected));
+    cloud.setSelection(coloured.empty() ? nullptr : std::make_shared<const CellSet>(coloured));
 }
 
 QString Selection::words() const {

@@ -154,7 +154,7 @@ void Targets::pin(std::size_t cell) {
 
 void Targets::letGo(int number) {
     Notebook after = notebook_;
-    std::erase_if(after.targets, [&](const PinnedTarget& target) { return target.number == number; });
+    std::erase_if(after.targets, [&](const PinnedTarget& target) { return target.number == number && !target.locked; });
     if (after != notebook_) change(tr("Let Go of %1").arg(number), std::move(after));
 }
 

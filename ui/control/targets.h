@@ -47,6 +47,7 @@ public:
     [[nodiscard]] const KnownTargets& known() const { return known_; }
 
     void pin(std::size_t cell);
+    /// But of one that is locked.
     void letGo(int number);
     /// But of those that are locked.
     void letGoOfAll();

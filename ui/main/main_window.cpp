@@ -17,6 +17,7 @@
 #include "ui/main/rock_docks.h"
 #include "ui/main/target_dock.h"
 #include "ui/main/tool_bar.h"
+#include "ui/main/warned_picture.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
@@ -65,28 +66,6 @@ QSize usualWindow(const QRect& screen) {
     constexpr int kSmall = 1600;
     if (screen.width() <= kSmall) return screen.size();
     return {std::max(kSmall, static_cast<int>(0.85 * screen.width())), static_cast<int>(0.88 * screen.height())};
-}
-
-// A picture of the window travels without it: what the scan warns of stands below.
-QImage withWarnings(const QImage& window, const QStringList& warnings, const QFont& font) {
-    if (warnings.isEmpty()) return window;
-    constexpr int kMargin = 8;
-    const qreal scale = window.devicePixelRatio();
-    const int width = static_cast<int>(window.width() / scale);
-    const QString text = shownText(QObject::tr("Warnings of this scan:\n") + warnings.join('\n'));
-    const QRect room(kMargin, kMargin, width - 2 * kMargin, 100000);
-    const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere;
-    const QRect needed = QFontMetrics(font).boundingRect(room, flags, text);
-    const int height = static_cast<int>(window.height() / scale);
-    QImage image(static_cast<int>(width * scale), static_cast<int>((height + needed.height() + 2 * kMargin) * scale), window.format());
-    image.setDevicePixelRatio(scale);
-    image.fill(QColor(107, 78, 0));
-    QPainter painter(&image);
-    painter.drawImage(0, 0, window);
-    painter.setFont(font);
-    painter.setPen(Qt::white);
-    painter.drawText(QRect(kMargin, height + kMargin, width - 2 * kMargin, needed.height()), flags, text);
-    return image;
 }
 
 } // namespace
