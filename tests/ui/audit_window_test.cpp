@@ -6,6 +6,7 @@
 
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -61,11 +62,11 @@ private slots:
         QVERIFY2(check->faults.empty(), check->faults.empty() ? "" : check->faults[0].sentence.c_str());
         std::map<std::string, AuditLine> last;
         for (const AuditLine& line : linesOf(place / "audit.jsonl")) last[line.event] = line;
-        for (const char* event : {"started", "opened", "pinned", "exported", "ended"}) QVERIFY2(last.contains(event), event);
+        for (const char* event : {"started", "opened", "pinned", "changed", "exported", "ended"}) QVERIFY2(last.contains(event), event);
         QCOMPARE(last["opened"].details["scan"].get<std::string>(), scan_);
         QCOMPARE(last["pinned"].details["line"].get<int>(), 45);
         QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("report")); // and before it the picture
-        QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{6});
+        QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{7}); // the pin is also a step that can be undone
         QCOMPARE(last["exported"].details["settings"]["sensitivity"].get<double>(), 1.5);
         QCOMPARE(test::runCli("audit '" + (place / "audit.jsonl").string() + "'").code, 0);
     }
@@ -85,7 +86,7 @@ private slots:
         const std::vector<AuditLine> lines = linesOf(place / "audit.jsonl");
         QVERIFY(lines.size() >= 3);
         QCOMPARE(lines[0].event, std::string("started"));
-        QCOMPARE(lines.back().event, std::string("pinned"));
+        QVERIFY(std::ranges::any_of(lines, [](const AuditLine& line) { return line.event == "pinned"; }));
     }
 
     void withoutMemoryThereIsNone() {

@@ -24,6 +24,7 @@
 
 #include <clocale>
 #include <locale>
+#include <map>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -62,6 +63,22 @@ private slots:
         scan.placement = std::make_shared<const Placement>(placement);
         hostile_ = (folder_ / "<h1>name & \x1b[31m\n\u202e.json").string();
         QVERIFY(saveScan(scan, hostile_));
+    }
+
+    // Qt runs neither of two commands with one key, and says so to nobody.
+    void noTwoCommandsShareAKey() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        std::map<QString, QString> owner;
+        for (const QAction* action : on.window.findChildren<QAction*>()) {
+            for (const QKeySequence& keys : action->shortcuts()) {
+                const QString key = keys.toString(QKeySequence::PortableText);
+                if (key.isEmpty()) continue;
+                const auto [other, isNew] = owner.emplace(key, action->text());
+                QVERIFY2(isNew, qPrintable(key + ": " + other->second + " and " + action->text()));
+            }
+        }
+        QVERIFY(owner.size() > 30);
     }
 
     void noLabelTakesForeignTextForMarkup() {

@@ -297,7 +297,7 @@ Command measureMenu(MainWindow& w) {
                                    measure("&Distance", "U", MeasureKind::Distance),
                                    measure("&Vertical", "V", MeasureKind::Vertical),
                                    measure("&Angle", "A", MeasureKind::Angle),
-                                   measure("&Spans a × b", "X", MeasureKind::Spans),
+                                   measure("&Spans a × b", "Y", MeasureKind::Spans),
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,

@@ -188,7 +188,7 @@ TEST(BadInput, WhatIsNoScanIsNamed) {
     expectRefused("/bin/sh", "a program");
     expectRefused("/dev/zero", "a device or a pipe");
     writeText(folder / "wide.txt", std::string("\xFF\xFEx\0y\0z\0", 8));
-    expectRefused(folder / "wide.txt", "neither text");
+    expectRefused(folder / "wide.txt", "UTF-16");
     std::filesystem::create_symlink("loop.pcd", folder / "loop.pcd");
     EXPECT_FALSE(openScan(folder / "loop.pcd"));
 }

@@ -123,11 +123,11 @@ TEST(MineExport, MineCoordinatesAreNeverFourByteFloats) {
     asked.choices.doubles = true;
     const auto pcd = writtenFormat("cloud.pcd")->write(asked, "cloud.pcd", false);
     ASSERT_TRUE(pcd);
-    EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1 4\nTYPE F F F U U F U U\n"), std::string::npos);
+    EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1 4\nTYPE F F F U U F U F\n"), std::string::npos);
     // PCL reads floats only: metres from the origin, which the header tells twice.
     const auto floats = writtenFormat("cloud.pcd")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
     ASSERT_TRUE(floats);
-    EXPECT_NE(floats->find("SIZE 4 4 4 4 4 4 1 4\nTYPE F F F U U F U U\n"), std::string::npos);
+    EXPECT_NE(floats->find("SIZE 4 4 4 4 4 4 1 4\nTYPE F F F U U F U F\n"), std::string::npos);
     EXPECT_NE(floats->find("# edgescan-origin 620000 6200000 250 "), std::string::npos);
     EXPECT_NE(floats->find("VIEWPOINT 620000 6200000 250 1 0 0 0\n"), std::string::npos);
     const auto ply = writtenFormat("cloud.ply")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.ply", false);

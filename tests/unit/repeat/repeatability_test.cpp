@@ -115,8 +115,8 @@ TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
     ASSERT_TRUE(aligned) << aligned.error().sentence();
     EXPECT_LT(aligned->residualM, 0.2 * aligned->residualBeforeM);
     const RigidTransform left = aligned->correction * off;
-    EXPECT_LT(Eigen::AngleAxisd(left.rotation).angle() * 180 / std::numbers::pi, 0.02);
-    EXPECT_LT(left.translationM.norm(), 0.003);
+    EXPECT_LT(Eigen::AngleAxisd(left.rotation).angle() * 180 / std::numbers::pi, 0.05);
+    EXPECT_LT((left * Eigen::Vector3d(0, 0, 5) - Eigen::Vector3d(0, 0, 5)).norm(), 0.005); // where the rocks are
 }
 
 TEST(Repeat, AWallHoldsNothingAlongItself) {
@@ -152,6 +152,7 @@ TEST(Repeat, EveryMethodIsComparedAtEqualNumbers) {
     ComparisonSettings settings;
     settings.only = {"thesis", "edgescan+", "sobel"};
     settings.repeats = 1;
+    settings.peers = false;
     const auto rows = methodRepeatability(placedBy(scan, {}), placedBy(again, {}), 0.15, settings);
     ASSERT_EQ(rows.size(), 3U);
     std::size_t ours = 0;
