@@ -41,7 +41,8 @@ inline const Command kLine{};
 /// set to what the memory says, which must outlive the menu.
 void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory);
 
-/// Space presses the button that has the focus, Home and End move the slider that has it; only elsewhere they are shortcuts.
+/// Space presses the button that has the focus, Home and End move the slider, Page Up and Page Down the slider, number or list that has it;
+/// only elsewhere they are shortcuts.
 class KeysOfFocus : public QObject {
     Q_OBJECT
 public:
