@@ -73,7 +73,8 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool presses = qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
     const bool slides = qobject_cast<QAbstractSlider*>(watched) != nullptr;
-    const bool pages = slides || qobject_cast<QAbstractSpinBox*>(watched) != nullptr || qobject_cast<QAbstractItemView*>(watched) != nullptr;
+    const bool pages =
+        slides || qobject_cast<QAbstractSpinBox*>(watched) != nullptr || qobject_cast<QAbstractItemView*>(watched) != nullptr;
     const bool isOwn = (key == Qt::Key_Space && presses) || ((key == Qt::Key_Home || key == Qt::Key_End) && slides) ||
                        ((key == Qt::Key_PageUp || key == Qt::Key_PageDown) && pages);
     if (!isOwn) return false;
