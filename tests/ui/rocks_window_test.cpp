@@ -378,7 +378,8 @@ private slots:
         while (before.contains(middle.y(), left - 1) && before.at(middle.y(), left - 1) == 1) --left;
         while (before.contains(middle.y(), right + 1) && before.at(middle.y(), right + 1) == 1) ++right;
         QTest::keyClick(&on.window, Qt::Key_X);
-        draw(view, {pixelOf(view, {std::max(0, left - 3), middle.y()}), pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()})});
+        draw(view,
+             {pixelOf(view, {std::max(0, left - 3), middle.y()}), pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()})});
         QVERIFY(settled(on));
         QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
         QVERIFY(on.window.rocks().edits()[0].kind == RockEditKind::Cut);
