@@ -26,10 +26,12 @@ inline constexpr NumberLimits kSeconds{0, 4e7};
 /// The number typed. Throws CLI::ValidationError with the flag's name and limits.
 [[nodiscard]] double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole);
 
-template <class Value> struct NumberIn {
+template <class Value>
+struct NumberIn {
     using Type = Value;
 };
-template <class Number> struct NumberIn<std::optional<Number>> {
+template <class Number>
+struct NumberIn<std::optional<Number>> {
     using Type = Number;
 };
 
