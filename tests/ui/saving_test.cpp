@@ -130,9 +130,11 @@ private slots:
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(text("shot.png") == "precious");
+        QVERIFY(on.activate()); // the question had the focus
         {
             Hand hand(path("shot"), {"replace"});
             QTest::keyClick(&on.window, Qt::Key_F12);
+            QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(QImage(path("shot.png")).width() > 100);
     }
