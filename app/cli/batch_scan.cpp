@@ -172,8 +172,7 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Det
         return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, rocks.get()));
     }
     if (!wanted.content)
-        return writeWholeFile(folder / (wanted.stem + wanted.extension),
-                              reportText(document("detect", detectReport(detection, loadMs)), true) + "\n");
+        return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", detectReport(detection, loadMs)));
     const std::string tail = namesFrame(*wanted.content, "x" + wanted.extension) ? frameTail(options.frame) : "";
     const auto written = exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
     if (!written) return written.error();

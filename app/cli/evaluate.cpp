@@ -228,21 +228,10 @@ int run(Evaluate& evaluate, const CLI::App& command) {
         complain({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
         return kWrongUsage;
     }
-    const Result<Json> json = evaluateAll(evaluate, *settings);
-    if (!json) {
-        complain(json.error());
-        return kRefused;
-    }
-    if (!evaluate.json.empty()) {
-        const Result<Done> written = writeDocument(evaluate.json, *json);
-        if (written) return kDone;
-        complain(written.error());
-        return kRefused;
-    }
-    show((*json)["fixed"]);
-    if (!json->contains("sweep")) return kDone;
-    showSweep((*json)["sweep"]);
-    return kDone;
+    return writeOrShow(evaluateAll(evaluate, *settings), evaluate.json, [](const Json& figures) {
+        show(figures["fixed"]);
+        if (figures.contains("sweep")) showSweep(figures["sweep"]);
+    });
 }
 
 } // namespace

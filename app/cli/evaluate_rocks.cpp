@@ -150,21 +150,26 @@ void showClaims(const Json& one) {
 
 } // namespace
 
+int writeOrShow(const Result<Json>& figures, const std::string& json, const std::function<void(const Json&)>& show) {
+    if (!figures) {
+        complain(figures.error());
+        return kRefused;
+    }
+    if (json.empty()) {
+        show(*figures);
+        return kDone;
+    }
+    const Result<Done> written = writeDocument(json, *figures);
+    if (written) return kDone;
+    complain(written.error());
+    return kRefused;
+}
+
 int evaluateRocks(const EvaluateRocks& evaluate) {
-    const Result<Json> json = evaluateAll(evaluate);
-    if (!json) {
-        complain(json.error());
-        return kRefused;
-    }
-    if (!evaluate.json.empty()) {
-        const Result<Done> written = writeDocument(evaluate.json, *json);
-        if (written) return kDone;
-        complain(written.error());
-        return kRefused;
-    }
-    showTable(*json);
-    showClaims((*json)["answers"].front());
-    return kDone;
+    return writeOrShow(evaluateAll(evaluate), evaluate.json, [](const Json& figures) {
+        showTable(figures);
+        showClaims(figures["answers"].front());
+    });
 }
 
 } // namespace edgescan::cli

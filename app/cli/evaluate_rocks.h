@@ -4,6 +4,9 @@
 #include "app/shared/options.h"
 #include "core/compare/rock_answers.h"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +20,10 @@ struct EvaluateRocks {
     RockChoices choices;
     ReadFlags read;
 };
+
+/// Writes the figures where --json asks for them, else shows them. The exit code.
+[[nodiscard]] int writeOrShow(const Result<nlohmann::ordered_json>& figures, const std::string& json,
+                              const std::function<void(const nlohmann::ordered_json&)>& show);
 
 /// The exit code.
 [[nodiscard]] int evaluateRocks(const EvaluateRocks& evaluate);

@@ -28,8 +28,6 @@ constexpr std::size_t kLinesLookedAt = 20;             // of a file that may be 
 constexpr std::uint64_t kMostListBytes = 1ULL << 30U;  // ten million paths
 constexpr std::uint64_t kMostDescription = 64U << 20U; // as for any JSON from outside
 
-std::string textOf(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
 // ".pcd" of "a.pcd" and of "a.pcd.gz".
 std::string scanExtension(const fs::path& path) {
     const std::string last = asciiLower(path.extension().string());
@@ -99,11 +97,11 @@ Result<Done> addFolder(const std::string& folder, const fs::path& results, Archi
     return Done{};
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
+std::vector<std::string> linesOf(std::string_view text) {
     std::vector<std::string> lines;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
-        std::string line = text.substr(at, end - at);
+        std::string line(text.substr(at, end - at));
         if (line.ends_with('\r')) line.pop_back();
         if (!line.empty() && !line.starts_with('#')) lines.push_back(std::move(line));
         at = end + 1;

@@ -106,7 +106,7 @@ const char* auditFaultName(AuditFaultKind kind) {
 Result<AuditCheck> checkAudit(const std::filesystem::path& path, const std::string& expectedLast) {
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
-    const std::vector<Placed> lines = placedLines({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    const std::vector<Placed> lines = placedLines(textOf(*bytes));
     AuditCheck check;
     Walk walk(lines);
     bool hasExpected = expectedLast.empty();

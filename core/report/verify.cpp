@@ -30,12 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string textOf(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
 std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
 /// Null where it is damaged: what was altered is told all the same.
-Json parsed(const std::string& text) {
+Json parsed(std::string_view text) {
     auto json = parseOrderedJson(text, "");
     return json ? std::move(*json) : Json();
 }
@@ -239,7 +237,7 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     v.exported = exported;
     const auto bytes = readWholeFile(exported);
     if (!bytes) return bytes.error();
-    const std::string found = textOf(*bytes);
+    const std::string found(textOf(*bytes));
     v.foundSha256 = sha256Of(found);
     const auto record = recordOf(found, v);
     if (!record) return record.error();

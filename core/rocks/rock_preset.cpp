@@ -50,8 +50,7 @@ Result<RockPreset> rockPresetFromText(std::string_view text, int lines, int beam
 Result<RockPreset> readRockPreset(const std::filesystem::path& path, const Scan& scan) {
     const auto bytes = readWholeFile(path, kMostBytes);
     if (!bytes) return bytes.error();
-    return rockPresetFromText({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, scan.lines(), scan.beams(), scan.sha256,
-                              path.string());
+    return rockPresetFromText(textOf(*bytes), scan.lines(), scan.beams(), scan.sha256, path.string());
 }
 
 } // namespace edgescan

@@ -42,7 +42,7 @@ Result<Notebook> TargetStore::load(const NotebookScan& scan) {
             refused_.insert(path);
             return bytes.error();
         }
-        text.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        text = textOf(*bytes);
     }
     auto notebook = notebookFromText(text, scan, path);
     if (!notebook)
