@@ -78,8 +78,44 @@ async function mcap() {
   return { points: null, coloured: null };
 }
 
+// As Foxglove and Lichtblick do: the indexed reader, the messages checked against their own schemas, the fields of the packed points.
+async function foxglove() {
+  const { McapIndexedReader } = await load('@mcap/core');
+  const schemas = await load('@foxglove/schemas/jsonschema');
+  const Ajv = (await load('ajv')).default;
+  const ajv = new Ajv({ strict: false, validateFormats: false });
+  const known = { 'foxglove.PointCloud': schemas.PointCloud, 'foxglove.FrameTransform': schemas.FrameTransform };
+  const reader = await McapIndexedReader.Initialize({
+    readable: { size: async () => BigInt(bytes.length), read: async (offset, size) => bytes.subarray(Number(offset), Number(offset) + Number(size)) },
+  });
+  const readers = { 1: ['getUint8', 1], 5: ['getUint32', 4], 7: ['getFloat32', 4], 8: ['getFloat64', 8] };
+  let cloud = null;
+  for await (const message of reader.readMessages()) {
+    const channel = reader.channelsById.get(message.channelId);
+    const schema = reader.schemasById.get(channel.schemaId);
+    const content = JSON.parse(new TextDecoder().decode(message.data));
+    if (!ajv.validate(known[schema.name], content)) throw new Error(`${channel.topic}: ${ajv.errorsText()}`);
+    if (channel.topic === '/edgescan/cloud') cloud = content;
+  }
+  const data = Buffer.from(cloud.data, 'base64');
+  const view = new DataView(data.buffer, data.byteOffset, data.length);
+  const column = (name) => {
+    const field = cloud.fields.find((one) => one.name === name);
+    const [method] = readers[field.type];
+    return (n) => view[method](n * cloud.point_stride + field.offset, true);
+  };
+  const [x, y, z, red, green, blue] = ['x', 'y', 'z', 'red', 'green', 'blue'].map(column);
+  const positions = [];
+  const colours = [];
+  for (let n = 0; n < data.length / cloud.point_stride; ++n) {
+    positions.push(x(n), y(n), z(n));
+    colours.push(red(n), green(n), blue(n));
+  }
+  return cloudOf(positions, colours, 3, 255);
+}
+
 try {
-  const read = await { three, 'loaders.gl': loadersGl, copc, mcap }[library]();
+  const read = await { foxglove, three, 'loaders.gl': loadersGl, copc, mcap }[library]();
   writeFileSync(out, JSON.stringify(read));
 } catch (problem) {
   console.log(String(problem.message ?? problem));

@@ -11,9 +11,9 @@ import tempfile
 
 CLI, MODULES = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
 HERE = os.path.dirname(os.path.abspath(__file__))
-COLOURED = ["ply", "pcd", "las", "obj", "dxf"]
-MOST_OFF_MM = {"xyz": 0.01, "csv": 0.01, "ply": 0.01, "pcd": 0.01, "las": 0.501, "obj": 0.01, "ptx": 0.01, "dxf": 0.06}
-FORMATS = ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx", "dxf", "mcap"]
+COLOURED = ["ply", "pcd", "las", "obj", "dxf", "foxglove.mcap"]
+MOST_OFF_MM = {"xyz": 0.01, "csv": 0.01, "ply": 0.01, "pcd": 0.01, "las": 0.501, "obj": 0.01, "ptx": 0.01, "dxf": 0.06, "foxglove.mcap": 0.01}
+FORMATS = ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx", "dxf", "mcap", "foxglove.mcap"]
 
 
 def run(command, **more):
@@ -223,6 +223,8 @@ PROGRAMS = [
     ("loaders.gl", lambda: module("@loaders.gl/core"), node_reads("loaders.gl"), ["csv", "ply", "pcd", "las", "obj"]),
     ("copc", lambda: module("copc"), node_reads("copc"), ["las"]),
     ("@mcap/core", lambda: module("@mcap/core"), node_reads("mcap"), ["mcap"]),
+    ("Foxglove's schemas", lambda: module("@mcap/core") and module("@foxglove/schemas") and module("ajv"), node_reads("foxglove"),
+     ["foxglove.mcap"]),
 ]
 
 
@@ -245,7 +247,7 @@ def farthest(ours, theirs, cell=0.001):
 
 
 def row_of(name, path, read, folder, points, edges):
-    kind = path.rsplit(".", 1)[1]
+    kind = os.path.basename(path).split(".", 1)[1]
     try:
         cloud = read(path, folder)
     except Exception as problem:  # another program's refusal is a result

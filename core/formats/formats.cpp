@@ -22,6 +22,7 @@ Format ptxFormat();
 Format objFormat();
 Format rangePictureFormat();
 Format scan3dFormat();
+Format foxgloveFormat();
 Format recordingFormat();
 Format packetCaptureFormat();
 Format colaCaptureFormat();
@@ -31,11 +32,11 @@ namespace {
 
 /// In this order they are asked whether they recognise a content, and stand in dialogs.
 const std::vector<Format>& rows() {
-    static const std::vector<Format> all{rawGridFormat(),    numpyFormat(),         numpyArchiveFormat(), fileThatIsNoScan(),
-                                         pcdFormat(),        plyFormat(),           pointListFormat(),    rangeTableFormat(),
-                                         pointTableFormat(), lasFormat(),           e57Format(),          dxfFormat(),
-                                         ptxFormat(),        objFormat(),           rangePictureFormat(), scan3dFormat(),
-                                         recordingFormat(),  packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
+    static const std::vector<Format> all{
+        rawGridFormat(),       numpyFormat(),       numpyArchiveFormat(),  fileThatIsNoScan(), pcdFormat(),      plyFormat(),
+        pointListFormat(),     rangeTableFormat(),  pointTableFormat(),    lasFormat(),        e57Format(),      dxfFormat(),
+        ptxFormat(),           objFormat(),         rangePictureFormat(),  scan3dFormat(),     foxgloveFormat(), recordingFormat(),
+        packetCaptureFormat(), colaCaptureFormat(), fileOfAnotherProgram()};
     return all;
 }
 
@@ -53,10 +54,19 @@ const Format& formatOfContent(const Source& source) {
 
 const Format* writtenFormat(const std::filesystem::path& path) {
     // Standard output has no name; nothing is written packed.
-    const std::string extension = path == "-" ? ".pcd" : Source::lowerCase(path.extension());
-    const auto found = std::ranges::find_if(
-        rows(), [&](const Format& format) { return std::ranges::find(format.writes, extension) != format.writes.end(); });
-    return found == rows().end() ? nullptr : &*found;
+    const std::string name = path == "-" ? ".pcd" : Source::lowerCase(path.filename());
+    // The longest extension wins: .foxglove.mcap is no recording.
+    const Format* longest = nullptr;
+    std::size_t length = 0;
+    for (const Format& format : rows()) {
+        for (const std::string_view extension : format.writes) {
+            if (extension.size() <= length || !name.ends_with(extension)) continue;
+            if (name.size() == extension.size() && path != "-") continue; // a hidden file without an extension
+            longest = &format;
+            length = extension.size();
+        }
+    }
+    return longest;
 }
 
 std::string writtenExtensions(bool wholeScans) {

@@ -50,17 +50,6 @@ void packColours(CloudColumns& cloud) {
     cloud.columns.push_back({"rgb", std::move(packed)});
 }
 
-/// PCL and Open3D read coordinates of 4 bytes only, which step by half a metre in a mine grid: metres from the origin instead.
-void subtractOrigin(CloudColumns& cloud) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<float> local(rowsOf(cloud));
-        for (std::size_t row = 0; row < local.size(); ++row)
-            local[row] = static_cast<float>(numberIn(cloud.columns[axis], row) - cloud.originM[static_cast<Eigen::Index>(axis)]);
-        cloud.columns[axis].values = std::move(local);
-    }
-    cloud.frame = CoordinateFrame::MineLocal;
-}
-
 void appendThree(std::string& text, const Eigen::Vector3d& v) {
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ' ';
@@ -75,6 +64,7 @@ Result<std::string> pcdBytes(CloudColumns cloud, const std::string& where, bool 
     std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
     packColours(cloud);
     Eigen::Vector3d viewpoint = cloud.sensorM;
+    // PCL and Open3D read coordinates of 4 bytes only.
     if (cloud.frame == CoordinateFrame::Mine && !cloud.choices.doubles) {
         subtractOrigin(cloud);
         viewpoint = cloud.originM;

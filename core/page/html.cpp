@@ -1,6 +1,7 @@
 // Escaping, and the frame of a page.
 #include "core/page/html.h"
 
+#include "core/base/base64.h"
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 
@@ -44,23 +45,6 @@ std::string htmlText(std::string_view text) {
 std::string scriptJson(const nlohmann::ordered_json& json) {
     std::string text;
     for (const char c : jsonText(json)) text += c == '<' ? std::string("\\u003c") : c == '>' ? std::string("\\u003e") : std::string(1, c);
-    return text;
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = bytes.size() - i;
-        std::uint32_t three = static_cast<unsigned char>(bytes[i]) << 16U;
-        if (left > 1) three |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + 1])) << 8U;
-        if (left > 2) three |= static_cast<unsigned char>(bytes[i + 2]);
-        text += kDigits[three >> 18U & 63U];
-        text += kDigits[three >> 12U & 63U];
-        text += left > 1 ? kDigits[three >> 6U & 63U] : '=';
-        text += left > 2 ? kDigits[three & 63U] : '=';
-    }
     return text;
 }
 

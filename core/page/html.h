@@ -14,8 +14,6 @@ namespace edgescan {
 /// JSON as it may stand in a script: no "<" that could end it.
 [[nodiscard]] std::string scriptJson(const nlohmann::ordered_json& json);
 
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 /// A picture within the page, from PNG bytes; a sentence where there are none.
 [[nodiscard]] std::string htmlImage(const std::string& png, const std::string& alternative);
 

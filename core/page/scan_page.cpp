@@ -1,6 +1,7 @@
 // The sections of a report, one after the other.
 #include "core/page/scan_page.h"
 
+#include "core/base/base64.h"
 #include "core/base/bounded_json.h"
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"

@@ -1,6 +1,7 @@
 // Rows as data for the script of the survey.
 #include "core/page/survey_page.h"
 
+#include "core/base/base64.h"
 #include "core/base/bounded_json.h"
 #include "core/page/html.h"
 

@@ -6,6 +6,7 @@
 #include "core/points/description.h"
 #include "core/points/edge_colours.h"
 #include "core/points/text_layout.h"
+#include "core/scan/acquisition.h"
 #include "core/scan/cartesian.h"
 
 #include <Eigen/SVD>
@@ -96,6 +97,7 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     cloud.lines = static_cast<std::size_t>(scan.lines());
     cloud.beams = static_cast<std::size_t>(scan.beams());
     cloud.frame = frame;
+    if (scan.acquisition) cloud.lineTimesS = scan.acquisition->lineTimesS;
     const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
     std::vector<Eigen::Vector3d> points;

@@ -35,6 +35,7 @@ struct CloudColumns {
     Eigen::Vector3d sensorM = Eigen::Vector3d::Zero();  ///< in the same numbers as x y z
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< scanner's axes -> those of x y z
     std::string grid;                                   ///< name of the mine grid as the pose gives it; may be empty
+    std::vector<double> lineTimesS;                     ///< per line, seconds since 1970 UTC; empty where not known
     WritingChoices choices;
 };
 

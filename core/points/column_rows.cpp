@@ -59,6 +59,16 @@ double IntensitySpan::ofOne(double value) const {
     return greatest > least ? (value - least) / (greatest - least) : 0.5;
 }
 
+void subtractOrigin(CloudColumns& cloud) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<float> local(rowsOf(cloud));
+        for (std::size_t row = 0; row < local.size(); ++row)
+            local[row] = static_cast<float>(numberIn(cloud.columns[axis], row) - cloud.originM[static_cast<Eigen::Index>(axis)]);
+        cloud.columns[axis].values = std::move(local);
+    }
+    cloud.frame = CoordinateFrame::MineLocal;
+}
+
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     const std::size_t rows = rowsOf(cloud);
     const int bands = bandsFor(rows, 0);

@@ -38,6 +38,9 @@ struct IntensitySpan {
 };
 [[nodiscard]] IntensitySpan intensitySpan(const CloudColumn& column);
 
+/// Mine coordinates become metres from their origin: 4-byte floats would step by half a metre there. The sensor stays in mine coordinates.
+void subtractOrigin(CloudColumns& cloud);
+
 /// One line of text per row. Mine coordinates with four decimals, all else with as many digits as it takes.
 void appendRows(std::string& text, const CloudColumns& cloud, char separator);
 

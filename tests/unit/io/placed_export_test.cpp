@@ -57,12 +57,12 @@ std::vector<std::vector<double>> rowsOf(const std::string& text) {
 
 TEST(MineExport, APlacedScanComesBackTheSameFromEveryFormatAndFrame) {
     const Folder folder;
-    for (unsigned round = 0; round < 96; ++round) {
+    for (unsigned round = 0; round < 120; ++round) {
         // Every combination of the first four, each with a place of its own.
-        const char* extension = std::array{".pcd", ".ply", ".xyz", ".csv"}[round % 4];
-        const auto frame = std::array{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}[round / 4 % 3];
-        const bool ascii = round / 12 % 2 == 0;
-        const bool points = round / 24 % 2 == 0;
+        const char* extension = std::array{".pcd", ".ply", ".xyz", ".csv", ".foxglove.mcap"}[round % 5];
+        const auto frame = std::array{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}[round / 5 % 3];
+        const bool ascii = round / 15 % 2 == 0;
+        const bool points = round / 30 % 2 == 0;
         SCOPED_TRACE(std::string(extension) + (points ? " points " : " polar ") + (ascii ? "ascii " : "") + std::to_string(round));
         const Scan scan = points ? asPoints(placedScan(round)) : placedScan(round);
         const auto path = folder / (std::string("scan") + extension);
