@@ -59,7 +59,11 @@ Json shownOf(const Json& row, const std::string& picture) {
             numberAt(row, "/noise_mm_at_5_m"),
             row.contains("warnings") ? row["warnings"] : Json::array(),
             row.contains("error") && row["error"].is_string() ? row["error"] : Json(""),
-            picture.empty() ? std::string() : base64(picture)};
+            picture.empty() ? std::string() : base64(picture),
+            numberAt(row, "/rocks/rock_count"),
+            numberAt(row, "/rocks/size_curve/visible_wide_p50_m"),
+            numberAt(row, "/rocks/size_curve/visible_wide_p80_m"),
+            numberAt(row, "/rocks/size_curve/visible_wide_top_m")};
 }
 
 } // namespace
@@ -78,7 +82,7 @@ std::string surveyPage(const std::string& title, const std::vector<std::string>&
         each == 1 ? "" : "<p class=\"note\">Pictures of every " + std::to_string(each) + "th scan, so that the page stays small.</p>\n";
     const std::string body = "<main>\n<h1>" + htmlText(title) + "</h1>\n<p id=\"summary\"></p>\n" + some +
                              "<div id=\"tools\"></div>\n<div id=\"sheet\"></div>\n<div class=\"wide\"><table id=\"table\"></table></div>\n"
-                             "<p class=\"note\">Edges are candidates: geometry only, one viewpoint each.</p>\n"
+                             "<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint each; sizes are of what is visible.</p>\n"
                              "<noscript>This page needs scripts; the same rows are in results.csv.</noscript>\n</main>\n"
                              "<script id=\"data\" type=\"application/json\">" +
                              data + "]</script>\n";

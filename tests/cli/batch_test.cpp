@@ -209,6 +209,15 @@ TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
     const std::string table = fileText(folder / "r" / "results.csv");
     EXPECT_NE(table.find(",rocks,rocks_visible_wide_p20_m,"), std::string::npos);
     EXPECT_NE(table.find(rows[0]["rocks"]["labels_sha256"].get<std::string>()), std::string::npos);
+    const std::string survey = fileText(folder / "r/survey.html");
+    const std::size_t first = survey.find("\"application/json\">") + std::string("\"application/json\">").size();
+    const json shown = json::parse(survey.substr(first, survey.find("</script>", first) - first));
+    ASSERT_EQ(shown.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(shown[i][0], rows[i]["input"]);
+        EXPECT_EQ(shown[i][12], rows[i]["rocks"]["rock_count"]);
+        EXPECT_EQ(shown[i][14], rows[i]["rocks"]["size_curve"]["visible_wide_p80_m"]);
+    }
     // Other settings of rocks are other results; the same ones none.
     EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4")).out)["unchanged"], 3);
     EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 80 --oversize 0.4")).out)["worked"], 3);

@@ -2,6 +2,7 @@
 (function () {
   'use strict';
   var rows = JSON.parse(document.getElementById('data').textContent);
+  function metres(v) { return v.toFixed(2) + ' m'; }
   var columns = [
     { title: 'Scan', of: function (r) { return r[0]; }, text: true },
     { title: 'Outcome', of: function (r) { return r[1]; }, text: true },
@@ -11,8 +12,14 @@
     { title: 'Measured', of: function (r) { return r[6]; }, show: function (v) { return (v * 100).toFixed(1) + ' %'; } },
     { title: 'Edge cells', of: function (r) { return r[7]; } },
     { title: 'Noise at 5 m', of: function (r) { return r[8]; }, show: function (v) { return v.toFixed(1) + ' mm'; } },
-    { title: 'Warnings', of: function (r) { return r[9].length; } }
-  ];
+    { title: 'Rocks', of: function (r) { return r[12]; }, rocks: true },
+    { title: 'Visible P50', of: function (r) { return r[13]; }, show: metres, rocks: true },
+    { title: 'Visible P80', of: function (r) { return r[14]; }, show: metres, rocks: true },
+    { title: 'Largest visible', of: function (r) { return r[15]; }, show: metres, rocks: true },
+    { title: 'Warnings', of: function (r) { return r[9].length; }, titles: function (r) { return r[9]; } }
+  ].filter(function (column) { // an archive that was run without rocks has no columns of them
+    return !column.rocks || rows.some(function (r) { return column.of(r) !== null; });
+  });
   var state = { sort: -1, down: false, page: 0, size: 100, filter: '', outcome: '' };
 
   function make(tag, text, parent) {
@@ -91,7 +98,7 @@
         if (i === 0) link(row, cell);
         else if (value !== null && value !== '') cell.textContent = column.show ? column.show(value) : value;
         if (i === 0 && row[10]) make('div', row[10], cell).className = 'error';
-        if (i === 8 && value > 0) cell.title = row[9].join('\n');
+        if (column.titles && value > 0) cell.title = column.titles(row).join('\n');
       });
     });
   }
