@@ -54,7 +54,9 @@ TEST(RockPeers, SegmentsKeepABoxApartFromTheWall) {
         for (int i = 0; i < 120; ++i)
             for (int j = 0; j < 120; ++j) ++(isBox(i, j) ? inBox : inWall)[segments.at(i, j)];
         for (const auto& [segment, cells] : inBox) {
-            if (segment != 0) EXPECT_EQ(inWall.count(segment), 0U) << peerName(peer) << " joins what is 1.5 m apart";
+            if (segment != 0) {
+                EXPECT_EQ(inWall.count(segment), 0U) << peerName(peer) << " joins what is 1.5 m apart";
+            }
         }
         std::size_t most = 0;
         for (const auto& [segment, cells] : inBox) most = std::max(most, segment == 0 ? 0 : cells);

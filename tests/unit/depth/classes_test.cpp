@@ -80,7 +80,9 @@ TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
             for (std::string field; std::getline(cut, field, ',');) fields.push_back(field);
             const auto k = boxes->rangeMm.index(std::stoi(fields[3]), std::stoi(fields[4]));
             ASSERT_EQ(std::stoi(fields.back()), static_cast<int>((*detection->classes)[k])) << row;
-            if (hasEdge) ASSERT_EQ(fields[6] == "255", fields.back() != "0") << row;
+            if (hasEdge) {
+                ASSERT_EQ(fields[6] == "255", fields.back() != "0") << row;
+            }
         }
         EXPECT_EQ(points, content == ExportContent::EdgeCloud ? detection->edges->size()
                                                               : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);

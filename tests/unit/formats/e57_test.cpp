@@ -278,7 +278,9 @@ TEST(E57, OneOfSeveralScansIsOpenedWithItsPlace) {
     ASSERT_EQ(opened->intensity.size(), opened->cells());
     for (int line = 0; line < opened->lines(); ++line) {
         for (int beam = 0; beam < opened->beams(); ++beam) {
-            if (opened->state.at(line, beam) == CellState::Valid) ASSERT_EQ(opened->intensity.at(line, beam), static_cast<float>(line));
+            if (opened->state.at(line, beam) == CellState::Valid) {
+                ASSERT_EQ(opened->intensity.at(line, beam), static_cast<float>(line));
+            }
         }
     }
     ReadingOptions options;

@@ -67,8 +67,9 @@ TEST(Intensity, PtxHoldsItFromNoneToOneAndOneHalfIsNone) {
         if (std::isfinite(value)) least = std::min(least, value), greatest = std::max(greatest, value);
     }
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] == CellState::Valid)
+        if (scan.state[k] == CellState::Valid) {
             ASSERT_NEAR(opened->intensity[k], (scan.intensity[k] - least) / (greatest - least), 1e-6) << k;
+        }
     }
     Scan dark = scan;
     dark.intensity = {};

@@ -51,7 +51,9 @@ TEST(Notebook, HostileContentIsRefusedWithASentence) {
         change(changed);
         const auto read = notebookFromText(changed.dump(), kThis, "here");
         EXPECT_FALSE(read) << changed.dump();
-        if (!read) EXPECT_LT(read.error().sentence().size(), 400U);
+        if (!read) {
+            EXPECT_LT(read.error().sentence().size(), 400U);
+        }
     };
     refused([](Json& j) { j["format"] = "edgescan-targets/2"; });
     refused([](Json& j) { j["more"] = 1; });

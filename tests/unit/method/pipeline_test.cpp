@@ -46,9 +46,13 @@ TEST(Pipeline, RedoingOnlyWhatChangedEqualsARunFromNothing) {
         const auto fresh = detectEdges(scan, settings);
         ASSERT_EQ(detection->gray->levels, fresh->gray->levels) << step;
         ASSERT_EQ(detection->smoothed == nullptr, fresh->smoothed == nullptr) << step;
-        if (detection->smoothed) ASSERT_EQ(*detection->smoothed, *fresh->smoothed) << step;
+        if (detection->smoothed) {
+            ASSERT_EQ(*detection->smoothed, *fresh->smoothed) << step;
+        }
         ASSERT_EQ(detection->classes == nullptr, fresh->classes == nullptr) << step;
-        if (detection->classes) ASSERT_EQ(detection->classes->cells, fresh->classes->cells) << step;
+        if (detection->classes) {
+            ASSERT_EQ(detection->classes->cells, fresh->classes->cells) << step;
+        }
         ASSERT_EQ(*detection->mask, *fresh->mask) << step;
         ASSERT_EQ(*detection->edges, *fresh->edges) << step;
         EXPECT_EQ(detection->scan, scan);

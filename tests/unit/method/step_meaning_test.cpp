@@ -131,7 +131,9 @@ TEST(StepMeaning, AnotherMethodKeepsTheStepInTheMiddleOfCannysTwo) {
         else
             EXPECT_NEAR(levels, method == Method::Canny ? 2.0 : 4.0, 0.1) << static_cast<int>(method);
         // And back again.
-        if (method != Method::Log) EXPECT_NEAR(lowerWithSameStep(s, canny), canny.lower, 0.15) << static_cast<int>(method);
+        if (method != Method::Log) {
+            EXPECT_NEAR(lowerWithSameStep(s, canny), canny.lower, 0.15) << static_cast<int>(method);
+        }
     }
     Settings depth;
     EXPECT_EQ(lowerWithSameStep(canny, depth), depth.lower);

@@ -244,8 +244,9 @@ TEST(RockHulls, HoldAllVisiblePoints) {
             const Eigen::Vector3d normal =
                 (tables.point(hull.cells.at(t[1])) - a).cross(tables.point(hull.cells.at(t[2])) - a).normalized();
             for (std::size_t k = 0; k < labels.size(); ++k) {
-                if (labels[k] == hull.label && f.leaves.inputs.surface->inverse.support[k] == Support::Measured)
+                if (labels[k] == hull.label && f.leaves.inputs.surface->inverse.support[k] == Support::Measured) {
                     ASSERT_LT(normal.dot(tables.point(k) - a), kHullToleranceM + 1e-9);
+                }
             }
             for (std::size_t n = 0; n < 3; ++n) ++sides[{t[n], t[(n + 1) % 3]}];
         }

@@ -80,7 +80,9 @@ TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
         EXPECT_NE(regionAt(studyRocks(sceneInputs(), levelled(level), edits), p),
                   regionAt(studyRocks(sceneInputs(), levelled(level), edits), q));
         const RockStudy study = studyRocks(other, levelled(level), edits);
-        if (study.leaves->leaf[p] != study.leaves->leaf[q]) EXPECT_NE(regionAt(study, p), regionAt(study, q));
+        if (study.leaves->leaf[p] != study.leaves->leaf[q]) {
+            EXPECT_NE(regionAt(study, p), regionAt(study, q));
+        }
     }
 }
 
@@ -242,7 +244,9 @@ TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
         }
         const auto split = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
         EXPECT_EQ(split.has_value(), family.split != family.line.region);
-        if (split) EXPECT_EQ(*split, family.line.pieces[family.split].part);
+        if (split) {
+            EXPECT_EQ(*split, family.line.pieces[family.split].part);
+        }
     }
     EXPECT_EQ(smaller, 6);
     EXPECT_EQ(larger, 6);
@@ -290,8 +294,12 @@ TEST(RegionOfInterest, TheMaskEqualsAskingEachCell) {
     for (int i = 0; i < 101; ++i) {
         for (int j = 0; j < 101; ++j) {
             const double off = std::hypot(i - 50, j - 50);
-            if (off < 38) EXPECT_EQ(mask.at(i, j), 1) << i << "," << j;
-            if (off > 42) EXPECT_EQ(mask.at(i, j), 0) << i << "," << j;
+            if (off < 38) {
+                EXPECT_EQ(mask.at(i, j), 1) << i << "," << j;
+            }
+            if (off > 42) {
+                EXPECT_EQ(mask.at(i, j), 0) << i << "," << j;
+            }
         }
     }
     EXPECT_TRUE(regionOfDrawing({{1, 1}, {2, 2}}).empty());

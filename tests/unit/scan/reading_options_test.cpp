@@ -64,7 +64,9 @@ TEST(ReadingOptions, WhatDoesNotFitIsRefused) {
         using Kind = ReadingOption::Kind;
         if (option.kind == Kind::Switch || option.kind == Kind::Path) continue;
         for (const char* text : {"", "abc", "1,2", "nan", "inf", "1x", "1,", "1,2,3,4"}) EXPECT_FALSE(checked(option, text)) << option.key;
-        if (option.kind == Kind::Whole) EXPECT_FALSE(checked(option, "-1") || checked(option, "1.5"));
+        if (option.kind == Kind::Whole) {
+            EXPECT_FALSE(checked(option, "-1") || checked(option, "1.5"));
+        }
     }
 }
 

@@ -277,7 +277,9 @@ TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
             if (object == 0) continue;
             const StaircaseTread& tread = treads[static_cast<std::size_t>(object - kFirstRock)];
             const Eigen::Vector3d p = tables.point(10, j);
-            if (result.truth->face.at(10, j) == result.truth->face.at(10, 570)) EXPECT_NEAR(p.z(), tread.frontM, 0.002);
+            if (result.truth->face.at(10, j) == result.truth->face.at(10, 570)) {
+                EXPECT_NEAR(p.z(), tread.frontM, 0.002);
+            }
             seen.insert(object);
         }
         EXPECT_EQ(seen.size(), treads.size()) << distanceM;
@@ -368,7 +370,9 @@ TEST(SimSweep, AWallHasAsManyHolesAsAskedForWhereTheSeedSays) {
                         inside = inside || reach < 0.7;
                         rim = rim || std::abs(reach - 0.7) < 0.01;
                     }
-                    if (!rim) EXPECT_EQ(result.scan.state.at(i, j) == CellState::Valid, !inside) << p.transpose();
+                    if (!rim) {
+                        EXPECT_EQ(result.scan.state.at(i, j) == CellState::Valid, !inside) << p.transpose();
+                    }
                 }
             }
             EXPECT_EQ(voidsOf(middle), holes);
