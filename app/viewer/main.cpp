@@ -8,6 +8,7 @@
 #include "core/base/version.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/language/languages.h"
 #include "ui/main/main_window.h"
 #include "ui/main/theme.h"
 #include "ui/session/memory.h"
@@ -33,6 +34,7 @@ struct Wanted {
     std::string live;
     cli::Mounting mounting;
     bool noSettings = false;
+    std::string language;
     std::vector<std::string> pins; // "LINE,BEAM"
     std::string screenshot;
     int screenshotLines = 1;
@@ -46,6 +48,10 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     app.add_option("--live", wanted.live, "Connect to a live scanner, HOST or HOST:PORT; nothing but reads and a subscription is sent");
     cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
     app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
+    std::vector<std::string> languages;
+    for (const ui::Language& language : ui::kLanguages) languages.emplace_back(language.code);
+    app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
+        ->check(CLI::IsMember(languages));
     app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
     cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
@@ -145,6 +151,7 @@ std::optional<Error> nameThatIsNone(const Wanted& wanted) {
 int runViewer(QApplication& application, Wanted& wanted, const std::vector<PinnedPlace>& pins, const std::optional<Settings>& settings,
               const std::optional<cli::HostPort>& scanner, const SweepSettings& sweep) {
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
+    ui::useLanguage(wanted.language.empty() ? memory.text("language") : QString::fromStdString(wanted.language));
     ui::MainWindow window(memory);
     if (settings) {
         if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *settings);

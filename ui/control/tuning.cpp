@@ -24,7 +24,7 @@ QString describe(const Settings& before, const Settings& after) {
     for (const Parameter& p : parameters()) {
         const std::string from = formatValue(p, p.get(before));
         const std::string to = formatValue(p, p.get(after));
-        if (from != to) return QObject::tr("%1 %2 to %3").arg(QString::fromUtf8(p.label), shownText(from), shownText(to));
+        if (from != to) return QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), shownText(from), shownText(to));
     }
     return QObject::tr("settings");
 }

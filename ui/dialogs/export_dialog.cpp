@@ -110,7 +110,7 @@ QGroupBox* ExportDialog::writingBox() {
     for (const WritingChoice& choice : kWritingChoices) {
         auto* mark = new QCheckBox;
         mark->setObjectName(choice.key);
-        auto* words = new QLabel(QString::fromUtf8(choice.help));
+        auto* words = new QLabel(QObject::tr(choice.help));
         words->setWordWrap(true);
         words->setMinimumWidth(360);
         words->setBuddy(mark);

@@ -18,7 +18,7 @@ namespace edgescan::ui {
 namespace {
 
 QLabel* labelOf(const ReadingOption& option) {
-    auto* label = new QLabel(QString::fromUtf8(option.help));
+    auto* label = new QLabel(QObject::tr(option.help));
     label->setWordWrap(true);
     label->setMinimumWidth(280);
     return label;
@@ -71,7 +71,7 @@ void ReadingDialog::addField(const ReadingOption& option, QFormLayout& form) {
     auto* browse = new QToolButton;
     browse->setText(tr("Choose…"));
     connect(browse, &QToolButton::clicked, this, [this, edit, &option] {
-        const QString path = QFileDialog::getOpenFileName(this, QString::fromUtf8(option.help), edit->text());
+        const QString path = QFileDialog::getOpenFileName(this, QObject::tr(option.help), edit->text());
         if (!path.isEmpty()) edit->setText(path);
     });
     row->addWidget(edit, 1);

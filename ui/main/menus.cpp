@@ -2,10 +2,12 @@
 #include "ui/main/menus.h"
 
 #include "core/settings/presets.h"
+#include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/sheets.h"
+#include "ui/language/languages.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/main_window.h"
@@ -99,6 +101,24 @@ Command mouseMenu(MainWindow& w, Memory& memory) {
                    });
 }
 
+Command languageMenu(MainWindow& w, Memory& memory) {
+    auto* languages = new QActionGroup(&w);
+    Command menu = submenu("Lan&guage", {});
+    for (const Language& language : kLanguages) {
+        const QString code = language.code;
+        Command made{.text = QString::fromUtf8(language.name), .set = [&w, &memory, code](bool) {
+                         memory.keep("language", code);
+                         w.notice().showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
+                     }};
+        menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
+            languages->addAction(&action);
+            action.setObjectName("language-" + code);
+            action.setChecked(code == languageInUse());
+        }));
+    }
+    return menu;
+}
+
 std::vector<Command> lookCommands(MainWindow& w) {
     LinkedViews& views = w.views();
     CloudView& cloud = views.cloud();
@@ -154,7 +174,7 @@ Command viewMenu(MainWindow& w, Memory& memory) {
     add(lookCommands(w));
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), kLine});
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), languageMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
          command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
@@ -207,7 +227,7 @@ Command edgesMenu(MainWindow& w) {
     Command presets = submenu("&Presets", {});
     for (const Preset& preset : builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
-                                         [preset](QAction& action) { action.setToolTip(shownText(preset.help)); }));
+                                         [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
     presets.submenu.push_back(kLine);
     presets.submenu.push_back(command("&Open…", "", [&tuning] { tuning.askOpenPreset(); }));
     presets.submenu.push_back(command("&Save…", "", [&tuning] { tuning.askSavePreset(); }));

@@ -44,7 +44,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : QFrame(parent) {
         if (!showing_) emit edgesWanted(on);
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const QString name = QString::fromUtf8(findParameter("classes")->choices[n].label);
+        const QString name = QObject::tr(findParameter("classes")->choices[n].label);
         rows_[n] = addRow(*grid, name, nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::tellClasses);

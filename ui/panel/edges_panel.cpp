@@ -95,7 +95,7 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_->setMinimumContentsLength(8);
     for (const Preset& preset : builtInPresets()) {
         presets_->addItem(shownText(preset.name));
-        presets_->setItemData(presets_->count() - 1, shownText(preset.help), Qt::ToolTipRole);
+        presets_->setItemData(presets_->count() - 1, QObject::tr(preset.help.c_str()), Qt::ToolTipRole);
     }
     connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         const auto builtIn = builtInPresets();

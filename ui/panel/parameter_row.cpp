@@ -62,8 +62,8 @@ private:
 };
 
 QString limitsText(const Parameter& p) {
-    QString text = QString::fromUtf8(p.help);
-    if (p.choices.empty()) text += QString("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(QString::fromUtf8(p.unit));
+    QString text = QObject::tr(p.help);
+    if (p.choices.empty()) text += QObject::tr("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(*p.unit == '\0' ? QString() : QObject::tr(p.unit));
     return text + QObject::tr("\nDouble-click: back to the preset");
 }
 
@@ -87,7 +87,7 @@ double sliderValue(const Parameter& p, int position) {
 
 ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent) : QObject(parent), parameter_(parameter) {
     const int row = grid.rowCount();
-    label_ = new QLabel(QString::fromUtf8(parameter.label), parent);
+    label_ = new QLabel(QObject::tr(parameter.label), parent);
     label_->setToolTip(limitsText(parameter));
     label_->setWordWrap(true); // in a narrow dock
     label_->installEventFilter(this);
@@ -127,7 +127,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     });
     box->onRefusal([this](const Error& why) {
         const QString sentence =
-            tr("%1: %2; %3. The value stays as it was.").arg(QString::fromUtf8(parameter_.label), shownText(why.what), shownText(why.hint));
+            tr("%1: %2; %3. The value stays as it was.").arg(QObject::tr(parameter_.label), shownText(why.what), shownText(why.hint));
         // The box is still at it.
         QMetaObject::invokeMethod(
             this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);
@@ -142,7 +142,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     number_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     number_->setMaximumWidth(kWidestNumber);
     number_->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
-    if (*p.unit != '\0') number_->setSuffix(QString(" ") + QString::fromUtf8(p.unit));
+    if (*p.unit != '\0') number_->setSuffix(" " + QObject::tr(p.unit));
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
     connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
@@ -162,7 +162,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     choice_->setAccessibleName(label_->text());
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     label_->setBuddy(choice_);
-    for (const Choice& choice : parameter_.choices) choice_->addItem(QString::fromUtf8(choice.label));
+    for (const Choice& choice : parameter_.choices) choice_->addItem(QObject::tr(choice.label));
     connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
         if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
@@ -184,7 +184,7 @@ void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
     column->setContentsMargins(0, 0, 0, 0);
     strip_ = strip;
     for (const Choice& choice : parameter_.choices) {
-        auto* box = new QCheckBox(QString::fromUtf8(choice.label), strip);
+        auto* box = new QCheckBox(QObject::tr(choice.label), strip);
         box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
         box->setToolTip(limitsText(parameter_));
         column->addWidget(box);
@@ -243,7 +243,7 @@ void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString&
     QPixmap swatch(kSwatch, kSwatch);
     swatch.fill(colour);
     switches_[choice]->setIcon(QIcon(swatch));
-    switches_[choice]->setText(QString::fromUtf8(parameter_.choices[choice].label) + remark);
+    switches_[choice]->setText(QObject::tr(parameter_.choices[choice].label) + remark);
 }
 
 void ParameterRow::tell(double value) {

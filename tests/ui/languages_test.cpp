@@ -1,0 +1,182 @@
+// The window in other languages: every text has its translation, and nothing but words changes.
+#include "core/rocks/rock_settings.h"
+#include "core/scan/reading_options.h"
+#include "core/settings/method_traits.h"
+#include "core/settings/presets.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/language/catalogue.h"
+#include "ui/language/languages.h"
+#include "ui/panel/status_line.h"
+
+#include <QAbstractButton>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QRegularExpression>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+const QString kTexts = QString(EDGESCAN_SOURCE_DIR) + "/resources/languages";
+
+QStringList placeholdersOf(const QString& text) {
+    static const QRegularExpression placeholder("%[0-9n]");
+    QStringList found;
+    for (auto all = placeholder.globalMatch(text); all.hasNext();) found << all.next().captured();
+    found.sort();
+    return found;
+}
+
+int mnemonicsIn(const QString& text) { return text.count('&') - 2 * text.count("&&"); }
+
+QSet<QString> keysOf(const QWidget& window) {
+    QSet<QString> keys;
+    for (const QAction* action : window.findChildren<QAction*>()) {
+        for (const QKeySequence& key : action->shortcuts()) keys << key.toString();
+    }
+    return keys;
+}
+
+/// What a user reads: texts of actions, labels, buttons, titles.
+QStringList shownIn(const QWidget& window) {
+    QStringList shown;
+    for (const QAction* action : window.findChildren<QAction*>()) shown << action->text() << action->toolTip();
+    for (const QLabel* label : window.findChildren<QLabel*>()) shown << label->text() << label->toolTip();
+    for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) shown << button->text() << button->toolTip();
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) shown << dock->windowTitle();
+    return shown;
+}
+
+} // namespace
+
+class LanguagesTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+private slots:
+    void initTestCase() {
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(saveScan(test::boxesScan(40, 60, 3, 0.05), scan_));
+    }
+    void cleanup() { useLanguage("en"); }
+
+    void everyTextHasItsTranslation_data() {
+        QTest::addColumn<QString>("code");
+        for (const Language& language : kLanguages) {
+            if (language.code != std::string("en")) QTest::newRow(language.code) << QString(language.code);
+        }
+    }
+    void everyTextHasItsTranslation() {
+        QFETCH(QString, code);
+        Catalogue catalogue;
+        QVERIFY(catalogue.read(kTexts + "/" + code + ".ts"));
+        QVERIFY2(catalogue.texts().size() > 600, "far fewer texts than the window has");
+        static const QRegularExpression promise(
+            R"(\b(s[uû]re?s?|sécuris\w*|sécurité|certifi\w+|garant\w+|seguro?s?a?s?|segurança|seguridad|estable|stable|estáve(l|is))\b)",
+            QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+        for (auto text = catalogue.texts().begin(); text != catalogue.texts().end(); ++text) {
+            QCOMPARE(placeholdersOf(text.value()), placeholdersOf(text.key()));
+            QVERIFY2(text.value().count('\n') == text.key().count('\n'), qPrintable(text.value()));
+            QVERIFY2(mnemonicsIn(text.value()) == mnemonicsIn(text.key()), qPrintable(text.value()));
+            QVERIFY2(!promise.match(text.value()).hasMatch(), qPrintable(text.value()));
+        }
+        // The tables of the core, asked for themselves: labels may be names that are the same everywhere, sentences are not.
+        const auto expectSentence = [&](const std::string& text) {
+            QVERIFY2(catalogue.texts().contains(QString::fromStdString(text)), text.c_str());
+        };
+        for (const Parameter& parameter : parameters()) expectSentence(parameter.help);
+        for (const RockParameter& parameter : rockParameters()) expectSentence(parameter.help);
+        for (const Preset& preset : builtInPresets()) expectSentence(preset.help);
+        for (const WritingChoice& choice : kWritingChoices) expectSentence(choice.help);
+    }
+
+    void theFilesAreUpToDateWithTheSources() {
+        const auto run = test::runProgram("../../../resources/languages/collect", "--check");
+        QVERIFY2(run.code == 0, run.err.c_str());
+        QVERIFY2(run.out.find(" 0 without") != std::string::npos, run.out.c_str());
+    }
+
+    void nothingButWordsChanges() {
+        QVERIFY(useLanguage("en"));
+        QSet<QString> englishKeys;
+        QString englishProbe;
+        {
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            englishKeys = keysOf(on.window);
+        }
+        QVERIFY(useLanguage("fr", kTexts));
+        QCOMPARE(languageInUse(), QString("fr"));
+        Catalogue catalogue;
+        QVERIFY(catalogue.read(kTexts + "/fr.ts"));
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QCOMPARE(keysOf(on.window), englishKeys);
+        QCOMPARE(on.window.menuBar()->actions().front()->text(), catalogue.texts().value("&File"));
+        int words = 0;
+        for (const QString& text : shownIn(on.window)) {
+            const QString translated = catalogue.texts().value(text);
+            QVERIFY2(translated.isEmpty() || translated == text, qPrintable("shown in English: " + text));
+            words += catalogue.texts().values().contains(text) ? 1 : 0;
+        }
+        QVERIFY2(words > 150, "the window shows texts of its own");
+        // Numbers keep their point.
+        auto* number = on.window.findChild<QDoubleSpinBox*>("number-sensitivity");
+        QVERIFY(number != nullptr);
+        QVERIFY2(number->text().startsWith("1.00"), qPrintable(number->text()));
+    }
+
+    void theChoiceIsKeptAndUsedAtTheNextStart() {
+        const QString ini = QString::fromStdString((folder_ / "memory.ini").string());
+        {
+            WindowFixture on(ini);
+            QVERIFY(on.showWith(scan_));
+            auto* spanish = on.window.findChild<QAction*>("language-es");
+            QVERIFY(spanish != nullptr && !spanish->isChecked());
+            QVERIFY(on.window.findChild<QAction*>("language-en")->isChecked());
+            spanish->trigger();
+            QVERIFY(on.window.notice().isVisible());
+            QCOMPARE(on.memory.text("language"), QString("es"));
+        }
+        const Memory memory(ini);
+        QVERIFY(useLanguage(memory.text("language"), kTexts));
+        WindowFixture on(ini);
+        QVERIFY(on.show());
+        QVERIFY(on.window.findChild<QAction*>("language-es")->isChecked());
+    }
+
+    void theSystemChoosesAmongThoseSpoken() {
+        QCOMPARE(languageOfSystem({"de-DE", "fr-CA", "en-US"}), QString("fr"));
+        QCOMPARE(languageOfSystem({"pt_BR"}), QString("pt"));
+        QCOMPARE(languageOfSystem({"C"}), QString("en"));
+        QCOMPARE(languageOfSystem({}), QString("en"));
+        QVERIFY(!useLanguage("de", kTexts));
+        QCOMPARE(languageInUse(), QString("en"));
+        QVERIFY(!useLanguage("fr", QString::fromStdString(folder_.path().string())));
+        QCOMPARE(languageInUse(), QString("en"));
+    }
+
+    void aDamagedFileSaysNothing() {
+        const QString path = QString::fromStdString((folder_ / "fr.ts").string());
+        QFile whole(kTexts + "/fr.ts");
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        const QByteArray bytes = whole.readAll();
+        for (const qsizetype length : {qsizetype{0}, qsizetype{10}, bytes.size() / 2}) {
+            QFile cut(path);
+            QVERIFY(cut.open(QIODevice::WriteOnly));
+            cut.write(bytes.left(static_cast<int>(length)));
+            cut.close();
+            Catalogue catalogue;
+            QVERIFY(!catalogue.read(path));
+        }
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<LanguagesTest>(argc, argv); }
+#include "languages_test.moc"
