@@ -261,7 +261,7 @@ private slots:
         WindowFixture on;
         QVERIFY(showRocks(on));
         SizeCurveView* view = on.window.rockTable().sizeCurve();
-        const std::vector<Rock>& rocks = picture(on).study.rocks;
+        const std::vector<Rock> rocks = picture(on).study.rocks; // a copy: the picture goes when another is shown
         QCOMPARE(view->curve().rocks(), rocks.size());
         const auto over = [&](double wideM) {
             return static_cast<double>(std::count_if(rocks.begin(), rocks.end(), [&](const Rock& r) { return r.wideM > wideM; })) /
