@@ -3,675 +3,680 @@
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Fold this panel to the edge of the window</source><translation type="unfinished"></translation></message>
-<message><source>Folded panels</source><translation type="unfinished"></translation></message>
-<message><source>Open this panel</source><translation type="unfinished"></translation></message>
-<message><source>Copy</source><translation type="unfinished"></translation></message>
-<message><source>Close</source><translation type="unfinished"></translation></message>
-<message><source>Error</source><translation type="unfinished"></translation></message>
-<message><source>Note</source><translation type="unfinished"></translation></message>
-<message><source>Done</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation type="unfinished"></translation></message>
-<message><source>Open folder</source><translation type="unfinished"></translation></message>
-<message><source>Double-click: this view alone, and back</source><translation type="unfinished"></translation></message>
-<message><source>Replace the file?</source><translation type="unfinished"></translation></message>
-<message><source>There is a file of this name already:</source><translation type="unfinished"></translation></message>
-<message><source>There are files of these names already:</source><translation type="unfinished"></translation></message>
-<message><source>Replace</source><translation type="unfinished"></translation></message>
-<message><source>... and %1 lines more</source><translation type="unfinished"></translation></message>
-<message><source>no scan open</source><translation type="unfinished"></translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: %1</source><translation type="unfinished"></translation></message>
-<message><source>The audit log is written again; no line is missing.</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Why could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
+<message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
+<message><source>Folded panels</source><translation>Paneles plegados</translation></message>
+<message><source>Open this panel</source><translation>Abrir este panel</translation></message>
+<message><source>Copy</source><translation>Copiar</translation></message>
+<message><source>Close</source><translation>Cerrar</translation></message>
+<message><source>Error</source><translation>Error</translation></message>
+<message><source>Note</source><translation>Nota</translation></message>
+<message><source>Done</source><translation>Listo</translation></message>
+<message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
+<message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
+<message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
+<message><source>Replace the file?</source><translation>¿Reemplazar el archivo?</translation></message>
+<message><source>There is a file of this name already:</source><translation>Ya existe un archivo con este nombre:</translation></message>
+<message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
+<message><source>Replace</source><translation>Reemplazar</translation></message>
+<message><source>... and %1 lines more</source><translation>... y %1 líneas más</translation></message>
+<message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
+<message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
+<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
+<message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
+<message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 points</source><translation type="unfinished"></translation></message>
-<message><source>Export</source><translation type="unfinished"></translation></message>
-<message><source>PNG picture (*.png)</source><translation type="unfinished"></translation></message>
-<message><source>Save screenshot</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1.</source><translation type="unfinished"></translation></message>
-<message><source>All supported (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All files (*)</source><translation type="unfinished"></translation></message>
-<message><source>Open scan</source><translation type="unfinished"></translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>Beams as Recorded</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>How the Scan Is Read</source><translation type="unfinished"></translation></message>
-<message><source>Straighten beams</source><translation type="unfinished"></translation></message>
-<message><source>No file yet</source><translation type="unfinished"></translation></message>
-<message><source>Clear</source><translation type="unfinished"></translation></message>
-<message><source> (%1 of %2)</source><translation type="unfinished"></translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the points drawn</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Let go of this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Fly to this point</source><translation type="unfinished"></translation></message>
-<message><source>View from &amp;scanner</source><translation type="unfinished"></translation></message>
-<message><source>F&amp;it</source><translation type="unfinished"></translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation type="unfinished"></translation></message>
-<message><source>, ranges %1 to %2 m</source><translation type="unfinished"></translation></message>
-<message><source>display levels %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>There is no host to connect to: type the scanner's name or address.</source><translation type="unfinished"></translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation type="unfinished"></translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation type="unfinished"></translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation type="unfinished"></translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation type="unfinished"></translation></message>
-<message><source>%1 has ended. </source><translation type="unfinished"></translation></message>
-<message><source>Folder for recordings</source><translation type="unfinished"></translation></message>
-<message><source>click the one end</source><translation type="unfinished"></translation></message>
-<message><source>click the other end</source><translation type="unfinished"></translation></message>
-<message><source>click the lower cell</source><translation type="unfinished"></translation></message>
-<message><source>click the higher cell</source><translation type="unfinished"></translation></message>
-<message><source>click the end of one side</source><translation type="unfinished"></translation></message>
-<message><source>click where the sides meet</source><translation type="unfinished"></translation></message>
-<message><source>click the end of the other side</source><translation type="unfinished"></translation></message>
-<message><source>click one end of a</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of a</source><translation type="unfinished"></translation></message>
-<message><source>click one end of b</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of b</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation type="unfinished"></translation></message>
-<message><source>merge of rocks</source><translation type="unfinished"></translation></message>
-<message><source>call of a rock</source><translation type="unfinished"></translation></message>
-<message><source>call of no rock</source><translation type="unfinished"></translation></message>
-<message><source>Table, one row per rock</source><translation type="unfinished"></translation></message>
-<message><source>Report with settings and edits</source><translation type="unfinished"></translation></message>
-<message><source>Labels as a 16-bit picture</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in space</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in the picture</source><translation type="unfinished"></translation></message>
-<message><source>Convex hulls of the visible points</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation type="unfinished"></translation></message>
-<message><source>the whole piece as it is</source><translation type="unfinished"></translation></message>
-<message><source>a click splits it off</source><translation type="unfinished"></translation></message>
-<message><source>larger than the rock: a click joins it</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation type="unfinished"></translation></message>
-<message><source>split of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation type="unfinished"></translation></message>
-<message><source>cut of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation type="unfinished"></translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation type="unfinished"></translation></message>
-<message><source>region of interest</source><translation type="unfinished"></translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation type="unfinished"></translation></message>
-<message><source>being worked out …</source><translation type="unfinished"></translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation type="unfinished"></translation></message>
-<message><source>open a scan first</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks · </source><translation type="unfinished"></translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation type="unfinished"></translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to report yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Report</source><translation type="unfinished"></translation></message>
-<message><source>Page for any browser (*.html)</source><translation type="unfinished"></translation></message>
-<message><source>a page for any browser</source><translation type="unfinished"></translation></message>
-<message><source>The report could not be made (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was selected (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Select Nothing</source><translation type="unfinished"></translation></message>
-<message><source>Select</source><translation type="unfinished"></translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation type="unfinished"></translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation type="unfinished"></translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation type="unfinished"></translation></message>
-<message><source>Hide</source><translation type="unfinished"></translation></message>
-<message><source>Isolate</source><translation type="unfinished"></translation></message>
-<message><source>Show All</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 cells hidden</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Select</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Chain Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rock Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hide Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isolate Selected</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export Selected…</source><translation type="unfinished"></translation></message>
-<message><source>, %1 min ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 h ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 days ago</source><translation type="unfinished"></translation></message>
-<message><source> · no time</source><translation type="unfinished"></translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation type="unfinished"></translation></message>
-<message><source>HELD</source><translation type="unfinished"></translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation type="unfinished"></translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation type="unfinished"></translation></message>
-<message><source>NO PICTURE</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED</source><translation type="unfinished"></translation></message>
-<message><source>First line, by %1</source><translation type="unfinished"></translation></message>
-<message><source>FILE</source><translation type="unfinished"></translation></message>
-<message><source>no time</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be kept (%1).</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation type="unfinished"></translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation type="unfinished"></translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation type="unfinished"></translation></message>
-<message><source>Pin %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All</source><translation type="unfinished"></translation></message>
-<message><source>Name %1</source><translation type="unfinished"></translation></message>
-<message><source>Lock %1</source><translation type="unfinished"></translation></message>
-<message><source>Unlock %1</source><translation type="unfinished"></translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation type="unfinished"></translation></message>
-<message><source>Measure</source><translation type="unfinished"></translation></message>
-<message><source>Remove Measurement</source><translation type="unfinished"></translation></message>
-<message><source>locked</source><translation type="unfinished"></translation></message>
-<message><source>Pinned %1</source><translation type="unfinished"></translation></message>
-<message><source>a cell of it has no range</source><translation type="unfinished"></translation></message>
-<message><source>%1 %2 to %3</source><translation type="unfinished"></translation></message>
-<message><source>settings</source><translation type="unfinished"></translation></message>
-<message><source>Open preset</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan presets (*.json)</source><translation type="unfinished"></translation></message>
-<message><source>Save preset</source><translation type="unfinished"></translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation type="unfinished"></translation></message>
-<message><source>Commands</source><translation type="unfinished"></translation></message>
-<message><source>A few letters of a command</source><translation type="unfinished"></translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation type="unfinished"></translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation type="unfinished"></translation></message>
-<message><source>Choose File…</source><translation type="unfinished"></translation></message>
-<message><source>What</source><translation type="unfinished"></translation></message>
-<message><source>%1 × %2 pixels</source><translation type="unfinished"></translation></message>
-<message><source>Edge points (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Edge map as a picture, %1</source><translation type="unfinished"></translation></message>
-<message><source>Gray image, %1</source><translation type="unfinished"></translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation type="unfinished"></translation></message>
-<message><source>Coordinates</source><translation type="unfinished"></translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation type="unfinished"></translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation type="unfinished"></translation></message>
-<message><source>Scanner frame, as measured</source><translation type="unfinished"></translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation type="unfinished"></translation></message>
-<message><source>For the program that will read it</source><translation type="unfinished"></translation></message>
-<message><source>%1 points will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation type="unfinished"></translation></message>
-<message><source>Read Again</source><translation type="unfinished"></translation></message>
-<message><source>as in the file</source><translation type="unfinished"></translation></message>
-<message><source>Choose…</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation type="unfinished"></translation></message>
-<message><source>Keys</source><translation type="unfinished"></translation></message>
-<message><source>Keys and mouse</source><translation type="unfinished"></translation></message>
-<message><source>Scan</source><translation type="unfinished"></translation></message>
-<message><source>About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation type="unfinished"></translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
-<message><source>CONNECTED, another picture is shown</source><translation type="unfinished"></translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation type="unfinished"></translation></message>
-<message><source>Connect</source><translation type="unfinished"></translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Record</source><translation type="unfinished"></translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation type="unfinished"></translation></message>
-<message><source>Keep last minute</source><translation type="unfinished"></translation></message>
-<message><source>Write what arrived during the last minute to a new file</source><translation type="unfinished"></translation></message>
-<message><source>Follow</source><translation type="unfinished"></translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation type="unfinished"></translation></message>
-<message><source>name or address of the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Scanner</source><translation type="unfinished"></translation></message>
-<message><source>Sweep…</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a sweep, step per line, mounting</source><translation type="unfinished"></translation></message>
-<message><source>Stop</source><translation type="unfinished"></translation></message>
-<message><source>Stop recording</source><translation type="unfinished"></translation></message>
-<message><source>Following</source><translation type="unfinished"></translation></message>
-<message><source>Held: follow</source><translation type="unfinished"></translation></message>
-<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation type="unfinished"></translation></message>
-<message><source>Stands while a line is measured</source><translation type="unfinished"></translation></message>
-<message><source>not known</source><translation type="unfinished"></translation></message>
-<message><source>not known (0.18° assumed)</source><translation type="unfinished"></translation></message>
-<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation type="unfinished"></translation></message>
-<message><source>not known (spin assumed)</source><translation type="unfinished"></translation></message>
-<message><source>spin: about the viewing direction</source><translation type="unfinished"></translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a whole sweep</source><translation type="unfinished"></translation></message>
-<message><source>Step per line</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line</source><translation type="unfinished"></translation></message>
-<message><source>Encoder counts per degree</source><translation type="unfinished"></translation></message>
-<message><source>Mounting of the stepper</source><translation type="unfinished"></translation></message>
-<message><source>Play</source><translation type="unfinished"></translation></message>
-<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation type="unfinished"></translation></message>
-<message><source> · sweep %1 of %2</source><translation type="unfinished"></translation></message>
-<message><source>Pause</source><translation type="unfinished"></translation></message>
-<message><source>Edges</source><translation type="unfinished"></translation></message>
-<message><source>Range image</source><translation type="unfinished"></translation></message>
-<message><source>Edge map</source><translation type="unfinished"></translation></message>
-<message><source>Cloud</source><translation type="unfinished"></translation></message>
-<message><source>Close EdgeScan?</source><translation type="unfinished"></translation></message>
-<message><source>A recording is being written.</source><translation type="unfinished"></translation></message>
-<message><source>A file is still being written.</source><translation type="unfinished"></translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation type="unfinished"></translation></message>
-<message><source>Closing waits until it is whole.</source><translation type="unfinished"></translation></message>
-<message><source>End the Recording and Close</source><translation type="unfinished"></translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Recent</source><translation type="unfinished"></translation></message>
-<message><source>&amp;File</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Connect to Scanner…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;load</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Full Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Gray Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Selected Cells…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;port…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Screenshot…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy as Command</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Quit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Undo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Redo</source><translation type="unfinished"></translation></message>
-<message><source>Undo</source><translation type="unfinished"></translation></message>
-<message><source>Redo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy Probe Values</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Wheel the other way</source><translation type="unfinished"></translation></message>
-<message><source>Lan&amp;guage</source><translation type="unfinished"></translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Orthographic</source><translation type="unfinished"></translation></message>
-<message><source>T&amp;urntable</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Points</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation type="unfinished"></translation></message>
-<message><source>Depth S&amp;hading</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;over Range Image</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;by Class</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Colour-Blind Edge Colours</source><translation type="unfinished"></translation></message>
-<message><source>True &amp;Angle Aspect</source><translation type="unfinished"></translation></message>
-<message><source>&amp;View</source><translation type="unfinished"></translation></message>
-<message><source>From &amp;Scanner</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Front</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Right</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Left</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Top</source><translation type="unfinished"></translation></message>
-<message><source>Botto&amp;m</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isometric</source><translation type="unfinished"></translation></message>
-<message><source>R&amp;eset View</source><translation type="unfinished"></translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;+</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;-</source><translation type="unfinished"></translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation type="unfinished"></translation></message>
-<message><source>Reset &amp;Layout</source><translation type="unfinished"></translation></message>
-<message><source>Full Scree&amp;n</source><translation type="unfinished"></translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Scan</source><translation type="unfinished"></translation></message>
-<message><source>Pre&amp;vious Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Record</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep Last Minute</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation type="unfinished"></translation></message>
-<message><source>Recordings &amp;Folder…</source><translation type="unfinished"></translation></message>
-<message><source>P&amp;lay or Pause</source><translation type="unfinished"></translation></message>
-<message><source>Next Line</source><translation type="unfinished"></translation></message>
-<message><source>Last Line</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Forward</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>&amp;How the Scan Is Read…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Properties…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Presets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Save…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lock upper = 3 × lower</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Reset to Preset</source><translation type="unfinished"></translation></message>
-<message><source>Restore the &amp;Default Settings</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Show Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges over Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Finer</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Coarser</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation type="unfinished"></translation></message>
-<message><source>S&amp;plit at Next Click</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Join along a Line</source><translation type="unfinished"></translation></message>
-<message><source>C&amp;ut along a Line</source><translation type="unfinished"></translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation type="unfinished"></translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation type="unfinished"></translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation type="unfinished"></translation></message>
-<message><source>E&amp;xport Rocks…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Measure</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Distance</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Vertical</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Angle</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Spans a × b</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Box</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lasso</source><translation type="unfinished"></translation></message>
-<message><source>Let &amp;Go of This Target</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy This Target</source><translation type="unfinished"></translation></message>
-<message><source>Sho&amp;w All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Zoom to Selected</source><translation type="unfinished"></translation></message>
-<message><source>Select &amp;Nothing</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Help</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Find a Command…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keys and Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>Rocks</source><translation type="unfinished"></translation></message>
-<message><source>Rock Table</source><translation type="unfinished"></translation></message>
-<message><source>Targets</source><translation type="unfinished"></translation></message>
-<message><source>Tools</source><translation type="unfinished"></translation></message>
+Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
+Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>
+<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
+<message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
+<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
+<message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
+<message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
+<message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>Este es el último escaneo de la serie o de la carpeta.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>Este es el primer escaneo de la serie o de la carpeta.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>No hay en pantalla ningún archivo cuyos haces se puedan enderezar: primero abra uno.</translation></message>
+<message><source>Straighten Beams</source><translation>Enderezar los haces</translation></message>
+<message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
+<message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
+<message><source>No file yet</source><translation>Todavía ningún archivo</translation></message>
+<message><source>Clear</source><translation>Borrar</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
+<message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
+<message><source>display levels %1 to %2</source><translation>niveles mostrados de %1 a %2</translation></message>
+<message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
+<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
+<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
+<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Congelado: %1. Seguir muestra lo que el escáner envía ahora.</translation></message>
+<message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
+<message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
+<message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
+<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
+<message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
+<message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
+<message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
+<message><source>click the end of one side</source><translation>haga clic en el extremo de un lado</translation></message>
+<message><source>click where the sides meet</source><translation>haga clic donde se juntan los lados</translation></message>
+<message><source>click the end of the other side</source><translation>haga clic en el extremo del otro lado</translation></message>
+<message><source>click one end of a</source><translation>haga clic en un extremo de a</translation></message>
+<message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
+<message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
+<message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
+<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
+<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
+<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
+<message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 no se escribió: dele una de las extensiones csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
+<message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>split of a rock</source><translation>división de una roca</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
+<message><source>cut of a rock</source><translation>corte de una roca</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
+<message><source>region of interest</source><translation>región de interés</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
+<message><source>being worked out …</source><translation>en cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
+<message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
+<message><source>Report</source><translation>Informe</translation></message>
+<message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
+<message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
+<message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
+<message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
+<message><source>Select</source><translation>Seleccionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Aislar</translation></message>
+<message><source>Show All</source><translation>Mostrar todo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar la selección</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
+<message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
+<message><source> · no time</source><translation> · sin hora</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
+<message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sin hora</translation></message>
+<message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
+<message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
+<message><source>Name %1</source><translation>Nombrar %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
+<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fijado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
+<message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
+<message><source>settings</source><translation>ajustes</translation></message>
+<message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
+<message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
+<message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
+<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
+<message><source>Commands</source><translation>Comandos</translation></message>
+<message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
+<message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
+<message><source>What</source><translation>Contenido</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
+<message><source>Edge points (%1)</source><translation>Puntos de borde (%1)</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Todos los puntos, con un campo para los bordes (%1)</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Mapa de bordes como imagen, %1</translation></message>
+<message><source>Gray image, %1</source><translation>Imagen en grises, %1</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distancias en milímetros como imagen de 16 bits, %1</translation></message>
+<message><source>Coordinates</source><translation>Coordenadas</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
+<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Sin coordenadas mina: %1. Ábralo con --pose y --calibration.</translation></message>
+<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
+<message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
+<message><source>Read Again</source><translation>Leer de nuevo</translation></message>
+<message><source>as in the file</source><translation>como en el archivo</translation></message>
+<message><source>Choose…</source><translation>Elegir…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
+<message><source>Keys</source><translation>Teclas</translation></message>
+<message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
+<message><source>Scan</source><translation>Escaneo</translation></message>
+<message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
+<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
+<message><source>Record</source><translation>Grabar</translation></message>
+<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
+<message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
+<message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>La imagen crece con el escáner; desactivado: queda como está</translation></message>
+<message><source>name or address of the scanner</source><translation>nombre o dirección del escáner</translation></message>
+<message><source>Scanner</source><translation>Escáner</translation></message>
+<message><source>Sweep…</source><translation>Barrido…</translation></message>
+<message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
+<message><source>Stop</source><translation>Detener</translation></message>
+<message><source>Stop recording</source><translation>Detener la grabación</translation></message>
+<message><source>Following</source><translation>Siguiendo</translation></message>
+<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
+<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
+<message><source>Stands while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
+<message><source>not known</source><translation>desconocido</translation></message>
+<message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
+<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
+<message><source>not known (spin assumed)</source><translation>desconocido (se supone spin)</translation></message>
+<message><source>spin: about the viewing direction</source><translation>giro (spin): en torno a la dirección de visión</translation></message>
+<message><source>sweep: about the 0/180 degree line</source><translation>barrido (sweep): en torno a la línea 0/180 grados</translation></message>
+<message><source>Lines of a whole sweep</source><translation>Líneas de un barrido completo</translation></message>
+<message><source>Step per line</source><translation>Paso por línea</translation></message>
+<message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
+<message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
+<message><source>Play</source><translation>Reproducir</translation></message>
+<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
+<message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
+<message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>Edges</source><translation>Bordes</translation></message>
+<message><source>Range image</source><translation>Imagen de distancias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
+<message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
+<message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
+<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
+<message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
+<message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
+<message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
+<message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir embudo de extracción de &amp;demostración</translation></message>
+<message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar al escáner…</translation></message>
+<message><source>Re&amp;load</source><translation>Recar&amp;gar</translation></message>
+<message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nube de &amp;bordes…</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nube &amp;completa…</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Imagen de bordes…</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Imagen en &amp;grises…</translation></message>
+<message><source>&amp;Range Image…</source><translation>Imagen de &amp;distancias…</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
+<message><source>Re&amp;port…</source><translation>&amp;Informe…</translation></message>
+<message><source>&amp;Screenshot…</source><translation>Captura de &amp;pantalla…</translation></message>
+<message><source>&amp;Copy as Command</source><translation>Copiar como co&amp;mando</translation></message>
+<message><source>&amp;Quit</source><translation>&amp;Salir</translation></message>
+<message><source>&amp;Undo</source><translation>&amp;Deshacer</translation></message>
+<message><source>&amp;Redo</source><translation>&amp;Rehacer</translation></message>
+<message><source>Undo</source><translation>Deshacer</translation></message>
+<message><source>Redo</source><translation>Rehacer</translation></message>
+<message><source>&amp;Edit</source><translation>&amp;Edición</translation></message>
+<message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores bajo el cursor</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
+<message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
+<message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
+<message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
+<message><source>&amp;View</source><translation>&amp;Ver</translation></message>
+<message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
+<message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
+<message><source>&amp;Back</source><translation>Desde &amp;atrás</translation></message>
+<message><source>&amp;Right</source><translation>&amp;Derecha</translation></message>
+<message><source>&amp;Left</source><translation>&amp;Izquierda</translation></message>
+<message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
+<message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
+<message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
+<message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
+<message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
+<message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
+<message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
+<message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
+<message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
+<message><source>Pre&amp;vious Scan</source><translation>Escaneo &amp;anterior</translation></message>
+<message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
+<message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
+<message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>
+<message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
+<message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
+<message><source>Next Line</source><translation>Línea siguiente</translation></message>
+<message><source>Last Line</source><translation>Línea anterior</translation></message>
+<message><source>Ten Lines Forward</source><translation>Diez líneas adelante</translation></message>
+<message><source>Ten Lines Back</source><translation>Diez líneas atrás</translation></message>
+<message><source>&amp;Straighten Beams</source><translation>&amp;Enderezar los haces</translation></message>
+<message><source>&amp;How the Scan Is Read…</source><translation>Có&amp;mo se lee el escaneo…</translation></message>
+<message><source>&amp;Properties…</source><translation>Propie&amp;dades…</translation></message>
+<message><source>&amp;Presets</source><translation>Prea&amp;justes</translation></message>
+<message><source>&amp;Save…</source><translation>&amp;Guardar…</translation></message>
+<message><source>&amp;Edges</source><translation>&amp;Bordes</translation></message>
+<message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
+<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
+<message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
+<message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
+<message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
+<message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionar las rocas seleccionadas</translation></message>
+<message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
+<message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
+<message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>
+<message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
+<message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
+<message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
+<message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
+<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
+<message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
+<message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
+<message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>Rocks</source><translation>Rocas</translation></message>
+<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Warnings of this scan:
-</source><translation type="unfinished"></translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation type="unfinished"></translation></message>
-<message><source>number of edges: not known yet</source><translation type="unfinished"></translation></message>
-<message><source>%1 edge cells</source><translation type="unfinished"></translation></message>
-<message><source> · steady from %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>Edge points on and off: E</source><translation type="unfinished"></translation></message>
-<message><source>Colours by class</source><translation type="unfinished"></translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation type="unfinished"></translation></message>
-<message><source>Advanced</source><translation type="unfinished"></translation></message>
-<message><source>Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Save…</source><translation type="unfinished"></translation></message>
-<message><source>Save these settings as a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Preset</source><translation type="unfinished"></translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation type="unfinished"></translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation type="unfinished"></translation></message>
-<message><source>Locked 1 : 3</source><translation type="unfinished"></translation></message>
-<message><source>Unlocked</source><translation type="unfinished"></translation></message>
-<message><source>Strong from  %1 % of range</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold  %1</source><translation type="unfinished"></translation></message>
-<message><source>  (no gradient reaches it)</source><translation type="unfinished"></translation></message>
-<message><source>• modified</source><translation type="unfinished"></translation></message>
-<message><source>computing …</source><translation type="unfinished"></translation></message>
+</source><translation>Advertencias de este escaneo:
+</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
+<message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
+<message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
+<message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
+<message><source>Colours by class</source><translation>Colores por clase</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
+<message><source>Advanced</source><translation>Avanzado</translation></message>
+<message><source>Open…</source><translation>Abrir…</translation></message>
+<message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
+<message><source>Save…</source><translation>Guardar…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Guardar estos ajustes como archivo de preajuste</translation></message>
+<message><source>Preset</source><translation>Preajuste</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Los escalones de profundidad que alcanzan los umbrales, calculados a partir de los kernels: el número menor para un escalón en diagonal, el mayor para uno a lo largo de líneas o haces. En el campo de arriba se puede escribir una profundidad como 0.5 m; con niveles de gris logarítmicos se toma a la distancia que se da aquí, y una proporción como 5 % vale a cualquier distancia.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: el umbral superior es 3 veces el inferior, como en la tesis. Haga clic para abrir el bloqueo.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Fuerte desde  %1 % de la distancia</translation></message>
+<message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
+<message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
-%1 to %2 %3</source><translation type="unfinished"></translation></message>
+%1 to %2 %3</source><translation>
+%1 a %2 %3</translation></message>
 <message><source>
-Double-click: back to the preset</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation type="unfinished"></translation></message>
-<message><source>auto</source><translation type="unfinished"></translation></message>
-<message><source>range %1 m</source><translation type="unfinished"></translation></message>
-<message><source>device status %1</source><translation type="unfinished"></translation></message>
-<message><source>no return</source><translation type="unfinished"></translation></message>
-<message><source>N %1  E %2  El %3</source><translation type="unfinished"></translation></message>
-<message><source>N –  E –  El –</source><translation type="unfinished"></translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation type="unfinished"></translation></message>
-<message><source>EDGE</source><translation type="unfinished"></translation></message>
-<message><source>not an edge</source><translation type="unfinished"></translation></message>
-<message><source>line %1  beam %2</source><translation type="unfinished"></translation></message>
-<message><source>  at %1° / %2°</source><translation type="unfinished"></translation></message>
-<message><source>  gray %1</source><translation type="unfinished"></translation></message>
-<message><source>Cancel (Esc)</source><translation type="unfinished"></translation></message>
-<message><source>✕ INCOMPLETE</source><translation type="unfinished"></translation></message>
-<message><source>scanner frame</source><translation type="unfinished"></translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation type="unfinished"></translation></message>
-<message><source>mine grid</source><translation type="unfinished"></translation></message>
-<message><source>OUT OF SPEC</source><translation type="unfinished"></translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation type="unfinished"></translation></message>
-<message><source>Placed by %1</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED, time not known</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured.</source><translation type="unfinished"></translation></message>
-<message><source>%1 edges</source><translation type="unfinished"></translation></message>
-<message><source>%1 no return</source><translation type="unfinished"></translation></message>
-<message><source>%1 points</source><translation type="unfinished"></translation></message>
-<message><source> · %1 status</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1, %2 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2 instead of %3</source><translation type="unfinished"></translation></message>
-<message><source>All settings are those of the default set.</source><translation type="unfinished"></translation></message>
+Double-click: back to the preset</source><translation>
+Doble clic: volver al preajuste</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>range %1 m</source><translation>distancia %1 m</translation></message>
+<message><source>device status %1</source><translation>estado del equipo %1</translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>BORDE</translation></message>
+<message><source>not an edge</source><translation>no es un borde</translation></message>
+<message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
+<message><source>scanner frame</source><translation>sistema del escáner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
+<message><source>mine grid</source><translation>coordenadas mina</translation></message>
+<message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
+<message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
+<message><source>RECORDED, time not known</source><translation>RECORDED, hora desconocida</translation></message>
+<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
+<message><source>%1 edges</source><translation>%1 bordes</translation></message>
+<message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
+<message><source>%1 points</source><translation>%1 puntos</translation></message>
+<message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
+<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
 <message><source>
-Ctrl+D restores the default settings.</source><translation type="unfinished"></translation></message>
-<message><source>%1 ms</source><translation type="unfinished"></translation></message>
-<message><source>1 warning</source><translation type="unfinished"></translation></message>
-<message><source>%1 warnings</source><translation type="unfinished"></translation></message>
-<message><source>%1, acknowledged</source><translation type="unfinished"></translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation type="unfinished"></translation></message>
-<message><source>at least %1</source><translation type="unfinished"></translation></message>
-<message><source>something that is no rock</source><translation type="unfinished"></translation></message>
-<message><source>none seen</source><translation type="unfinished"></translation></message>
-<message><source>, hangs below</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation type="unfinished"></translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation type="unfinished"></translation></message>
-<message><source>outside the region of interest</source><translation type="unfinished"></translation></message>
-<message><source>called none by hand</source><translation type="unfinished"></translation></message>
-<message><source>wall, floor, or too far away</source><translation type="unfinished"></translation></message>
-<message><source>Split</source><translation type="unfinished"></translation></message>
-<message><source>Merge</source><translation type="unfinished"></translation></message>
-<message><source>No Rock</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this rock</source><translation type="unfinished"></translation></message>
-<message><source>. Hidden parts are not counted.</source><translation type="unfinished"></translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation type="unfinished"></translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation type="unfinished"></translation></message>
-<message><source>%1, and %2 more selected</source><translation type="unfinished"></translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation type="unfinished"></translation></message>
-<message><source>called a rock by hand</source><translation type="unfinished"></translation></message>
-<message><source>A Rock</source><translation type="unfinished"></translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation type="unfinished"></translation></message>
-<message><source>This is a rock after all (N)</source><translation type="unfinished"></translation></message>
-<message><source>Rock %1</source><translation type="unfinished"></translation></message>
-<message><source>visible spans</source><translation type="unfinished"></translation></message>
-<message><source>distance</source><translation type="unfinished"></translation></message>
-<message><source>visible area</source><translation type="unfinished"></translation></message>
-<message><source>%1 m²</source><translation type="unfinished"></translation></message>
-<message><source>in front</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of its outline</source><translation type="unfinished"></translation></message>
-<message><source>behind rocks</source><translation type="unfinished"></translation></message>
-<message><source>visible contacts</source><translation type="unfinished"></translation></message>
-<message><source>free height below</source><translation type="unfinished"></translation></message>
-<message><source>arch angle</source><translation type="unfinished"></translation></message>
-<message><source>confidence p</source><translation type="unfinished"></translation></message>
-<message><source>No rock</source><translation type="unfinished"></translation></message>
-<message><source>because</source><translation type="unfinished"></translation></message>
-<message><source>cells</source><translation type="unfinished"></translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation type="unfinished"></translation></message>
-<message><source> · ▲ doubtful outline</source><translation type="unfinished"></translation></message>
-<message><source>no doubtful ones</source><translation type="unfinished"></translation></message>
-<message><source>Export…</source><translation type="unfinished"></translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation type="unfinished"></translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation type="unfinished"></translation></message>
-<message><source>b at least</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 rocks</source><translation type="unfinished"></translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation type="unfinished"></translation></message>
-<message><source>Rock</source><translation type="unfinished"></translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation type="unfinished"></translation></message>
-<message><source>a visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Largest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>b visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation type="unfinished"></translation></message>
-<message><source>distance [m]</source><translation type="unfinished"></translation></message>
-<message><source>From the scanner: median of its ranges</source><translation type="unfinished"></translation></message>
-<message><source>area [m²]</source><translation type="unfinished"></translation></message>
-<message><source>Visible area across the beams</source><translation type="unfinished"></translation></message>
-<message><source>in front [%]</source><translation type="unfinished"></translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation type="unfinished"></translation></message>
-<message><source>contacts (≥)</source><translation type="unfinished"></translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation type="unfinished"></translation></message>
-<message><source>free below [m]</source><translation type="unfinished"></translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation type="unfinished"></translation></message>
-<message><source>arch [°] ± 25</source><translation type="unfinished"></translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation type="unfinished"></translation></message>
-<message><source>p</source><translation type="unfinished"></translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation type="unfinished"></translation></message>
-<message><source>fine</source><translation type="unfinished"></translation></message>
-<message><source>coarse</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation type="unfinished"></translation></message>
-<message><source>; %1 changed by hand</source><translation type="unfinished"></translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 % over %2 m</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>Size curve</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation type="unfinished"></translation></message>
-<message><source>no rocks to count</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>Opening %1</source><translation type="unfinished"></translation></message>
-<message><source>Making the demo draw-bell</source><translation type="unfinished"></translation></message>
-<message><source>Saving %1</source><translation type="unfinished"></translation></message>
-<message><source>writing</source><translation type="unfinished"></translation></message>
-<message><source>was %1</source><translation type="unfinished"></translation></message>
-<message><source>Why</source><translation type="unfinished"></translation></message>
-<message><source>Target</source><translation type="unfinished"></translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation type="unfinished"></translation></message>
-<message><source>Lock</source><translation type="unfinished"></translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this target</source><translation type="unfinished"></translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation type="unfinished"></translation></message>
-<message><source>Locked</source><translation type="unfinished"></translation></message>
-<message><source>Target %1: %2</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose</source><translation type="unfinished"></translation></message>
-<message><source>X, Y, Z</source><translation type="unfinished"></translation></message>
-<message><source>Metres in the frame of the scan</source><translation type="unfinished"></translation></message>
-<message><source>E, N, RL</source><translation type="unfinished"></translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation type="unfinished"></translation></message>
-<message><source>Rock, visible</source><translation type="unfinished"></translation></message>
-<message><source>none here</source><translation type="unfinished"></translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation type="unfinished"></translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation type="unfinished"></translation></message>
-<message><source>Resolves</source><translation type="unfinished"></translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation type="unfinished"></translation></message>
-<message><source>Surface</source><translation type="unfinished"></translation></message>
-<message><source>no plane fits</source><translation type="unfinished"></translation></message>
-<message><source>%1° ± %2 off the beam</source><translation type="unfinished"></translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation type="unfinished"></translation></message>
-<message><source>Dip / direction</source><translation type="unfinished"></translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation type="unfinished"></translation></message>
-<message><source>Cell</source><translation type="unfinished"></translation></message>
-<message><source>line %1 · beam %2</source><translation type="unfinished"></translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation type="unfinished"></translation></message>
-<message><source>none</source><translation type="unfinished"></translation></message>
-<message><source>yes</source><translation type="unfinished"></translation></message>
-<message><source>, strength %1</source><translation type="unfinished"></translation></message>
-<message><source>Edge</source><translation type="unfinished"></translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation type="unfinished"></translation></message>
-<message><source>± not known</source><translation type="unfinished"></translation></message>
-<message><source>from</source><translation type="unfinished"></translation></message>
-<message><source>scanner, line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Picture</source><translation type="unfinished"></translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation type="unfinished"></translation></message>
-<message><source>Measured</source><translation type="unfinished"></translation></message>
-<message><source>Remove</source><translation type="unfinished"></translation></message>
-<message><source>All but those that are locked</source><translation type="unfinished"></translation></message>
-<message><source>The measurement that is chosen</source><translation type="unfinished"></translation></message>
-<message><source>Method</source><translation type="unfinished"></translation></message>
-<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation type="unfinished"></translation></message>
-<message><source>Edge strength</source><translation type="unfinished"></translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation type="unfinished"></translation></message>
-<message><source>Jump</source><translation type="unfinished"></translation></message>
-<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation type="unfinished"></translation></message>
-<message><source>Jump growth</source><translation type="unfinished"></translation></message>
-<message><source>% of range</source><translation type="unfinished"></translation></message>
-<message><source>What the smallest step grows by with the distance.</source><translation type="unfinished"></translation></message>
-<message><source>Crease angle</source><translation type="unfinished"></translation></message>
-<message><source>degrees</source><translation type="unfinished"></translation></message>
-<message><source>Smallest fold of the surface that is an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Minimum length</source><translation type="unfinished"></translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation type="unfinished"></translation></message>
-<message><source>Classes</source><translation type="unfinished"></translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
-<message><source>Hysteresis low</source><translation type="unfinished"></translation></message>
-<message><source>% of high</source><translation type="unfinished"></translation></message>
-<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Grazing tolerance</source><translation type="unfinished"></translation></message>
-<message><source>steps</source><translation type="unfinished"></translation></message>
-<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation type="unfinished"></translation></message>
-<message><source>Allow for slips</source><translation type="unfinished"></translation></message>
-<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation type="unfinished"></translation></message>
-<message><source>Range noise at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation type="unfinished"></translation></message>
-<message><source>Lower threshold</source><translation type="unfinished"></translation></message>
-<message><source>levels</source><translation type="unfinished"></translation></message>
-<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation type="unfinished"></translation></message>
-<message><source>Step</source><translation type="unfinished"></translation></message>
-<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Ratio upper : lower</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian kernel</source><translation type="unfinished"></translation></message>
-<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian sigma</source><translation type="unfinished"></translation></message>
-<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation type="unfinished"></translation></message>
-<message><source>Gray scaling</source><translation type="unfinished"></translation></message>
-<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation type="unfinished"></translation></message>
-<message><source>Near</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Far</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Mask missing data</source><translation type="unfinished"></translation></message>
-<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Mask isolated cells</source><translation type="unfinished"></translation></message>
-<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation type="unfinished"></translation></message>
-<message><source>Sobel aperture</source><translation type="unfinished"></translation></message>
-<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation type="unfinished"></translation></message>
-<message><source>Gradient norm</source><translation type="unfinished"></translation></message>
-<message><source>How the two gradient components become one magnitude.</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian mask</source><translation type="unfinished"></translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation type="unfinished"></translation></message>
-<message><source>jump</source><translation type="unfinished"></translation></message>
-<message><source>convex</source><translation type="unfinished"></translation></message>
-<message><source>concave</source><translation type="unfinished"></translation></message>
-<message><source>data border</source><translation type="unfinished"></translation></message>
-<message><source>off</source><translation type="unfinished"></translation></message>
-<message><source>on</source><translation type="unfinished"></translation></message>
-<message><source>Thesis (255 / span)</source><translation type="unfinished"></translation></message>
-<message><source>Window (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>Logarithmic (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>1 (off)</source><translation type="unfinished"></translation></message>
-<message><source>L1  |gx| + |gy|</source><translation type="unfinished"></translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation type="unfinished"></translation></message>
-<message><source>4 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>8 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+</source><translation type="unfinished"></translation></message>
-<message><source>Rock outlines</source><translation type="unfinished"></translation></message>
-<message><source>Jumps</source><translation type="unfinished"></translation></message>
-<message><source>Canny (thesis)</source><translation type="unfinished"></translation></message>
-<message><source>Canny on log range</source><translation type="unfinished"></translation></message>
-<message><source>Roberts</source><translation type="unfinished"></translation></message>
-<message><source>Sobel</source><translation type="unfinished"></translation></message>
-<message><source>Prewitt</source><translation type="unfinished"></translation></message>
-<message><source>Kirsch</source><translation type="unfinished"></translation></message>
-<message><source>Robinson</source><translation type="unfinished"></translation></message>
-<message><source>Marr-Hildreth</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian of Gaussian</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation type="unfinished"></translation></message>
-<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation type="unfinished"></translation></message>
-<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation type="unfinished"></translation></message>
-<message><source>Fine to coarse</source><translation type="unfinished"></translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation type="unfinished"></translation></message>
-<message><source>Smallest rock</source><translation type="unfinished"></translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation type="unfinished"></translation></message>
-<message><source>Farthest rock</source><translation type="unfinished"></translation></message>
-<message><source>What lies farther away is no rock.</source><translation type="unfinished"></translation></message>
-<message><source>Largest size expected</source><translation type="unfinished"></translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation type="unfinished"></translation></message>
-<message><source>Oversize</source><translation type="unfinished"></translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from line to line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation type="unfinished"></translation></message>
-<message><source>Millimetres per number in the file</source><translation type="unfinished"></translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation type="unfinished"></translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation type="unfinished"></translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation type="unfinished"></translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation type="unfinished"></translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation type="unfinished"></translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation type="unfinished"></translation></message>
-<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation type="unfinished"></translation></message>
-<message><source>DXF of release 2000 instead of release 12</source><translation type="unfinished"></translation></message>
-<message><source>DXF: also the edge lines of two points only</source><translation type="unfinished"></translation></message>
-<message><source>Distance</source><translation type="unfinished"></translation></message>
-<message><source>Vertical Difference</source><translation type="unfinished"></translation></message>
-<message><source>Angle</source><translation type="unfinished"></translation></message>
-<message><source>Spans a × b</source><translation type="unfinished"></translation></message>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D restaura los ajustes predeterminados.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 advertencia</translation></message>
+<message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Muestra las advertencias de este escaneo y las marca como vistas; permanecen, y figuran en los registros y las capturas de pantalla</translation></message>
+<message><source>at least %1</source><translation>al menos %1</translation></message>
+<message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
+<message><source>none seen</source><translation>nada a la vista</translation></message>
+<message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
+<message><source>outside the region of interest</source><translation>fuera de la región de interés</translation></message>
+<message><source>called none by hand</source><translation>clasificado a mano como no roca</translation></message>
+<message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
+<message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Merge</source><translation>Fusionar</translation></message>
+<message><source>No Rock</source><translation>No es roca</translation></message>
+<message><source>Let go of this rock</source><translation>Soltar esta roca</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno dudoso: achurado</translation></message>
+<message><source>called a rock by hand</source><translation>clasificado a mano como roca</translation></message>
+<message><source>A Rock</source><translation>Es roca</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>Sí es una roca (N)</translation></message>
+<message><source>Rock %1</source><translation>Roca %1</translation></message>
+<message><source>visible spans</source><translation>extensiones visibles</translation></message>
+<message><source>distance</source><translation>distancia</translation></message>
+<message><source>visible area</source><translation>área visible</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>delante</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % de su contorno</translation></message>
+<message><source>behind rocks</source><translation>detrás de las rocas</translation></message>
+<message><source>visible contacts</source><translation>contactos visibles</translation></message>
+<message><source>free height below</source><translation>altura libre debajo</translation></message>
+<message><source>arch angle</source><translation>ángulo del arco</translation></message>
+<message><source>confidence p</source><translation>confianza p</translation></message>
+<message><source>No rock</source><translation>No es roca</translation></message>
+<message><source>because</source><translation>porque</translation></message>
+<message><source>cells</source><translation>celdas</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno dudoso</translation></message>
+<message><source>no doubtful ones</source><translation>sin las dudosas</translation></message>
+<message><source>Export…</source><translation>Exportar…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
+<message><source>b at least</source><translation>b al menos</translation></message>
+<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
+<message><source>distance [m]</source><translation>distancia [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visible transversal a los haces</translation></message>
+<message><source>in front [%]</source><translation>delante [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte de su contorno donde es el lado más cercano</translation></message>
+<message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
+<message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
+<message><source>fine</source><translation>fino</translation></message>
+<message><source>coarse</source><translation>grueso</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rocas, %2 achuradas (p &lt; 0.85); %3 regiones de finos</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad: P20 %1, P50 %2, P80 %3, el mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular los bordes (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>Opening %1</source><translation>Abriendo %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
+<message><source>Saving %1</source><translation>Guardando %1</translation></message>
+<message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>was %1</source><translation>antes: %1</translation></message>
+<message><source>Why</source><translation>Por qué</translation></message>
+<message><source>Target</source><translation>Objetivo</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
+<message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
+<message><source>Rock, visible</source><translation>Roca, visible</translation></message>
+<message><source>none here</source><translation>ninguna aquí</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensiones de lo que se ve de ella; las partes ocultas no se cuentan</translation></message>
+<message><source>Resolves</source><translation>Resolución</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
+<message><source>Surface</source><translation>Superficie</translation></message>
+<message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 del haz</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
+<message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
+<message><source>Cell</source><translation>Celda</translation></message>
+<message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
+<message><source>none</source><translation>ninguno</translation></message>
+<message><source>yes</source><translation>sí</translation></message>
+<message><source>, strength %1</source><translation>, fuerza %1</translation></message>
+<message><source>Edge</source><translation>Borde</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
+<message><source>± not known</source><translation>± desconocido</translation></message>
+<message><source>from</source><translation>desde</translation></message>
+<message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
+<message><source>Picture</source><translation>Imagen</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>Remove</source><translation>Quitar</translation></message>
+<message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
+<message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
+<message><source>Method</source><translation>Método</translation></message>
+<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
+<message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
+<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde: 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
+<message><source>Jump</source><translation>Salto</translation></message>
+<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor escalón de profundidad que es un borde, cerca del escáner; auto toma 30 mm, y más donde las distancias tienen ruido.</translation></message>
+<message><source>Jump growth</source><translation>Crecimiento del salto</translation></message>
+<message><source>% of range</source><translation>% de la distancia</translation></message>
+<message><source>What the smallest step grows by with the distance.</source><translation>Cuánto crece el menor escalón con la distancia.</translation></message>
+<message><source>Crease angle</source><translation>Ángulo de pliegue</translation></message>
+<message><source>degrees</source><translation>grados</translation></message>
+<message><source>Smallest fold of the surface that is an edge.</source><translation>Menor pliegue de la superficie que es un borde.</translation></message>
+<message><source>Minimum length</source><translation>Longitud mínima</translation></message>
+<message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
+<message><source>Classes</source><translation>Clases</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas); y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
+<message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
+<message><source>% of high</source><translation>% del alto</translation></message>
+<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
+<message><source>Grazing tolerance</source><translation>Tolerancia rasante</translation></message>
+<message><source>steps</source><translation>pasos</translation></message>
+<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Cuánto puede estar fuera de lugar un haz antes de que una superficie rasante muestre un salto: 0.1 para un barrido motorizado, 1 para haces entrelazados.</translation></message>
+<message><source>Allow for slips</source><translation>Tener en cuenta los deslizamientos</translation></message>
+<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
+<message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
+<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
+<message><source>Lower threshold</source><translation>Umbral inferior</translation></message>
+<message><source>levels</source><translation>niveles</translation></message>
+<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Una celda con un gradiente superior a este es un borde: con Canny si una cadena de tales celdas lleva a una fuerte, con los detectores de un umbral siempre.</translation></message>
+<message><source>Step</source><translation>Escalón</translation></message>
+<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation>Un escalón recto de esta proporción de la distancia es un borde débil, uno de alrededor de la razón por eso es uno fuerte.</translation></message>
+<message><source>Ratio upper : lower</source><translation>Razón superior : inferior</translation></message>
+<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation>Umbral superior como múltiplo del inferior; la tesis mantiene 3.</translation></message>
+<message><source>Gaussian kernel</source><translation>Kernel gaussiano</translation></message>
+<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation>Tamaño del kernel de suavizado; 1 desactiva el suavizado.</translation></message>
+<message><source>Gaussian sigma</source><translation>Sigma gaussiano</translation></message>
+<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation>Ancho del suavizado; auto lo toma del tamaño del kernel.</translation></message>
+<message><source>Gray scaling</source><translation>Escala de grises</translation></message>
+<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation>Cómo las distancias se convierten en niveles de gris: como lo imprime la tesis, de manera uniforme de cerca a lejos, o por razones iguales de cerca a lejos.</translation></message>
+<message><source>Near</source><translation>Cerca</translation></message>
+<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distancia dibujada como gris 0; auto la toma del escaneo. No se usa con la escala de la tesis.</translation></message>
+<message><source>Far</source><translation>Lejos</translation></message>
+<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distancia dibujada como gris 255; auto la toma del escaneo. No se usa con la escala de la tesis.</translation></message>
+<message><source>Mask missing data</source><translation>Enmascarar datos faltantes</translation></message>
+<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation>Deja las celdas sin distancia fuera del suavizado y del gradiente, para que el límite de un hueco no sea un borde.</translation></message>
+<message><source>Mask isolated cells</source><translation>Enmascarar celdas aisladas</translation></message>
+<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation>Con los datos faltantes enmascarados: una celda con la que concuerdan menos de 2 de sus 8 vecinas (polvo) cuenta como faltante.</translation></message>
+<message><source>Sobel aperture</source><translation>Apertura de Sobel</translation></message>
+<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation>Tamaño del operador de gradiente; los más grandes necesitan umbrales muchas veces mayores.</translation></message>
+<message><source>Gradient norm</source><translation>Norma del gradiente</translation></message>
+<message><source>How the two gradient components become one magnitude.</source><translation>Cómo las dos componentes del gradiente se convierten en una magnitud.</translation></message>
+<message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
+<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex</source><translation>convexo</translation></message>
+<message><source>concave</source><translation>cóncavo</translation></message>
+<message><source>data border</source><translation>límite de los datos</translation></message>
+<message><source>off</source><translation>desactivado</translation></message>
+<message><source>on</source><translation>activado</translation></message>
+<message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
+<message><source>Window (near to far)</source><translation>Ventana (de cerca a lejos)</translation></message>
+<message><source>Logarithmic (near to far)</source><translation>Logarítmica (de cerca a lejos)</translation></message>
+<message><source>1 (off)</source><translation>1 (desactivado)</translation></message>
+<message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>4 neighbours</source><translation>4 vecinas</translation></message>
+<message><source>8 neighbours</source><translation>8 vecinas</translation></message>
+<message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
+<message><source>Rock outlines</source><translation>Contornos de rocas</translation></message>
+<message><source>Jumps</source><translation>Saltos</translation></message>
+<message><source>Canny (thesis)</source><translation>Canny (tesis)</translation></message>
+<message><source>Canny on log range</source><translation>Canny en distancia logarítmica</translation></message>
+<message><source>Roberts</source><translation>Roberts</translation></message>
+<message><source>Sobel</source><translation>Sobel</translation></message>
+<message><source>Prewitt</source><translation>Prewitt</translation></message>
+<message><source>Kirsch</source><translation>Kirsch</translation></message>
+<message><source>Robinson</source><translation>Robinson</translation></message>
+<message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
+<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidad y pliegues de la superficie, con umbrales que siguen el ruido del escaneo.</translation></message>
+<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
+<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
+<message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
+<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
+<message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>
+<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
+<message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
+<message><source>What lies farther away is no rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
+<message><source>Largest size expected</source><translation>Mayor tamaño esperado</translation></message>
+<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
+<message><source>Oversize</source><translation>Sobretamaño</translation></message>
+<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Ángulo de una línea a la siguiente [grados]</translation></message>
+<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unidad de los números del archivo, donde este no la dice</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Milímetros por número del archivo</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Celdas de una nube que se proyecta [grados]; si no, según el espaciado de sus puntos</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>
+<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>Desde dónde se tomó una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
+<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: con lo que pueden tropezar los SIG y las planillas de cálculo</translation></message>
+<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en VIEWPOINT</translation></message>
+<message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
+<message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
+<message><source>Angle</source><translation>Ángulo</translation></message>
+<message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>
 </context>
 </TS>

@@ -3,675 +3,680 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Fold this panel to the edge of the window</source><translation type="unfinished"></translation></message>
-<message><source>Folded panels</source><translation type="unfinished"></translation></message>
-<message><source>Open this panel</source><translation type="unfinished"></translation></message>
-<message><source>Copy</source><translation type="unfinished"></translation></message>
-<message><source>Close</source><translation type="unfinished"></translation></message>
-<message><source>Error</source><translation type="unfinished"></translation></message>
-<message><source>Note</source><translation type="unfinished"></translation></message>
-<message><source>Done</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation type="unfinished"></translation></message>
-<message><source>Open folder</source><translation type="unfinished"></translation></message>
-<message><source>Double-click: this view alone, and back</source><translation type="unfinished"></translation></message>
-<message><source>Replace the file?</source><translation type="unfinished"></translation></message>
-<message><source>There is a file of this name already:</source><translation type="unfinished"></translation></message>
-<message><source>There are files of these names already:</source><translation type="unfinished"></translation></message>
-<message><source>Replace</source><translation type="unfinished"></translation></message>
-<message><source>... and %1 lines more</source><translation type="unfinished"></translation></message>
-<message><source>no scan open</source><translation type="unfinished"></translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: %1</source><translation type="unfinished"></translation></message>
-<message><source>The audit log is written again; no line is missing.</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Why could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
+<message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
+<message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
+<message><source>Open this panel</source><translation>Ouvrir ce panneau</translation></message>
+<message><source>Copy</source><translation>Copier</translation></message>
+<message><source>Close</source><translation>Fermer</translation></message>
+<message><source>Error</source><translation>Erreur</translation></message>
+<message><source>Note</source><translation>Remarque</translation></message>
+<message><source>Done</source><translation>Terminé</translation></message>
+<message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
+<message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
+<message><source>Replace the file?</source><translation>Remplacer le fichier ?</translation></message>
+<message><source>There is a file of this name already:</source><translation>Il existe déjà un fichier de ce nom :</translation></message>
+<message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
+<message><source>Replace</source><translation>Remplacer</translation></message>
+<message><source>... and %1 lines more</source><translation>... et %1 lignes de plus</translation></message>
+<message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
+<message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
+<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
+<message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
+<message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 points</source><translation type="unfinished"></translation></message>
-<message><source>Export</source><translation type="unfinished"></translation></message>
-<message><source>PNG picture (*.png)</source><translation type="unfinished"></translation></message>
-<message><source>Save screenshot</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1.</source><translation type="unfinished"></translation></message>
-<message><source>All supported (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All files (*)</source><translation type="unfinished"></translation></message>
-<message><source>Open scan</source><translation type="unfinished"></translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>Beams as Recorded</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>How the Scan Is Read</source><translation type="unfinished"></translation></message>
-<message><source>Straighten beams</source><translation type="unfinished"></translation></message>
-<message><source>No file yet</source><translation type="unfinished"></translation></message>
-<message><source>Clear</source><translation type="unfinished"></translation></message>
-<message><source> (%1 of %2)</source><translation type="unfinished"></translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the points drawn</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Let go of this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Fly to this point</source><translation type="unfinished"></translation></message>
-<message><source>View from &amp;scanner</source><translation type="unfinished"></translation></message>
-<message><source>F&amp;it</source><translation type="unfinished"></translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation type="unfinished"></translation></message>
-<message><source>, ranges %1 to %2 m</source><translation type="unfinished"></translation></message>
-<message><source>display levels %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>There is no host to connect to: type the scanner's name or address.</source><translation type="unfinished"></translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation type="unfinished"></translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation type="unfinished"></translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation type="unfinished"></translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation type="unfinished"></translation></message>
-<message><source>%1 has ended. </source><translation type="unfinished"></translation></message>
-<message><source>Folder for recordings</source><translation type="unfinished"></translation></message>
-<message><source>click the one end</source><translation type="unfinished"></translation></message>
-<message><source>click the other end</source><translation type="unfinished"></translation></message>
-<message><source>click the lower cell</source><translation type="unfinished"></translation></message>
-<message><source>click the higher cell</source><translation type="unfinished"></translation></message>
-<message><source>click the end of one side</source><translation type="unfinished"></translation></message>
-<message><source>click where the sides meet</source><translation type="unfinished"></translation></message>
-<message><source>click the end of the other side</source><translation type="unfinished"></translation></message>
-<message><source>click one end of a</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of a</source><translation type="unfinished"></translation></message>
-<message><source>click one end of b</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of b</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation type="unfinished"></translation></message>
-<message><source>merge of rocks</source><translation type="unfinished"></translation></message>
-<message><source>call of a rock</source><translation type="unfinished"></translation></message>
-<message><source>call of no rock</source><translation type="unfinished"></translation></message>
-<message><source>Table, one row per rock</source><translation type="unfinished"></translation></message>
-<message><source>Report with settings and edits</source><translation type="unfinished"></translation></message>
-<message><source>Labels as a 16-bit picture</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in space</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in the picture</source><translation type="unfinished"></translation></message>
-<message><source>Convex hulls of the visible points</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation type="unfinished"></translation></message>
-<message><source>the whole piece as it is</source><translation type="unfinished"></translation></message>
-<message><source>a click splits it off</source><translation type="unfinished"></translation></message>
-<message><source>larger than the rock: a click joins it</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation type="unfinished"></translation></message>
-<message><source>split of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation type="unfinished"></translation></message>
-<message><source>cut of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation type="unfinished"></translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation type="unfinished"></translation></message>
-<message><source>region of interest</source><translation type="unfinished"></translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation type="unfinished"></translation></message>
-<message><source>being worked out …</source><translation type="unfinished"></translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation type="unfinished"></translation></message>
-<message><source>open a scan first</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks · </source><translation type="unfinished"></translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation type="unfinished"></translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to report yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Report</source><translation type="unfinished"></translation></message>
-<message><source>Page for any browser (*.html)</source><translation type="unfinished"></translation></message>
-<message><source>a page for any browser</source><translation type="unfinished"></translation></message>
-<message><source>The report could not be made (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was selected (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Select Nothing</source><translation type="unfinished"></translation></message>
-<message><source>Select</source><translation type="unfinished"></translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation type="unfinished"></translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation type="unfinished"></translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation type="unfinished"></translation></message>
-<message><source>Hide</source><translation type="unfinished"></translation></message>
-<message><source>Isolate</source><translation type="unfinished"></translation></message>
-<message><source>Show All</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 cells hidden</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Select</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Chain Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rock Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hide Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isolate Selected</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export Selected…</source><translation type="unfinished"></translation></message>
-<message><source>, %1 min ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 h ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 days ago</source><translation type="unfinished"></translation></message>
-<message><source> · no time</source><translation type="unfinished"></translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation type="unfinished"></translation></message>
-<message><source>HELD</source><translation type="unfinished"></translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation type="unfinished"></translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation type="unfinished"></translation></message>
-<message><source>NO PICTURE</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED</source><translation type="unfinished"></translation></message>
-<message><source>First line, by %1</source><translation type="unfinished"></translation></message>
-<message><source>FILE</source><translation type="unfinished"></translation></message>
-<message><source>no time</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be kept (%1).</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation type="unfinished"></translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation type="unfinished"></translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation type="unfinished"></translation></message>
-<message><source>Pin %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All</source><translation type="unfinished"></translation></message>
-<message><source>Name %1</source><translation type="unfinished"></translation></message>
-<message><source>Lock %1</source><translation type="unfinished"></translation></message>
-<message><source>Unlock %1</source><translation type="unfinished"></translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation type="unfinished"></translation></message>
-<message><source>Measure</source><translation type="unfinished"></translation></message>
-<message><source>Remove Measurement</source><translation type="unfinished"></translation></message>
-<message><source>locked</source><translation type="unfinished"></translation></message>
-<message><source>Pinned %1</source><translation type="unfinished"></translation></message>
-<message><source>a cell of it has no range</source><translation type="unfinished"></translation></message>
-<message><source>%1 %2 to %3</source><translation type="unfinished"></translation></message>
-<message><source>settings</source><translation type="unfinished"></translation></message>
-<message><source>Open preset</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan presets (*.json)</source><translation type="unfinished"></translation></message>
-<message><source>Save preset</source><translation type="unfinished"></translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation type="unfinished"></translation></message>
-<message><source>Commands</source><translation type="unfinished"></translation></message>
-<message><source>A few letters of a command</source><translation type="unfinished"></translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation type="unfinished"></translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation type="unfinished"></translation></message>
-<message><source>Choose File…</source><translation type="unfinished"></translation></message>
-<message><source>What</source><translation type="unfinished"></translation></message>
-<message><source>%1 × %2 pixels</source><translation type="unfinished"></translation></message>
-<message><source>Edge points (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Edge map as a picture, %1</source><translation type="unfinished"></translation></message>
-<message><source>Gray image, %1</source><translation type="unfinished"></translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation type="unfinished"></translation></message>
-<message><source>Coordinates</source><translation type="unfinished"></translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation type="unfinished"></translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation type="unfinished"></translation></message>
-<message><source>Scanner frame, as measured</source><translation type="unfinished"></translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation type="unfinished"></translation></message>
-<message><source>For the program that will read it</source><translation type="unfinished"></translation></message>
-<message><source>%1 points will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation type="unfinished"></translation></message>
-<message><source>Read Again</source><translation type="unfinished"></translation></message>
-<message><source>as in the file</source><translation type="unfinished"></translation></message>
-<message><source>Choose…</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation type="unfinished"></translation></message>
-<message><source>Keys</source><translation type="unfinished"></translation></message>
-<message><source>Keys and mouse</source><translation type="unfinished"></translation></message>
-<message><source>Scan</source><translation type="unfinished"></translation></message>
-<message><source>About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation type="unfinished"></translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
-<message><source>CONNECTED, another picture is shown</source><translation type="unfinished"></translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation type="unfinished"></translation></message>
-<message><source>Connect</source><translation type="unfinished"></translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Record</source><translation type="unfinished"></translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation type="unfinished"></translation></message>
-<message><source>Keep last minute</source><translation type="unfinished"></translation></message>
-<message><source>Write what arrived during the last minute to a new file</source><translation type="unfinished"></translation></message>
-<message><source>Follow</source><translation type="unfinished"></translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation type="unfinished"></translation></message>
-<message><source>name or address of the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Scanner</source><translation type="unfinished"></translation></message>
-<message><source>Sweep…</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a sweep, step per line, mounting</source><translation type="unfinished"></translation></message>
-<message><source>Stop</source><translation type="unfinished"></translation></message>
-<message><source>Stop recording</source><translation type="unfinished"></translation></message>
-<message><source>Following</source><translation type="unfinished"></translation></message>
-<message><source>Held: follow</source><translation type="unfinished"></translation></message>
-<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation type="unfinished"></translation></message>
-<message><source>Stands while a line is measured</source><translation type="unfinished"></translation></message>
-<message><source>not known</source><translation type="unfinished"></translation></message>
-<message><source>not known (0.18° assumed)</source><translation type="unfinished"></translation></message>
-<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation type="unfinished"></translation></message>
-<message><source>not known (spin assumed)</source><translation type="unfinished"></translation></message>
-<message><source>spin: about the viewing direction</source><translation type="unfinished"></translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a whole sweep</source><translation type="unfinished"></translation></message>
-<message><source>Step per line</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line</source><translation type="unfinished"></translation></message>
-<message><source>Encoder counts per degree</source><translation type="unfinished"></translation></message>
-<message><source>Mounting of the stepper</source><translation type="unfinished"></translation></message>
-<message><source>Play</source><translation type="unfinished"></translation></message>
-<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation type="unfinished"></translation></message>
-<message><source> · sweep %1 of %2</source><translation type="unfinished"></translation></message>
-<message><source>Pause</source><translation type="unfinished"></translation></message>
-<message><source>Edges</source><translation type="unfinished"></translation></message>
-<message><source>Range image</source><translation type="unfinished"></translation></message>
-<message><source>Edge map</source><translation type="unfinished"></translation></message>
-<message><source>Cloud</source><translation type="unfinished"></translation></message>
-<message><source>Close EdgeScan?</source><translation type="unfinished"></translation></message>
-<message><source>A recording is being written.</source><translation type="unfinished"></translation></message>
-<message><source>A file is still being written.</source><translation type="unfinished"></translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation type="unfinished"></translation></message>
-<message><source>Closing waits until it is whole.</source><translation type="unfinished"></translation></message>
-<message><source>End the Recording and Close</source><translation type="unfinished"></translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Recent</source><translation type="unfinished"></translation></message>
-<message><source>&amp;File</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Connect to Scanner…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;load</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Full Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Gray Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Selected Cells…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;port…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Screenshot…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy as Command</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Quit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Undo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Redo</source><translation type="unfinished"></translation></message>
-<message><source>Undo</source><translation type="unfinished"></translation></message>
-<message><source>Redo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy Probe Values</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Wheel the other way</source><translation type="unfinished"></translation></message>
-<message><source>Lan&amp;guage</source><translation type="unfinished"></translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Orthographic</source><translation type="unfinished"></translation></message>
-<message><source>T&amp;urntable</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Points</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation type="unfinished"></translation></message>
-<message><source>Depth S&amp;hading</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;over Range Image</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;by Class</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Colour-Blind Edge Colours</source><translation type="unfinished"></translation></message>
-<message><source>True &amp;Angle Aspect</source><translation type="unfinished"></translation></message>
-<message><source>&amp;View</source><translation type="unfinished"></translation></message>
-<message><source>From &amp;Scanner</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Front</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Right</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Left</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Top</source><translation type="unfinished"></translation></message>
-<message><source>Botto&amp;m</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isometric</source><translation type="unfinished"></translation></message>
-<message><source>R&amp;eset View</source><translation type="unfinished"></translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;+</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;-</source><translation type="unfinished"></translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation type="unfinished"></translation></message>
-<message><source>Reset &amp;Layout</source><translation type="unfinished"></translation></message>
-<message><source>Full Scree&amp;n</source><translation type="unfinished"></translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Scan</source><translation type="unfinished"></translation></message>
-<message><source>Pre&amp;vious Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Record</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep Last Minute</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation type="unfinished"></translation></message>
-<message><source>Recordings &amp;Folder…</source><translation type="unfinished"></translation></message>
-<message><source>P&amp;lay or Pause</source><translation type="unfinished"></translation></message>
-<message><source>Next Line</source><translation type="unfinished"></translation></message>
-<message><source>Last Line</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Forward</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>&amp;How the Scan Is Read…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Properties…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Presets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Save…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lock upper = 3 × lower</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Reset to Preset</source><translation type="unfinished"></translation></message>
-<message><source>Restore the &amp;Default Settings</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Show Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges over Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Finer</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Coarser</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation type="unfinished"></translation></message>
-<message><source>S&amp;plit at Next Click</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Join along a Line</source><translation type="unfinished"></translation></message>
-<message><source>C&amp;ut along a Line</source><translation type="unfinished"></translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation type="unfinished"></translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation type="unfinished"></translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation type="unfinished"></translation></message>
-<message><source>E&amp;xport Rocks…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Measure</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Distance</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Vertical</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Angle</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Spans a × b</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Box</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lasso</source><translation type="unfinished"></translation></message>
-<message><source>Let &amp;Go of This Target</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy This Target</source><translation type="unfinished"></translation></message>
-<message><source>Sho&amp;w All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Zoom to Selected</source><translation type="unfinished"></translation></message>
-<message><source>Select &amp;Nothing</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Help</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Find a Command…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keys and Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>Rocks</source><translation type="unfinished"></translation></message>
-<message><source>Rock Table</source><translation type="unfinished"></translation></message>
-<message><source>Targets</source><translation type="unfinished"></translation></message>
-<message><source>Tools</source><translation type="unfinished"></translation></message>
+Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
+Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
+<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
+<message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
+<message><source>Export</source><translation>Exporter</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
+<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
+<message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
+<message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
+<message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>C'est le dernier scan de la série ou du dossier.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>C'est le premier scan de la série ou du dossier.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Il n'y a à l'écran aucun fichier dont les faisceaux pourraient être redressés : ouvrez-en d'abord un.</translation></message>
+<message><source>Straighten Beams</source><translation>Redresser les faisceaux</translation></message>
+<message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
+<message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
+<message><source>No file yet</source><translation>Aucun fichier pour l'instant</translation></message>
+<message><source>Clear</source><translation>Effacer</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
+<message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
+<message><source>display levels %1 to %2</source><translation>niveaux affichés de %1 à %2</translation></message>
+<message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
+<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
+<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
+<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Figé : %1. Suivre montre ce que le scanner envoie maintenant.</translation></message>
+<message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
+<message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
+<message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
+<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
+<message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
+<message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
+<message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
+<message><source>click the end of one side</source><translation>cliquez sur l'extrémité d'un côté</translation></message>
+<message><source>click where the sides meet</source><translation>cliquez là où les côtés se rejoignent</translation></message>
+<message><source>click the end of the other side</source><translation>cliquez sur l'extrémité de l'autre côté</translation></message>
+<message><source>click one end of a</source><translation>cliquez sur une extrémité de a</translation></message>
+<message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
+<message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
+<message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
+<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
+<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
+<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
+<message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
+<message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
+<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
+<message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
+<message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
+<message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
+<message><source>region of interest</source><translation>région d'intérêt</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
+<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
+<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
+<message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
+<message><source>Report</source><translation>Rapport</translation></message>
+<message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
+<message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
+<message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
+<message><source>Select</source><translation>Sélectionner</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
+<message><source>Hide</source><translation>Masquer</translation></message>
+<message><source>Isolate</source><translation>Isoler</translation></message>
+<message><source>Show All</source><translation>Tout afficher</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
+<message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Masquer la sélection</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
+<message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
+<message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
+<message><source> · no time</source><translation> · sans heure</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
+<message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sans heure</translation></message>
+<message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
+<message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
+<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
+<message><source>Name %1</source><translation>Nommer %1</translation></message>
+<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
+<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
+<message><source>Measure</source><translation>Mesurer</translation></message>
+<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>locked</source><translation>verrouillée</translation></message>
+<message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
+<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
+<message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
+<message><source>settings</source><translation>réglages</translation></message>
+<message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
+<message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
+<message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
+<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>Commands</source><translation>Commandes</translation></message>
+<message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
+<message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
+<message><source>What</source><translation>Contenu</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Edge points (%1)</source><translation>Points d'arête (%1)</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Tous les points, avec un champ pour les arêtes (%1)</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Carte des arêtes en image, %1</translation></message>
+<message><source>Gray image, %1</source><translation>Image en niveaux de gris, %1</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distances en millimètres en image de 16 bits, %1</translation></message>
+<message><source>Coordinates</source><translation>Coordonnées</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
+<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Pas de coordonnées de la mine : %1. Ouvrez-le avec --pose et --calibration.</translation></message>
+<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
+<message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
+<message><source>Read Again</source><translation>Relire</translation></message>
+<message><source>as in the file</source><translation>comme dans le fichier</translation></message>
+<message><source>Choose…</source><translation>Choisir…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
+<message><source>Keys</source><translation>Touches</translation></message>
+<message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
+<message><source>Scan</source><translation>Scan</translation></message>
+<message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
+<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
+<message><source>Connect</source><translation>Connecter</translation></message>
+<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
+<message><source>Record</source><translation>Enregistrer</translation></message>
+<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
+<message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
+<message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
+<message><source>Follow</source><translation>Suivre</translation></message>
+<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>L'image grandit avec le scanner ; désactivé : elle reste telle quelle</translation></message>
+<message><source>name or address of the scanner</source><translation>nom ou adresse du scanner</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
+<message><source>Sweep…</source><translation>Balayage…</translation></message>
+<message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
+<message><source>Stop</source><translation>Arrêter</translation></message>
+<message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
+<message><source>Following</source><translation>Suivi en cours</translation></message>
+<message><source>Held: follow</source><translation>Figé : suivre</translation></message>
+<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
+<message><source>Stands while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
+<message><source>not known</source><translation>inconnu</translation></message>
+<message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
+<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
+<message><source>not known (spin assumed)</source><translation>inconnu (spin supposé)</translation></message>
+<message><source>spin: about the viewing direction</source><translation>rotation (spin) : autour de la direction de visée</translation></message>
+<message><source>sweep: about the 0/180 degree line</source><translation>balayage (sweep) : autour de la ligne 0/180 degrés</translation></message>
+<message><source>Lines of a whole sweep</source><translation>Lignes d'un balayage entier</translation></message>
+<message><source>Step per line</source><translation>Pas par ligne</translation></message>
+<message><source>Angle of the first line</source><translation>Angle de la première ligne</translation></message>
+<message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
+<message><source>Play</source><translation>Lire</translation></message>
+<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
+<message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
+<message><source>Pause</source><translation>Pause</translation></message>
+<message><source>Edges</source><translation>Arêtes</translation></message>
+<message><source>Range image</source><translation>Image de distances</translation></message>
+<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
+<message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
+<message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
+<message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
+<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
+<message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
+<message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
+<message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
+<message><source>&amp;Open…</source><translation>&amp;Ouvrir…</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Ouvrir l'entonnoir de soutirage de &amp;démonstration</translation></message>
+<message><source>&amp;Connect to Scanner…</source><translation>&amp;Connecter au scanner…</translation></message>
+<message><source>Re&amp;load</source><translation>Rechar&amp;ger</translation></message>
+<message><source>&amp;Export</source><translation>&amp;Exporter</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nuage des &amp;arêtes…</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nuage &amp;complet…</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Image des arêtes…</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Image en niveaux de &amp;gris…</translation></message>
+<message><source>&amp;Range Image…</source><translation>Image de &amp;distances…</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
+<message><source>Re&amp;port…</source><translation>Ra&amp;pport…</translation></message>
+<message><source>&amp;Screenshot…</source><translation>Capture d'écra&amp;n…</translation></message>
+<message><source>&amp;Copy as Command</source><translation>Copier comme co&amp;mmande</translation></message>
+<message><source>&amp;Quit</source><translation>&amp;Quitter</translation></message>
+<message><source>&amp;Undo</source><translation>&amp;Annuler</translation></message>
+<message><source>&amp;Redo</source><translation>&amp;Rétablir</translation></message>
+<message><source>Undo</source><translation>Annuler</translation></message>
+<message><source>Redo</source><translation>Rétablir</translation></message>
+<message><source>&amp;Edit</source><translation>É&amp;dition</translation></message>
+<message><source>&amp;Copy Probe Values</source><translation>&amp;Copier les valeurs sous le curseur</translation></message>
+<message><source>&amp;Mouse</source><translation>S&amp;ouris</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Par défaut : milieu déplace, droite zoome</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
+<message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
+<message><source>The window speaks this language from its next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
+<message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
+<message><source>&amp;Edge Points</source><translation>&amp;Points d'arête</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
+<message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
+<message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
+<message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
+<message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
+<message><source>&amp;Front</source><translation>De &amp;face</translation></message>
+<message><source>&amp;Back</source><translation>De l'&amp;arrière</translation></message>
+<message><source>&amp;Right</source><translation>De &amp;droite</translation></message>
+<message><source>&amp;Left</source><translation>De &amp;gauche</translation></message>
+<message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
+<message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
+<message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
+<message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
+<message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
+<message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
+<message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
+<message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
+<message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
+<message><source>Pre&amp;vious Scan</source><translation>Scan &amp;précédent</translation></message>
+<message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
+<message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
+<message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>
+<message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
+<message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
+<message><source>Next Line</source><translation>Ligne suivante</translation></message>
+<message><source>Last Line</source><translation>Ligne précédente</translation></message>
+<message><source>Ten Lines Forward</source><translation>Dix lignes en avant</translation></message>
+<message><source>Ten Lines Back</source><translation>Dix lignes en arrière</translation></message>
+<message><source>&amp;Straighten Beams</source><translation>&amp;Redresser les faisceaux</translation></message>
+<message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mment le scan est lu…</translation></message>
+<message><source>&amp;Properties…</source><translation>Pr&amp;opriétés…</translation></message>
+<message><source>&amp;Presets</source><translation>&amp;Préréglages</translation></message>
+<message><source>&amp;Save…</source><translation>&amp;Enregistrer…</translation></message>
+<message><source>&amp;Edges</source><translation>A&amp;rêtes</translation></message>
+<message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Verrouiller haut = 3 × bas</translation></message>
+<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>
+<message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
+<message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
+<message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
+<message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
+<message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
+<message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
+<message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
+<message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>
+<message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
+<message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
+<message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
+<message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
+<message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
+<message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
+<message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
+<message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>Rocks</source><translation>Blocs</translation></message>
+<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Warnings of this scan:
-</source><translation type="unfinished"></translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation type="unfinished"></translation></message>
-<message><source>number of edges: not known yet</source><translation type="unfinished"></translation></message>
-<message><source>%1 edge cells</source><translation type="unfinished"></translation></message>
-<message><source> · steady from %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>Edge points on and off: E</source><translation type="unfinished"></translation></message>
-<message><source>Colours by class</source><translation type="unfinished"></translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation type="unfinished"></translation></message>
-<message><source>Advanced</source><translation type="unfinished"></translation></message>
-<message><source>Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Save…</source><translation type="unfinished"></translation></message>
-<message><source>Save these settings as a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Preset</source><translation type="unfinished"></translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation type="unfinished"></translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation type="unfinished"></translation></message>
-<message><source>Locked 1 : 3</source><translation type="unfinished"></translation></message>
-<message><source>Unlocked</source><translation type="unfinished"></translation></message>
-<message><source>Strong from  %1 % of range</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold  %1</source><translation type="unfinished"></translation></message>
-<message><source>  (no gradient reaches it)</source><translation type="unfinished"></translation></message>
-<message><source>• modified</source><translation type="unfinished"></translation></message>
-<message><source>computing …</source><translation type="unfinished"></translation></message>
+</source><translation>Avertissements de ce scan :
+</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
+<message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
+<message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
+<message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
+<message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
+<message><source>Advanced</source><translation>Avancé</translation></message>
+<message><source>Open…</source><translation>Ouvrir…</translation></message>
+<message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
+<message><source>Save…</source><translation>Enregistrer…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Enregistrer ces réglages dans un fichier de préréglage</translation></message>
+<message><source>Preset</source><translation>Préréglage</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Les marches en profondeur qui atteignent les seuils, calculées à partir des noyaux : le plus petit nombre pour une marche en diagonale, le plus grand pour une marche le long des lignes ou des faisceaux. Une profondeur telle que 0.5 m peut être tapée dans le champ ci-dessus ; avec des niveaux de gris logarithmiques, elle est prise à la distance donnée ici, et une part telle que 5 % vaut à toute distance.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Verrouillé : le seuil haut est 3 fois le seuil bas, comme dans la thèse. Cliquez pour ouvrir le verrou.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Verrouillé 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Déverrouillé</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Forte dès  %1 % de la distance</translation></message>
+<message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
+<message><source>• modified</source><translation>• modifié</translation></message>
+<message><source>computing …</source><translation>calcul en cours …</translation></message>
 <message><source>
-%1 to %2 %3</source><translation type="unfinished"></translation></message>
+%1 to %2 %3</source><translation>
+%1 à %2 %3</translation></message>
 <message><source>
-Double-click: back to the preset</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation type="unfinished"></translation></message>
-<message><source>auto</source><translation type="unfinished"></translation></message>
-<message><source>range %1 m</source><translation type="unfinished"></translation></message>
-<message><source>device status %1</source><translation type="unfinished"></translation></message>
-<message><source>no return</source><translation type="unfinished"></translation></message>
-<message><source>N %1  E %2  El %3</source><translation type="unfinished"></translation></message>
-<message><source>N –  E –  El –</source><translation type="unfinished"></translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation type="unfinished"></translation></message>
-<message><source>EDGE</source><translation type="unfinished"></translation></message>
-<message><source>not an edge</source><translation type="unfinished"></translation></message>
-<message><source>line %1  beam %2</source><translation type="unfinished"></translation></message>
-<message><source>  at %1° / %2°</source><translation type="unfinished"></translation></message>
-<message><source>  gray %1</source><translation type="unfinished"></translation></message>
-<message><source>Cancel (Esc)</source><translation type="unfinished"></translation></message>
-<message><source>✕ INCOMPLETE</source><translation type="unfinished"></translation></message>
-<message><source>scanner frame</source><translation type="unfinished"></translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation type="unfinished"></translation></message>
-<message><source>mine grid</source><translation type="unfinished"></translation></message>
-<message><source>OUT OF SPEC</source><translation type="unfinished"></translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation type="unfinished"></translation></message>
-<message><source>Placed by %1</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED, time not known</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured.</source><translation type="unfinished"></translation></message>
-<message><source>%1 edges</source><translation type="unfinished"></translation></message>
-<message><source>%1 no return</source><translation type="unfinished"></translation></message>
-<message><source>%1 points</source><translation type="unfinished"></translation></message>
-<message><source> · %1 status</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1, %2 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2 instead of %3</source><translation type="unfinished"></translation></message>
-<message><source>All settings are those of the default set.</source><translation type="unfinished"></translation></message>
+Double-click: back to the preset</source><translation>
+Double-clic : retour au préréglage</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>range %1 m</source><translation>distance %1 m</translation></message>
+<message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Alt %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Alt –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>ARÊTE</translation></message>
+<message><source>not an edge</source><translation>pas une arête</translation></message>
+<message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
+<message><source>scanner frame</source><translation>repère du scanner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
+<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
+<message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
+<message><source>Placed by %1</source><translation>Placé par %1</translation></message>
+<message><source>RECORDED, time not known</source><translation>RECORDED, heure inconnue</translation></message>
+<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
+<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
+<message><source>%1 no return</source><translation>%1 sans retour</translation></message>
+<message><source>%1 points</source><translation>%1 points</translation></message>
+<message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
+<message><source>settings: %1</source><translation>réglages : %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>réglages : %1, %2 modifié(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
 <message><source>
-Ctrl+D restores the default settings.</source><translation type="unfinished"></translation></message>
-<message><source>%1 ms</source><translation type="unfinished"></translation></message>
-<message><source>1 warning</source><translation type="unfinished"></translation></message>
-<message><source>%1 warnings</source><translation type="unfinished"></translation></message>
-<message><source>%1, acknowledged</source><translation type="unfinished"></translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation type="unfinished"></translation></message>
-<message><source>at least %1</source><translation type="unfinished"></translation></message>
-<message><source>something that is no rock</source><translation type="unfinished"></translation></message>
-<message><source>none seen</source><translation type="unfinished"></translation></message>
-<message><source>, hangs below</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation type="unfinished"></translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation type="unfinished"></translation></message>
-<message><source>outside the region of interest</source><translation type="unfinished"></translation></message>
-<message><source>called none by hand</source><translation type="unfinished"></translation></message>
-<message><source>wall, floor, or too far away</source><translation type="unfinished"></translation></message>
-<message><source>Split</source><translation type="unfinished"></translation></message>
-<message><source>Merge</source><translation type="unfinished"></translation></message>
-<message><source>No Rock</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this rock</source><translation type="unfinished"></translation></message>
-<message><source>. Hidden parts are not counted.</source><translation type="unfinished"></translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation type="unfinished"></translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation type="unfinished"></translation></message>
-<message><source>%1, and %2 more selected</source><translation type="unfinished"></translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation type="unfinished"></translation></message>
-<message><source>called a rock by hand</source><translation type="unfinished"></translation></message>
-<message><source>A Rock</source><translation type="unfinished"></translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation type="unfinished"></translation></message>
-<message><source>This is a rock after all (N)</source><translation type="unfinished"></translation></message>
-<message><source>Rock %1</source><translation type="unfinished"></translation></message>
-<message><source>visible spans</source><translation type="unfinished"></translation></message>
-<message><source>distance</source><translation type="unfinished"></translation></message>
-<message><source>visible area</source><translation type="unfinished"></translation></message>
-<message><source>%1 m²</source><translation type="unfinished"></translation></message>
-<message><source>in front</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of its outline</source><translation type="unfinished"></translation></message>
-<message><source>behind rocks</source><translation type="unfinished"></translation></message>
-<message><source>visible contacts</source><translation type="unfinished"></translation></message>
-<message><source>free height below</source><translation type="unfinished"></translation></message>
-<message><source>arch angle</source><translation type="unfinished"></translation></message>
-<message><source>confidence p</source><translation type="unfinished"></translation></message>
-<message><source>No rock</source><translation type="unfinished"></translation></message>
-<message><source>because</source><translation type="unfinished"></translation></message>
-<message><source>cells</source><translation type="unfinished"></translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation type="unfinished"></translation></message>
-<message><source> · ▲ doubtful outline</source><translation type="unfinished"></translation></message>
-<message><source>no doubtful ones</source><translation type="unfinished"></translation></message>
-<message><source>Export…</source><translation type="unfinished"></translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation type="unfinished"></translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation type="unfinished"></translation></message>
-<message><source>b at least</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 rocks</source><translation type="unfinished"></translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation type="unfinished"></translation></message>
-<message><source>Rock</source><translation type="unfinished"></translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation type="unfinished"></translation></message>
-<message><source>a visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Largest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>b visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation type="unfinished"></translation></message>
-<message><source>distance [m]</source><translation type="unfinished"></translation></message>
-<message><source>From the scanner: median of its ranges</source><translation type="unfinished"></translation></message>
-<message><source>area [m²]</source><translation type="unfinished"></translation></message>
-<message><source>Visible area across the beams</source><translation type="unfinished"></translation></message>
-<message><source>in front [%]</source><translation type="unfinished"></translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation type="unfinished"></translation></message>
-<message><source>contacts (≥)</source><translation type="unfinished"></translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation type="unfinished"></translation></message>
-<message><source>free below [m]</source><translation type="unfinished"></translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation type="unfinished"></translation></message>
-<message><source>arch [°] ± 25</source><translation type="unfinished"></translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation type="unfinished"></translation></message>
-<message><source>p</source><translation type="unfinished"></translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation type="unfinished"></translation></message>
-<message><source>fine</source><translation type="unfinished"></translation></message>
-<message><source>coarse</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation type="unfinished"></translation></message>
-<message><source>; %1 changed by hand</source><translation type="unfinished"></translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 % over %2 m</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>Size curve</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation type="unfinished"></translation></message>
-<message><source>no rocks to count</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>Opening %1</source><translation type="unfinished"></translation></message>
-<message><source>Making the demo draw-bell</source><translation type="unfinished"></translation></message>
-<message><source>Saving %1</source><translation type="unfinished"></translation></message>
-<message><source>writing</source><translation type="unfinished"></translation></message>
-<message><source>was %1</source><translation type="unfinished"></translation></message>
-<message><source>Why</source><translation type="unfinished"></translation></message>
-<message><source>Target</source><translation type="unfinished"></translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation type="unfinished"></translation></message>
-<message><source>Lock</source><translation type="unfinished"></translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this target</source><translation type="unfinished"></translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation type="unfinished"></translation></message>
-<message><source>Locked</source><translation type="unfinished"></translation></message>
-<message><source>Target %1: %2</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose</source><translation type="unfinished"></translation></message>
-<message><source>X, Y, Z</source><translation type="unfinished"></translation></message>
-<message><source>Metres in the frame of the scan</source><translation type="unfinished"></translation></message>
-<message><source>E, N, RL</source><translation type="unfinished"></translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation type="unfinished"></translation></message>
-<message><source>Rock, visible</source><translation type="unfinished"></translation></message>
-<message><source>none here</source><translation type="unfinished"></translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation type="unfinished"></translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation type="unfinished"></translation></message>
-<message><source>Resolves</source><translation type="unfinished"></translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation type="unfinished"></translation></message>
-<message><source>Surface</source><translation type="unfinished"></translation></message>
-<message><source>no plane fits</source><translation type="unfinished"></translation></message>
-<message><source>%1° ± %2 off the beam</source><translation type="unfinished"></translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation type="unfinished"></translation></message>
-<message><source>Dip / direction</source><translation type="unfinished"></translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation type="unfinished"></translation></message>
-<message><source>Cell</source><translation type="unfinished"></translation></message>
-<message><source>line %1 · beam %2</source><translation type="unfinished"></translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation type="unfinished"></translation></message>
-<message><source>none</source><translation type="unfinished"></translation></message>
-<message><source>yes</source><translation type="unfinished"></translation></message>
-<message><source>, strength %1</source><translation type="unfinished"></translation></message>
-<message><source>Edge</source><translation type="unfinished"></translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation type="unfinished"></translation></message>
-<message><source>± not known</source><translation type="unfinished"></translation></message>
-<message><source>from</source><translation type="unfinished"></translation></message>
-<message><source>scanner, line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Picture</source><translation type="unfinished"></translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation type="unfinished"></translation></message>
-<message><source>Measured</source><translation type="unfinished"></translation></message>
-<message><source>Remove</source><translation type="unfinished"></translation></message>
-<message><source>All but those that are locked</source><translation type="unfinished"></translation></message>
-<message><source>The measurement that is chosen</source><translation type="unfinished"></translation></message>
-<message><source>Method</source><translation type="unfinished"></translation></message>
-<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation type="unfinished"></translation></message>
-<message><source>Edge strength</source><translation type="unfinished"></translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation type="unfinished"></translation></message>
-<message><source>Jump</source><translation type="unfinished"></translation></message>
-<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation type="unfinished"></translation></message>
-<message><source>Jump growth</source><translation type="unfinished"></translation></message>
-<message><source>% of range</source><translation type="unfinished"></translation></message>
-<message><source>What the smallest step grows by with the distance.</source><translation type="unfinished"></translation></message>
-<message><source>Crease angle</source><translation type="unfinished"></translation></message>
-<message><source>degrees</source><translation type="unfinished"></translation></message>
-<message><source>Smallest fold of the surface that is an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Minimum length</source><translation type="unfinished"></translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation type="unfinished"></translation></message>
-<message><source>Classes</source><translation type="unfinished"></translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
-<message><source>Hysteresis low</source><translation type="unfinished"></translation></message>
-<message><source>% of high</source><translation type="unfinished"></translation></message>
-<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Grazing tolerance</source><translation type="unfinished"></translation></message>
-<message><source>steps</source><translation type="unfinished"></translation></message>
-<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation type="unfinished"></translation></message>
-<message><source>Allow for slips</source><translation type="unfinished"></translation></message>
-<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation type="unfinished"></translation></message>
-<message><source>Range noise at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation type="unfinished"></translation></message>
-<message><source>Lower threshold</source><translation type="unfinished"></translation></message>
-<message><source>levels</source><translation type="unfinished"></translation></message>
-<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation type="unfinished"></translation></message>
-<message><source>Step</source><translation type="unfinished"></translation></message>
-<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Ratio upper : lower</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian kernel</source><translation type="unfinished"></translation></message>
-<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian sigma</source><translation type="unfinished"></translation></message>
-<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation type="unfinished"></translation></message>
-<message><source>Gray scaling</source><translation type="unfinished"></translation></message>
-<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation type="unfinished"></translation></message>
-<message><source>Near</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Far</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Mask missing data</source><translation type="unfinished"></translation></message>
-<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Mask isolated cells</source><translation type="unfinished"></translation></message>
-<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation type="unfinished"></translation></message>
-<message><source>Sobel aperture</source><translation type="unfinished"></translation></message>
-<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation type="unfinished"></translation></message>
-<message><source>Gradient norm</source><translation type="unfinished"></translation></message>
-<message><source>How the two gradient components become one magnitude.</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian mask</source><translation type="unfinished"></translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation type="unfinished"></translation></message>
-<message><source>jump</source><translation type="unfinished"></translation></message>
-<message><source>convex</source><translation type="unfinished"></translation></message>
-<message><source>concave</source><translation type="unfinished"></translation></message>
-<message><source>data border</source><translation type="unfinished"></translation></message>
-<message><source>off</source><translation type="unfinished"></translation></message>
-<message><source>on</source><translation type="unfinished"></translation></message>
-<message><source>Thesis (255 / span)</source><translation type="unfinished"></translation></message>
-<message><source>Window (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>Logarithmic (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>1 (off)</source><translation type="unfinished"></translation></message>
-<message><source>L1  |gx| + |gy|</source><translation type="unfinished"></translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation type="unfinished"></translation></message>
-<message><source>4 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>8 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+</source><translation type="unfinished"></translation></message>
-<message><source>Rock outlines</source><translation type="unfinished"></translation></message>
-<message><source>Jumps</source><translation type="unfinished"></translation></message>
-<message><source>Canny (thesis)</source><translation type="unfinished"></translation></message>
-<message><source>Canny on log range</source><translation type="unfinished"></translation></message>
-<message><source>Roberts</source><translation type="unfinished"></translation></message>
-<message><source>Sobel</source><translation type="unfinished"></translation></message>
-<message><source>Prewitt</source><translation type="unfinished"></translation></message>
-<message><source>Kirsch</source><translation type="unfinished"></translation></message>
-<message><source>Robinson</source><translation type="unfinished"></translation></message>
-<message><source>Marr-Hildreth</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian of Gaussian</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation type="unfinished"></translation></message>
-<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation type="unfinished"></translation></message>
-<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation type="unfinished"></translation></message>
-<message><source>Fine to coarse</source><translation type="unfinished"></translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation type="unfinished"></translation></message>
-<message><source>Smallest rock</source><translation type="unfinished"></translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation type="unfinished"></translation></message>
-<message><source>Farthest rock</source><translation type="unfinished"></translation></message>
-<message><source>What lies farther away is no rock.</source><translation type="unfinished"></translation></message>
-<message><source>Largest size expected</source><translation type="unfinished"></translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation type="unfinished"></translation></message>
-<message><source>Oversize</source><translation type="unfinished"></translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from line to line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation type="unfinished"></translation></message>
-<message><source>Millimetres per number in the file</source><translation type="unfinished"></translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation type="unfinished"></translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation type="unfinished"></translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation type="unfinished"></translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation type="unfinished"></translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation type="unfinished"></translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation type="unfinished"></translation></message>
-<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation type="unfinished"></translation></message>
-<message><source>DXF of release 2000 instead of release 12</source><translation type="unfinished"></translation></message>
-<message><source>DXF: also the edge lines of two points only</source><translation type="unfinished"></translation></message>
-<message><source>Distance</source><translation type="unfinished"></translation></message>
-<message><source>Vertical Difference</source><translation type="unfinished"></translation></message>
-<message><source>Angle</source><translation type="unfinished"></translation></message>
-<message><source>Spans a × b</source><translation type="unfinished"></translation></message>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D rétablit les réglages par défaut.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 avertissement</translation></message>
+<message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Montre les avertissements de ce scan et les marque comme vus ; ils restent, et figurent dans les comptes rendus et les captures d'écran</translation></message>
+<message><source>at least %1</source><translation>au moins %1</translation></message>
+<message><source>something that is no rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
+<message><source>none seen</source><translation>rien de visible</translation></message>
+<message><source>, hangs below</source><translation>, pend en dessous</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
+<message><source>outside the region of interest</source><translation>hors de la région d'intérêt</translation></message>
+<message><source>called none by hand</source><translation>classé non-bloc à la main</translation></message>
+<message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
+<message><source>Split</source><translation>Scinder</translation></message>
+<message><source>Merge</source><translation>Fusionner</translation></message>
+<message><source>No Rock</source><translation>Pas un bloc</translation></message>
+<message><source>Let go of this rock</source><translation>Désélectionner ce bloc</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contour douteux : hachuré</translation></message>
+<message><source>called a rock by hand</source><translation>classé bloc à la main</translation></message>
+<message><source>A Rock</source><translation>Un bloc</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
+<message><source>Rock %1</source><translation>Bloc %1</translation></message>
+<message><source>visible spans</source><translation>étendues visibles</translation></message>
+<message><source>distance</source><translation>distance</translation></message>
+<message><source>visible area</source><translation>surface visible</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>devant</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % de son contour</translation></message>
+<message><source>behind rocks</source><translation>derrière les blocs</translation></message>
+<message><source>visible contacts</source><translation>contacts visibles</translation></message>
+<message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
+<message><source>arch angle</source><translation>angle de voûte</translation></message>
+<message><source>confidence p</source><translation>confiance p</translation></message>
+<message><source>No rock</source><translation>Pas un bloc</translation></message>
+<message><source>because</source><translation>parce que</translation></message>
+<message><source>cells</source><translation>cellules</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contour douteux</translation></message>
+<message><source>no doubtful ones</source><translation>sans les douteux</translation></message>
+<message><source>Export…</source><translation>Exporter…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
+<message><source>b at least</source><translation>b au moins</translation></message>
+<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
+<message><source>distance [m]</source><translation>distance [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
+<message><source>area [m²]</source><translation>surface [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Surface visible en travers des faisceaux</translation></message>
+<message><source>in front [%]</source><translation>devant [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Part de son contour où il est le côté le plus proche</translation></message>
+<message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
+<message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
+<message><source>fine</source><translation>fin</translation></message>
+<message><source>coarse</source><translation>grossier</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 blocs, %2 hachurés (p &lt; 0.85) ; %3 régions de fines</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre : P20 %1, P50 %2, P80 %3, le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>les arêtes n'ont pas pu être calculées (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>Opening %1</source><translation>Ouverture de %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
+<message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
+<message><source>writing</source><translation>écriture</translation></message>
+<message><source>was %1</source><translation>avant : %1</translation></message>
+<message><source>Why</source><translation>Pourquoi</translation></message>
+<message><source>Target</source><translation>Cible</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
+<message><source>Lock</source><translation>Verrouiller</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
+<message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
+<message><source>Locked</source><translation>Verrouillée</translation></message>
+<message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
+<message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
+<message><source>none here</source><translation>aucun ici</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Étendues de ce qu'on en voit ; les parties cachées ne sont pas comptées</translation></message>
+<message><source>Resolves</source><translation>Résolution</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
+<message><source>Surface</source><translation>Surface</translation></message>
+<message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>à %1° ± %2 du faisceau</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
+<message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
+<message><source>Cell</source><translation>Cellule</translation></message>
+<message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
+<message><source>none</source><translation>aucune</translation></message>
+<message><source>yes</source><translation>oui</translation></message>
+<message><source>, strength %1</source><translation>, force %1</translation></message>
+<message><source>Edge</source><translation>Arête</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
+<message><source>± not known</source><translation>± inconnu</translation></message>
+<message><source>from</source><translation>depuis</translation></message>
+<message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
+<message><source>Picture</source><translation>Image</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>Remove</source><translation>Supprimer</translation></message>
+<message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
+<message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
+<message><source>Method</source><translation>Méthode</translation></message>
+<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
+<message><source>Edge strength</source><translation>Force de l'arête</translation></message>
+<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
+<message><source>Jump</source><translation>Saut</translation></message>
+<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Plus petite marche en profondeur qui est une arête, près du scanner ; auto prend 30 mm, et plus là où les distances sont bruitées.</translation></message>
+<message><source>Jump growth</source><translation>Croissance du saut</translation></message>
+<message><source>% of range</source><translation>% de la distance</translation></message>
+<message><source>What the smallest step grows by with the distance.</source><translation>De combien la plus petite marche croît avec la distance.</translation></message>
+<message><source>Crease angle</source><translation>Angle de pli</translation></message>
+<message><source>degrees</source><translation>degrés</translation></message>
+<message><source>Smallest fold of the surface that is an edge.</source><translation>Plus petit pli de la surface qui est une arête.</translation></message>
+<message><source>Minimum length</source><translation>Longueur minimale</translation></message>
+<message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation>Quelles arêtes comptent : sauts en profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs) ; et, ce qui n'est pas l'arête d'un bloc, là où les données finissent.</translation></message>
+<message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
+<message><source>% of high</source><translation>% du haut</translation></message>
+<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Les cellules plus faibles, de cette force, sont des arêtes là où elles en prolongent une forte.</translation></message>
+<message><source>Grazing tolerance</source><translation>Tolérance rasante</translation></message>
+<message><source>steps</source><translation>pas</translation></message>
+<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>De combien un faisceau peut être mal placé avant qu'une surface rasante montre un saut : 0.1 pour un balayage motorisé, 1 pour des faisceaux entrelacés.</translation></message>
+<message><source>Allow for slips</source><translation>Tenir compte des glissements</translation></message>
+<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
+<message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
+<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
+<message><source>Lower threshold</source><translation>Seuil bas</translation></message>
+<message><source>levels</source><translation>niveaux</translation></message>
+<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Une cellule dont le gradient est supérieur à ceci est une arête : avec Canny si une chaîne de telles cellules mène à une cellule forte, avec les détecteurs à un seuil toujours.</translation></message>
+<message><source>Step</source><translation>Marche</translation></message>
+<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation>Une marche droite de cette part de la distance est une arête faible, une d'environ le rapport multiplié par cela en est une forte.</translation></message>
+<message><source>Ratio upper : lower</source><translation>Rapport haut : bas</translation></message>
+<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation>Seuil haut comme multiple du seuil bas ; la thèse garde 3.</translation></message>
+<message><source>Gaussian kernel</source><translation>Noyau gaussien</translation></message>
+<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation>Taille du noyau de lissage ; 1 désactive le lissage.</translation></message>
+<message><source>Gaussian sigma</source><translation>Sigma gaussien</translation></message>
+<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation>Largeur du lissage ; auto la déduit de la taille du noyau.</translation></message>
+<message><source>Gray scaling</source><translation>Échelle de gris</translation></message>
+<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation>Comment les distances deviennent des niveaux de gris : comme la thèse l'imprime, régulièrement du proche au lointain, ou par rapports égaux du proche au lointain.</translation></message>
+<message><source>Near</source><translation>Proche</translation></message>
+<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distance dessinée en gris 0 ; auto la prend du scan. Non utilisé par l'échelle de la thèse.</translation></message>
+<message><source>Far</source><translation>Lointain</translation></message>
+<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distance dessinée en gris 255 ; auto la prend du scan. Non utilisé par l'échelle de la thèse.</translation></message>
+<message><source>Mask missing data</source><translation>Masquer les données manquantes</translation></message>
+<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation>Tient les cellules sans distance hors du lissage et du gradient, pour que le bord d'un trou ne soit pas une arête.</translation></message>
+<message><source>Mask isolated cells</source><translation>Masquer les cellules isolées</translation></message>
+<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation>Avec les données manquantes masquées : une cellule avec laquelle moins de 2 de ses 8 voisines concordent (poussière) compte comme manquante.</translation></message>
+<message><source>Sobel aperture</source><translation>Ouverture de Sobel</translation></message>
+<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation>Taille de l'opérateur de gradient ; les plus grands demandent des seuils bien plus élevés.</translation></message>
+<message><source>Gradient norm</source><translation>Norme du gradient</translation></message>
+<message><source>How the two gradient components become one magnitude.</source><translation>Comment les deux composantes du gradient deviennent une grandeur.</translation></message>
+<message><source>Laplacian mask</source><translation>Masque du laplacien</translation></message>
+<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
+<message><source>jump</source><translation>saut</translation></message>
+<message><source>convex</source><translation>convexe</translation></message>
+<message><source>concave</source><translation>concave</translation></message>
+<message><source>data border</source><translation>bord des données</translation></message>
+<message><source>off</source><translation>désactivé</translation></message>
+<message><source>on</source><translation>activé</translation></message>
+<message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
+<message><source>Window (near to far)</source><translation>Fenêtre (du proche au lointain)</translation></message>
+<message><source>Logarithmic (near to far)</source><translation>Logarithmique (du proche au lointain)</translation></message>
+<message><source>1 (off)</source><translation>1 (désactivé)</translation></message>
+<message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>4 neighbours</source><translation>4 voisines</translation></message>
+<message><source>8 neighbours</source><translation>8 voisines</translation></message>
+<message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
+<message><source>Rock outlines</source><translation>Contours des blocs</translation></message>
+<message><source>Jumps</source><translation>Sauts</translation></message>
+<message><source>Canny (thesis)</source><translation>Canny (thèse)</translation></message>
+<message><source>Canny on log range</source><translation>Canny sur distance logarithmique</translation></message>
+<message><source>Roberts</source><translation>Roberts</translation></message>
+<message><source>Sobel</source><translation>Sobel</translation></message>
+<message><source>Prewitt</source><translation>Prewitt</translation></message>
+<message><source>Kirsch</source><translation>Kirsch</translation></message>
+<message><source>Robinson</source><translation>Robinson</translation></message>
+<message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplacien de gaussienne</translation></message>
+<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+ : sauts en profondeur et plis de la surface, avec des seuils qui suivent le bruit du scan.</translation></message>
+<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
+<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
+<message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
+<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
+<message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>
+<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
+<message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
+<message><source>What lies farther away is no rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
+<message><source>Largest size expected</source><translation>Plus grande taille attendue</translation></message>
+<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
+<message><source>Oversize</source><translation>Hors gabarit</translation></message>
+<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Angle d'un faisceau à l'autre [degrés]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Angle de la première ligne [degrés]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Angle d'une ligne à l'autre [degrés]</translation></message>
+<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unité des nombres du fichier, là où il ne la dit pas</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Millimètres par nombre du fichier</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Cellules d'un nuage qui est projeté [degrés] ; sinon d'après l'espacement de ses points</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>
+<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>D'où un nuage sans grille a été pris, comme X,Y,Z [m]</translation></message>
+<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : ce sur quoi SIG et tableurs peuvent buter</translation></message>
+<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans VIEWPOINT</translation></message>
+<message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
+<message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
+<message><source>Angle</source><translation>Angle</translation></message>
+<message><source>Spans a × b</source><translation>Étendues a × b</translation></message>
 </context>
 </TS>

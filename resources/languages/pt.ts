@@ -3,675 +3,680 @@
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Fold this panel to the edge of the window</source><translation type="unfinished"></translation></message>
-<message><source>Folded panels</source><translation type="unfinished"></translation></message>
-<message><source>Open this panel</source><translation type="unfinished"></translation></message>
-<message><source>Copy</source><translation type="unfinished"></translation></message>
-<message><source>Close</source><translation type="unfinished"></translation></message>
-<message><source>Error</source><translation type="unfinished"></translation></message>
-<message><source>Note</source><translation type="unfinished"></translation></message>
-<message><source>Done</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation type="unfinished"></translation></message>
-<message><source>Open folder</source><translation type="unfinished"></translation></message>
-<message><source>Double-click: this view alone, and back</source><translation type="unfinished"></translation></message>
-<message><source>Replace the file?</source><translation type="unfinished"></translation></message>
-<message><source>There is a file of this name already:</source><translation type="unfinished"></translation></message>
-<message><source>There are files of these names already:</source><translation type="unfinished"></translation></message>
-<message><source>Replace</source><translation type="unfinished"></translation></message>
-<message><source>... and %1 lines more</source><translation type="unfinished"></translation></message>
-<message><source>no scan open</source><translation type="unfinished"></translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: %1</source><translation type="unfinished"></translation></message>
-<message><source>The audit log is written again; no line is missing.</source><translation type="unfinished"></translation></message>
-<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Why could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
+<message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
+<message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
+<message><source>Open this panel</source><translation>Abrir este painel</translation></message>
+<message><source>Copy</source><translation>Copiar</translation></message>
+<message><source>Close</source><translation>Fechar</translation></message>
+<message><source>Error</source><translation>Erro</translation></message>
+<message><source>Note</source><translation>Nota</translation></message>
+<message><source>Done</source><translation>Concluído</translation></message>
+<message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
+<message><source>Open folder</source><translation>Abrir a pasta</translation></message>
+<message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
+<message><source>Replace the file?</source><translation>Substituir o arquivo?</translation></message>
+<message><source>There is a file of this name already:</source><translation>Já existe um arquivo com este nome:</translation></message>
+<message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
+<message><source>Replace</source><translation>Substituir</translation></message>
+<message><source>... and %1 lines more</source><translation>... e mais %1 linhas</translation></message>
+<message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
+<message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
+<message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
+<message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
+<message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 points</source><translation type="unfinished"></translation></message>
-<message><source>Export</source><translation type="unfinished"></translation></message>
-<message><source>PNG picture (*.png)</source><translation type="unfinished"></translation></message>
-<message><source>Save screenshot</source><translation type="unfinished"></translation></message>
-<message><source>Saved %1.</source><translation type="unfinished"></translation></message>
-<message><source>All supported (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All files (*)</source><translation type="unfinished"></translation></message>
-<message><source>Open scan</source><translation type="unfinished"></translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>Beams as Recorded</source><translation type="unfinished"></translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation type="unfinished"></translation></message>
-<message><source>How the Scan Is Read</source><translation type="unfinished"></translation></message>
-<message><source>Straighten beams</source><translation type="unfinished"></translation></message>
-<message><source>No file yet</source><translation type="unfinished"></translation></message>
-<message><source>Clear</source><translation type="unfinished"></translation></message>
-<message><source> (%1 of %2)</source><translation type="unfinished"></translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the points drawn</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Let go of this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin this cell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Fly to this point</source><translation type="unfinished"></translation></message>
-<message><source>View from &amp;scanner</source><translation type="unfinished"></translation></message>
-<message><source>F&amp;it</source><translation type="unfinished"></translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation type="unfinished"></translation></message>
-<message><source>, ranges %1 to %2 m</source><translation type="unfinished"></translation></message>
-<message><source>display levels %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>There is no host to connect to: type the scanner's name or address.</source><translation type="unfinished"></translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation type="unfinished"></translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation type="unfinished"></translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation type="unfinished"></translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation type="unfinished"></translation></message>
-<message><source>%1 has ended. </source><translation type="unfinished"></translation></message>
-<message><source>Folder for recordings</source><translation type="unfinished"></translation></message>
-<message><source>click the one end</source><translation type="unfinished"></translation></message>
-<message><source>click the other end</source><translation type="unfinished"></translation></message>
-<message><source>click the lower cell</source><translation type="unfinished"></translation></message>
-<message><source>click the higher cell</source><translation type="unfinished"></translation></message>
-<message><source>click the end of one side</source><translation type="unfinished"></translation></message>
-<message><source>click where the sides meet</source><translation type="unfinished"></translation></message>
-<message><source>click the end of the other side</source><translation type="unfinished"></translation></message>
-<message><source>click one end of a</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of a</source><translation type="unfinished"></translation></message>
-<message><source>click one end of b</source><translation type="unfinished"></translation></message>
-<message><source>click the other end of b</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation type="unfinished"></translation></message>
-<message><source>merge of rocks</source><translation type="unfinished"></translation></message>
-<message><source>call of a rock</source><translation type="unfinished"></translation></message>
-<message><source>call of no rock</source><translation type="unfinished"></translation></message>
-<message><source>Table, one row per rock</source><translation type="unfinished"></translation></message>
-<message><source>Report with settings and edits</source><translation type="unfinished"></translation></message>
-<message><source>Labels as a 16-bit picture</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in space</source><translation type="unfinished"></translation></message>
-<message><source>Outlines in the picture</source><translation type="unfinished"></translation></message>
-<message><source>Convex hulls of the visible points</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Export %1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation type="unfinished"></translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation type="unfinished"></translation></message>
-<message><source>the whole piece as it is</source><translation type="unfinished"></translation></message>
-<message><source>a click splits it off</source><translation type="unfinished"></translation></message>
-<message><source>larger than the rock: a click joins it</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation type="unfinished"></translation></message>
-<message><source>split of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation type="unfinished"></translation></message>
-<message><source>cut of a rock</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation type="unfinished"></translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation type="unfinished"></translation></message>
-<message><source>region of interest</source><translation type="unfinished"></translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation type="unfinished"></translation></message>
-<message><source>being worked out …</source><translation type="unfinished"></translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation type="unfinished"></translation></message>
-<message><source>open a scan first</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks · </source><translation type="unfinished"></translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation type="unfinished"></translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to report yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Report</source><translation type="unfinished"></translation></message>
-<message><source>Page for any browser (*.html)</source><translation type="unfinished"></translation></message>
-<message><source>a page for any browser</source><translation type="unfinished"></translation></message>
-<message><source>The report could not be made (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Nothing was selected (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Select Nothing</source><translation type="unfinished"></translation></message>
-<message><source>Select</source><translation type="unfinished"></translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation type="unfinished"></translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation type="unfinished"></translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation type="unfinished"></translation></message>
-<message><source>Hide</source><translation type="unfinished"></translation></message>
-<message><source>Isolate</source><translation type="unfinished"></translation></message>
-<message><source>Show All</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 cells hidden</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Select</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Chain Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rock Here</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hide Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isolate Selected</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export Selected…</source><translation type="unfinished"></translation></message>
-<message><source>, %1 min ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 h ago</source><translation type="unfinished"></translation></message>
-<message><source>, %1 days ago</source><translation type="unfinished"></translation></message>
-<message><source> · no time</source><translation type="unfinished"></translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation type="unfinished"></translation></message>
-<message><source>HELD</source><translation type="unfinished"></translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation type="unfinished"></translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation type="unfinished"></translation></message>
-<message><source>NO PICTURE</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED</source><translation type="unfinished"></translation></message>
-<message><source>First line, by %1</source><translation type="unfinished"></translation></message>
-<message><source>FILE</source><translation type="unfinished"></translation></message>
-<message><source>no time</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be kept (%1).</source><translation type="unfinished"></translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation type="unfinished"></translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation type="unfinished"></translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation type="unfinished"></translation></message>
-<message><source>Pin %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of %1</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All</source><translation type="unfinished"></translation></message>
-<message><source>Name %1</source><translation type="unfinished"></translation></message>
-<message><source>Lock %1</source><translation type="unfinished"></translation></message>
-<message><source>Unlock %1</source><translation type="unfinished"></translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation type="unfinished"></translation></message>
-<message><source>Measure</source><translation type="unfinished"></translation></message>
-<message><source>Remove Measurement</source><translation type="unfinished"></translation></message>
-<message><source>locked</source><translation type="unfinished"></translation></message>
-<message><source>Pinned %1</source><translation type="unfinished"></translation></message>
-<message><source>a cell of it has no range</source><translation type="unfinished"></translation></message>
-<message><source>%1 %2 to %3</source><translation type="unfinished"></translation></message>
-<message><source>settings</source><translation type="unfinished"></translation></message>
-<message><source>Open preset</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan presets (*.json)</source><translation type="unfinished"></translation></message>
-<message><source>Save preset</source><translation type="unfinished"></translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation type="unfinished"></translation></message>
-<message><source>Commands</source><translation type="unfinished"></translation></message>
-<message><source>A few letters of a command</source><translation type="unfinished"></translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation type="unfinished"></translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation type="unfinished"></translation></message>
-<message><source>Choose File…</source><translation type="unfinished"></translation></message>
-<message><source>What</source><translation type="unfinished"></translation></message>
-<message><source>%1 × %2 pixels</source><translation type="unfinished"></translation></message>
-<message><source>Edge points (%1)</source><translation type="unfinished"></translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation type="unfinished"></translation></message>
-<message><source>Edge map as a picture, %1</source><translation type="unfinished"></translation></message>
-<message><source>Gray image, %1</source><translation type="unfinished"></translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation type="unfinished"></translation></message>
-<message><source>Coordinates</source><translation type="unfinished"></translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation type="unfinished"></translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation type="unfinished"></translation></message>
-<message><source>Scanner frame, as measured</source><translation type="unfinished"></translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation type="unfinished"></translation></message>
-<message><source>For the program that will read it</source><translation type="unfinished"></translation></message>
-<message><source>%1 points will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>%1 cells will be saved.</source><translation type="unfinished"></translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation type="unfinished"></translation></message>
-<message><source>Read Again</source><translation type="unfinished"></translation></message>
-<message><source>as in the file</source><translation type="unfinished"></translation></message>
-<message><source>Choose…</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation type="unfinished"></translation></message>
-<message><source>Keys</source><translation type="unfinished"></translation></message>
-<message><source>Keys and mouse</source><translation type="unfinished"></translation></message>
-<message><source>Scan</source><translation type="unfinished"></translation></message>
-<message><source>About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation type="unfinished"></translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation type="unfinished"></translation></message>
-<message><source>CONNECTED, another picture is shown</source><translation type="unfinished"></translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation type="unfinished"></translation></message>
-<message><source>Connect</source><translation type="unfinished"></translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Record</source><translation type="unfinished"></translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation type="unfinished"></translation></message>
-<message><source>Keep last minute</source><translation type="unfinished"></translation></message>
-<message><source>Write what arrived during the last minute to a new file</source><translation type="unfinished"></translation></message>
-<message><source>Follow</source><translation type="unfinished"></translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation type="unfinished"></translation></message>
-<message><source>name or address of the scanner</source><translation type="unfinished"></translation></message>
-<message><source>Scanner</source><translation type="unfinished"></translation></message>
-<message><source>Sweep…</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a sweep, step per line, mounting</source><translation type="unfinished"></translation></message>
-<message><source>Stop</source><translation type="unfinished"></translation></message>
-<message><source>Stop recording</source><translation type="unfinished"></translation></message>
-<message><source>Following</source><translation type="unfinished"></translation></message>
-<message><source>Held: follow</source><translation type="unfinished"></translation></message>
-<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation type="unfinished"></translation></message>
-<message><source>Stands while a line is measured</source><translation type="unfinished"></translation></message>
-<message><source>not known</source><translation type="unfinished"></translation></message>
-<message><source>not known (0.18° assumed)</source><translation type="unfinished"></translation></message>
-<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation type="unfinished"></translation></message>
-<message><source>not known (spin assumed)</source><translation type="unfinished"></translation></message>
-<message><source>spin: about the viewing direction</source><translation type="unfinished"></translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation type="unfinished"></translation></message>
-<message><source>Lines of a whole sweep</source><translation type="unfinished"></translation></message>
-<message><source>Step per line</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line</source><translation type="unfinished"></translation></message>
-<message><source>Encoder counts per degree</source><translation type="unfinished"></translation></message>
-<message><source>Mounting of the stepper</source><translation type="unfinished"></translation></message>
-<message><source>Play</source><translation type="unfinished"></translation></message>
-<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation type="unfinished"></translation></message>
-<message><source> · sweep %1 of %2</source><translation type="unfinished"></translation></message>
-<message><source>Pause</source><translation type="unfinished"></translation></message>
-<message><source>Edges</source><translation type="unfinished"></translation></message>
-<message><source>Range image</source><translation type="unfinished"></translation></message>
-<message><source>Edge map</source><translation type="unfinished"></translation></message>
-<message><source>Cloud</source><translation type="unfinished"></translation></message>
-<message><source>Close EdgeScan?</source><translation type="unfinished"></translation></message>
-<message><source>A recording is being written.</source><translation type="unfinished"></translation></message>
-<message><source>A file is still being written.</source><translation type="unfinished"></translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation type="unfinished"></translation></message>
-<message><source>Closing waits until it is whole.</source><translation type="unfinished"></translation></message>
-<message><source>End the Recording and Close</source><translation type="unfinished"></translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Recent</source><translation type="unfinished"></translation></message>
-<message><source>&amp;File</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Connect to Scanner…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;load</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Export</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Full Cloud…</source><translation type="unfinished"></translation></message>
-<message><source>Edge &amp;Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Gray Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Image…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Selected Cells…</source><translation type="unfinished"></translation></message>
-<message><source>Re&amp;port…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Screenshot…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy as Command</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Quit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Undo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Redo</source><translation type="unfinished"></translation></message>
-<message><source>Undo</source><translation type="unfinished"></translation></message>
-<message><source>Redo</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edit</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy Probe Values</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Wheel the other way</source><translation type="unfinished"></translation></message>
-<message><source>Lan&amp;guage</source><translation type="unfinished"></translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Orthographic</source><translation type="unfinished"></translation></message>
-<message><source>T&amp;urntable</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edge Points</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation type="unfinished"></translation></message>
-<message><source>Depth S&amp;hading</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;over Range Image</source><translation type="unfinished"></translation></message>
-<message><source>Edges &amp;by Class</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Colour-Blind Edge Colours</source><translation type="unfinished"></translation></message>
-<message><source>True &amp;Angle Aspect</source><translation type="unfinished"></translation></message>
-<message><source>&amp;View</source><translation type="unfinished"></translation></message>
-<message><source>From &amp;Scanner</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Front</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Right</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Left</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Top</source><translation type="unfinished"></translation></message>
-<message><source>Botto&amp;m</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Isometric</source><translation type="unfinished"></translation></message>
-<message><source>R&amp;eset View</source><translation type="unfinished"></translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;+</source><translation type="unfinished"></translation></message>
-<message><source>Point Size &amp;-</source><translation type="unfinished"></translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation type="unfinished"></translation></message>
-<message><source>Reset &amp;Layout</source><translation type="unfinished"></translation></message>
-<message><source>Full Scree&amp;n</source><translation type="unfinished"></translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Scan</source><translation type="unfinished"></translation></message>
-<message><source>Pre&amp;vious Scan</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Record</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep Last Minute</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation type="unfinished"></translation></message>
-<message><source>Recordings &amp;Folder…</source><translation type="unfinished"></translation></message>
-<message><source>P&amp;lay or Pause</source><translation type="unfinished"></translation></message>
-<message><source>Next Line</source><translation type="unfinished"></translation></message>
-<message><source>Last Line</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Forward</source><translation type="unfinished"></translation></message>
-<message><source>Ten Lines Back</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Straighten Beams</source><translation type="unfinished"></translation></message>
-<message><source>&amp;How the Scan Is Read…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Properties…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Presets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Save…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lock upper = 3 × lower</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Reset to Preset</source><translation type="unfinished"></translation></message>
-<message><source>Restore the &amp;Default Settings</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Show Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Edges over Rocks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Finer</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Coarser</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation type="unfinished"></translation></message>
-<message><source>S&amp;plit at Next Click</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Join along a Line</source><translation type="unfinished"></translation></message>
-<message><source>C&amp;ut along a Line</source><translation type="unfinished"></translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation type="unfinished"></translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation type="unfinished"></translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation type="unfinished"></translation></message>
-<message><source>E&amp;xport Rocks…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Measure</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Pin</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Distance</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Vertical</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Angle</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Spans a × b</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Box</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Lasso</source><translation type="unfinished"></translation></message>
-<message><source>Let &amp;Go of This Target</source><translation type="unfinished"></translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Copy This Target</source><translation type="unfinished"></translation></message>
-<message><source>Sho&amp;w All</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Zoom to Selected</source><translation type="unfinished"></translation></message>
-<message><source>Select &amp;Nothing</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Help</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Find a Command…</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keys and Mouse</source><translation type="unfinished"></translation></message>
-<message><source>&amp;About EdgeScan</source><translation type="unfinished"></translation></message>
-<message><source>Rocks</source><translation type="unfinished"></translation></message>
-<message><source>Rock Table</source><translation type="unfinished"></translation></message>
-<message><source>Targets</source><translation type="unfinished"></translation></message>
-<message><source>Tools</source><translation type="unfinished"></translation></message>
+Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
+A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
+<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
+<message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
+<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
+<message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
+<message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
+<message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>Esta é a última varredura da série ou da pasta.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>Esta é a primeira varredura da série ou da pasta.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Não há na tela nenhum arquivo cujos feixes possam ser endireitados: primeiro abra um.</translation></message>
+<message><source>Straighten Beams</source><translation>Endireitar os feixes</translation></message>
+<message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
+<message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
+<message><source>No file yet</source><translation>Ainda nenhum arquivo</translation></message>
+<message><source>Clear</source><translation>Limpar</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
+<message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
+<message><source>display levels %1 to %2</source><translation>níveis mostrados de %1 a %2</translation></message>
+<message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
+<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
+<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
+<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Congelado: %1. Seguir mostra o que o scanner envia agora.</translation></message>
+<message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
+<message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
+<message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
+<message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
+<message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
+<message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
+<message><source>click the end of one side</source><translation>clique na extremidade de um lado</translation></message>
+<message><source>click where the sides meet</source><translation>clique onde os lados se encontram</translation></message>
+<message><source>click the end of the other side</source><translation>clique na extremidade do outro lado</translation></message>
+<message><source>click one end of a</source><translation>clique em uma extremidade de a</translation></message>
+<message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
+<message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
+<message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
+<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
+<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
+<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
+<message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 não foi escrito: dê a ele uma das extensões csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
+<message><source>a click splits it off</source><translation>um clique o separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
+<message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
+<message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
+<message><source>region of interest</source><translation>região de interesse</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
+<message><source>being worked out …</source><translation>em cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
+<message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
+<message><source>Report</source><translation>Relatório</translation></message>
+<message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
+<message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
+<message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
+<message><source>Select</source><translation>Selecionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Isolar</translation></message>
+<message><source>Show All</source><translation>Mostrar tudo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar a seleção</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
+<message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
+<message><source> · no time</source><translation> · sem hora</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
+<message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sem hora</translation></message>
+<message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
+<message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
+<message><source>Name %1</source><translation>Nomear %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
+<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fixado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
+<message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
+<message><source>settings</source><translation>ajustes</translation></message>
+<message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
+<message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
+<message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
+<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
+<message><source>Commands</source><translation>Comandos</translation></message>
+<message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
+<message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
+<message><source>What</source><translation>Conteúdo</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Edge points (%1)</source><translation>Pontos de borda (%1)</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Todos os pontos, com um campo para as bordas (%1)</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Mapa de bordas como imagem, %1</translation></message>
+<message><source>Gray image, %1</source><translation>Imagem em tons de cinza, %1</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distâncias em milímetros como imagem de 16 bits, %1</translation></message>
+<message><source>Coordinates</source><translation>Coordenadas</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
+<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Sem coordenadas da mina: %1. Abra-o com --pose e --calibration.</translation></message>
+<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
+<message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
+<message><source>Read Again</source><translation>Ler de novo</translation></message>
+<message><source>as in the file</source><translation>como no arquivo</translation></message>
+<message><source>Choose…</source><translation>Escolher…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
+<message><source>Keys</source><translation>Teclas</translation></message>
+<message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
+<message><source>Scan</source><translation>Varredura</translation></message>
+<message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
+<message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
+<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
+<message><source>Record</source><translation>Gravar</translation></message>
+<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
+<message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
+<message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>A imagem cresce com o scanner; desligado: fica como está</translation></message>
+<message><source>name or address of the scanner</source><translation>nome ou endereço do scanner</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
+<message><source>Sweep…</source><translation>Varredura…</translation></message>
+<message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
+<message><source>Stop</source><translation>Parar</translation></message>
+<message><source>Stop recording</source><translation>Parar a gravação</translation></message>
+<message><source>Following</source><translation>Seguindo</translation></message>
+<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
+<message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
+<message><source>Stands while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
+<message><source>not known</source><translation>desconhecido</translation></message>
+<message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
+<message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
+<message><source>not known (spin assumed)</source><translation>desconhecido (supõe-se spin)</translation></message>
+<message><source>spin: about the viewing direction</source><translation>giro (spin): em torno da direção de visada</translation></message>
+<message><source>sweep: about the 0/180 degree line</source><translation>varredura (sweep): em torno da linha 0/180 graus</translation></message>
+<message><source>Lines of a whole sweep</source><translation>Linhas de uma varredura inteira</translation></message>
+<message><source>Step per line</source><translation>Passo por linha</translation></message>
+<message><source>Angle of the first line</source><translation>Ângulo da primeira linha</translation></message>
+<message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
+<message><source>Play</source><translation>Reproduzir</translation></message>
+<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
+<message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
+<message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>Edges</source><translation>Bordas</translation></message>
+<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
+<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
+<message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
+<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
+<message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
+<message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
+<message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
+<message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
+<message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir funil de extração de &amp;demonstração</translation></message>
+<message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
+<message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>
+<message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nuvem de &amp;bordas…</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nuvem &amp;completa…</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Imagem de bordas…</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Imagem em &amp;tons de cinza…</translation></message>
+<message><source>&amp;Range Image…</source><translation>Imagem de &amp;distâncias…</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
+<message><source>Re&amp;port…</source><translation>Re&amp;latório…</translation></message>
+<message><source>&amp;Screenshot…</source><translation>Captura de &amp;tela…</translation></message>
+<message><source>&amp;Copy as Command</source><translation>Copiar como co&amp;mando</translation></message>
+<message><source>&amp;Quit</source><translation>&amp;Sair</translation></message>
+<message><source>&amp;Undo</source><translation>&amp;Desfazer</translation></message>
+<message><source>&amp;Redo</source><translation>&amp;Refazer</translation></message>
+<message><source>Undo</source><translation>Desfazer</translation></message>
+<message><source>Redo</source><translation>Refazer</translation></message>
+<message><source>&amp;Edit</source><translation>&amp;Editar</translation></message>
+<message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores sob o cursor</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
+<message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
+<message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
+<message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
+<message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
+<message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
+<message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
+<message><source>&amp;Back</source><translation>De &amp;trás</translation></message>
+<message><source>&amp;Right</source><translation>&amp;Direita</translation></message>
+<message><source>&amp;Left</source><translation>&amp;Esquerda</translation></message>
+<message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
+<message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
+<message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
+<message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
+<message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
+<message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
+<message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
+<message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
+<message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
+<message><source>Pre&amp;vious Scan</source><translation>Varredura &amp;anterior</translation></message>
+<message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
+<message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
+<message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
+<message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
+<message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
+<message><source>Next Line</source><translation>Próxima linha</translation></message>
+<message><source>Last Line</source><translation>Linha anterior</translation></message>
+<message><source>Ten Lines Forward</source><translation>Dez linhas adiante</translation></message>
+<message><source>Ten Lines Back</source><translation>Dez linhas atrás</translation></message>
+<message><source>&amp;Straighten Beams</source><translation>&amp;Endireitar os feixes</translation></message>
+<message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mo a varredura é lida…</translation></message>
+<message><source>&amp;Properties…</source><translation>Proprie&amp;dades…</translation></message>
+<message><source>&amp;Presets</source><translation>&amp;Predefinições</translation></message>
+<message><source>&amp;Save…</source><translation>&amp;Salvar…</translation></message>
+<message><source>&amp;Edges</source><translation>&amp;Bordas</translation></message>
+<message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
+<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
+<message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
+<message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
+<message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
+<message><source>&amp;Merge Selected Rocks</source><translation>M&amp;esclar as rochas selecionadas</translation></message>
+<message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
+<message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
+<message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
+<message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
+<message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
+<message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
+<message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
+<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
+<message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
+<message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
+<message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>Rocks</source><translation>Rochas</translation></message>
+<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Warnings of this scan:
-</source><translation type="unfinished"></translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation type="unfinished"></translation></message>
-<message><source>number of edges: not known yet</source><translation type="unfinished"></translation></message>
-<message><source>%1 edge cells</source><translation type="unfinished"></translation></message>
-<message><source> · steady from %1 to %2</source><translation type="unfinished"></translation></message>
-<message><source>Edge points on and off: E</source><translation type="unfinished"></translation></message>
-<message><source>Colours by class</source><translation type="unfinished"></translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation type="unfinished"></translation></message>
-<message><source>Advanced</source><translation type="unfinished"></translation></message>
-<message><source>Open…</source><translation type="unfinished"></translation></message>
-<message><source>Open a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Save…</source><translation type="unfinished"></translation></message>
-<message><source>Save these settings as a preset file</source><translation type="unfinished"></translation></message>
-<message><source>Preset</source><translation type="unfinished"></translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation type="unfinished"></translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation type="unfinished"></translation></message>
-<message><source>Locked 1 : 3</source><translation type="unfinished"></translation></message>
-<message><source>Unlocked</source><translation type="unfinished"></translation></message>
-<message><source>Strong from  %1 % of range</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold  %1</source><translation type="unfinished"></translation></message>
-<message><source>  (no gradient reaches it)</source><translation type="unfinished"></translation></message>
-<message><source>• modified</source><translation type="unfinished"></translation></message>
-<message><source>computing …</source><translation type="unfinished"></translation></message>
+</source><translation>Avisos desta varredura:
+</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
+<message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
+<message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
+<message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
+<message><source>Colours by class</source><translation>Cores por classe</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
+<message><source>Advanced</source><translation>Avançado</translation></message>
+<message><source>Open…</source><translation>Abrir…</translation></message>
+<message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
+<message><source>Save…</source><translation>Salvar…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Salvar estes ajustes como arquivo de predefinição</translation></message>
+<message><source>Preset</source><translation>Predefinição</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Os degraus de profundidade que atingem os limiares, calculados a partir dos kernels: o número menor para um degrau em diagonal, o maior para um ao longo de linhas ou feixes. No campo acima pode-se digitar uma profundidade como 0.5 m; com níveis de cinza logarítmicos ela é tomada à distância dada aqui, e uma proporção como 5 % vale a qualquer distância.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: o limiar superior é 3 vezes o inferior, como na tese. Clique para abrir o bloqueio.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Forte a partir de  %1 % da distância</translation></message>
+<message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
+<message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
-%1 to %2 %3</source><translation type="unfinished"></translation></message>
+%1 to %2 %3</source><translation>
+%1 a %2 %3</translation></message>
 <message><source>
-Double-click: back to the preset</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation type="unfinished"></translation></message>
-<message><source>auto</source><translation type="unfinished"></translation></message>
-<message><source>range %1 m</source><translation type="unfinished"></translation></message>
-<message><source>device status %1</source><translation type="unfinished"></translation></message>
-<message><source>no return</source><translation type="unfinished"></translation></message>
-<message><source>N %1  E %2  El %3</source><translation type="unfinished"></translation></message>
-<message><source>N –  E –  El –</source><translation type="unfinished"></translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation type="unfinished"></translation></message>
-<message><source>EDGE</source><translation type="unfinished"></translation></message>
-<message><source>not an edge</source><translation type="unfinished"></translation></message>
-<message><source>line %1  beam %2</source><translation type="unfinished"></translation></message>
-<message><source>  at %1° / %2°</source><translation type="unfinished"></translation></message>
-<message><source>  gray %1</source><translation type="unfinished"></translation></message>
-<message><source>Cancel (Esc)</source><translation type="unfinished"></translation></message>
-<message><source>✕ INCOMPLETE</source><translation type="unfinished"></translation></message>
-<message><source>scanner frame</source><translation type="unfinished"></translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation type="unfinished"></translation></message>
-<message><source>mine grid</source><translation type="unfinished"></translation></message>
-<message><source>OUT OF SPEC</source><translation type="unfinished"></translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation type="unfinished"></translation></message>
-<message><source>Placed by %1</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED, time not known</source><translation type="unfinished"></translation></message>
-<message><source>RECORDED %1</source><translation type="unfinished"></translation></message>
-<message><source>The file does not say when it was measured.</source><translation type="unfinished"></translation></message>
-<message><source>%1 edges</source><translation type="unfinished"></translation></message>
-<message><source>%1 no return</source><translation type="unfinished"></translation></message>
-<message><source>%1 points</source><translation type="unfinished"></translation></message>
-<message><source> · %1 status</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1</source><translation type="unfinished"></translation></message>
-<message><source>settings: %1, %2 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1 changed</source><translation type="unfinished"></translation></message>
-<message><source>%1: %2 instead of %3</source><translation type="unfinished"></translation></message>
-<message><source>All settings are those of the default set.</source><translation type="unfinished"></translation></message>
+Double-click: back to the preset</source><translation>
+Clique duplo: voltar à predefinição</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>range %1 m</source><translation>distância %1 m</translation></message>
+<message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>BORDA</translation></message>
+<message><source>not an edge</source><translation>não é uma borda</translation></message>
+<message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  cinza %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
+<message><source>scanner frame</source><translation>sistema do scanner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
+<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
+<message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
+<message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
+<message><source>RECORDED, time not known</source><translation>RECORDED, hora desconhecida</translation></message>
+<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
+<message><source>%1 edges</source><translation>%1 bordas</translation></message>
+<message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
+<message><source>%1 points</source><translation>%1 pontos</translation></message>
+<message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
+<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
 <message><source>
-Ctrl+D restores the default settings.</source><translation type="unfinished"></translation></message>
-<message><source>%1 ms</source><translation type="unfinished"></translation></message>
-<message><source>1 warning</source><translation type="unfinished"></translation></message>
-<message><source>%1 warnings</source><translation type="unfinished"></translation></message>
-<message><source>%1, acknowledged</source><translation type="unfinished"></translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation type="unfinished"></translation></message>
-<message><source>at least %1</source><translation type="unfinished"></translation></message>
-<message><source>something that is no rock</source><translation type="unfinished"></translation></message>
-<message><source>none seen</source><translation type="unfinished"></translation></message>
-<message><source>, hangs below</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation type="unfinished"></translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation type="unfinished"></translation></message>
-<message><source>outside the region of interest</source><translation type="unfinished"></translation></message>
-<message><source>called none by hand</source><translation type="unfinished"></translation></message>
-<message><source>wall, floor, or too far away</source><translation type="unfinished"></translation></message>
-<message><source>Split</source><translation type="unfinished"></translation></message>
-<message><source>Merge</source><translation type="unfinished"></translation></message>
-<message><source>No Rock</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this rock</source><translation type="unfinished"></translation></message>
-<message><source>. Hidden parts are not counted.</source><translation type="unfinished"></translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation type="unfinished"></translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation type="unfinished"></translation></message>
-<message><source>%1, and %2 more selected</source><translation type="unfinished"></translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation type="unfinished"></translation></message>
-<message><source>called a rock by hand</source><translation type="unfinished"></translation></message>
-<message><source>A Rock</source><translation type="unfinished"></translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation type="unfinished"></translation></message>
-<message><source>This is a rock after all (N)</source><translation type="unfinished"></translation></message>
-<message><source>Rock %1</source><translation type="unfinished"></translation></message>
-<message><source>visible spans</source><translation type="unfinished"></translation></message>
-<message><source>distance</source><translation type="unfinished"></translation></message>
-<message><source>visible area</source><translation type="unfinished"></translation></message>
-<message><source>%1 m²</source><translation type="unfinished"></translation></message>
-<message><source>in front</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of its outline</source><translation type="unfinished"></translation></message>
-<message><source>behind rocks</source><translation type="unfinished"></translation></message>
-<message><source>visible contacts</source><translation type="unfinished"></translation></message>
-<message><source>free height below</source><translation type="unfinished"></translation></message>
-<message><source>arch angle</source><translation type="unfinished"></translation></message>
-<message><source>confidence p</source><translation type="unfinished"></translation></message>
-<message><source>No rock</source><translation type="unfinished"></translation></message>
-<message><source>because</source><translation type="unfinished"></translation></message>
-<message><source>cells</source><translation type="unfinished"></translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation type="unfinished"></translation></message>
-<message><source> · ▲ doubtful outline</source><translation type="unfinished"></translation></message>
-<message><source>no doubtful ones</source><translation type="unfinished"></translation></message>
-<message><source>Export…</source><translation type="unfinished"></translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation type="unfinished"></translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation type="unfinished"></translation></message>
-<message><source>b at least</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 rocks</source><translation type="unfinished"></translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation type="unfinished"></translation></message>
-<message><source>Rock</source><translation type="unfinished"></translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation type="unfinished"></translation></message>
-<message><source>a visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Largest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>b visible [m]</source><translation type="unfinished"></translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation type="unfinished"></translation></message>
-<message><source>distance [m]</source><translation type="unfinished"></translation></message>
-<message><source>From the scanner: median of its ranges</source><translation type="unfinished"></translation></message>
-<message><source>area [m²]</source><translation type="unfinished"></translation></message>
-<message><source>Visible area across the beams</source><translation type="unfinished"></translation></message>
-<message><source>in front [%]</source><translation type="unfinished"></translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation type="unfinished"></translation></message>
-<message><source>contacts (≥)</source><translation type="unfinished"></translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation type="unfinished"></translation></message>
-<message><source>free below [m]</source><translation type="unfinished"></translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation type="unfinished"></translation></message>
-<message><source>arch [°] ± 25</source><translation type="unfinished"></translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation type="unfinished"></translation></message>
-<message><source>p</source><translation type="unfinished"></translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation type="unfinished"></translation></message>
-<message><source>fine</source><translation type="unfinished"></translation></message>
-<message><source>coarse</source><translation type="unfinished"></translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation type="unfinished"></translation></message>
-<message><source>; %1 changed by hand</source><translation type="unfinished"></translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation type="unfinished"></translation></message>
-<message><source>▲ %1 % over %2 m</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>Size curve</source><translation type="unfinished"></translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation type="unfinished"></translation></message>
-<message><source>no rocks to count</source><translation type="unfinished"></translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation type="unfinished"></translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>Opening %1</source><translation type="unfinished"></translation></message>
-<message><source>Making the demo draw-bell</source><translation type="unfinished"></translation></message>
-<message><source>Saving %1</source><translation type="unfinished"></translation></message>
-<message><source>writing</source><translation type="unfinished"></translation></message>
-<message><source>was %1</source><translation type="unfinished"></translation></message>
-<message><source>Why</source><translation type="unfinished"></translation></message>
-<message><source>Target</source><translation type="unfinished"></translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation type="unfinished"></translation></message>
-<message><source>Lock</source><translation type="unfinished"></translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation type="unfinished"></translation></message>
-<message><source>Let go of this target</source><translation type="unfinished"></translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation type="unfinished"></translation></message>
-<message><source>Locked</source><translation type="unfinished"></translation></message>
-<message><source>Target %1: %2</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose</source><translation type="unfinished"></translation></message>
-<message><source>X, Y, Z</source><translation type="unfinished"></translation></message>
-<message><source>Metres in the frame of the scan</source><translation type="unfinished"></translation></message>
-<message><source>E, N, RL</source><translation type="unfinished"></translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation type="unfinished"></translation></message>
-<message><source>Rock, visible</source><translation type="unfinished"></translation></message>
-<message><source>none here</source><translation type="unfinished"></translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation type="unfinished"></translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation type="unfinished"></translation></message>
-<message><source>Resolves</source><translation type="unfinished"></translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation type="unfinished"></translation></message>
-<message><source>Surface</source><translation type="unfinished"></translation></message>
-<message><source>no plane fits</source><translation type="unfinished"></translation></message>
-<message><source>%1° ± %2 off the beam</source><translation type="unfinished"></translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation type="unfinished"></translation></message>
-<message><source>Dip / direction</source><translation type="unfinished"></translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation type="unfinished"></translation></message>
-<message><source>Cell</source><translation type="unfinished"></translation></message>
-<message><source>line %1 · beam %2</source><translation type="unfinished"></translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation type="unfinished"></translation></message>
-<message><source>none</source><translation type="unfinished"></translation></message>
-<message><source>yes</source><translation type="unfinished"></translation></message>
-<message><source>, strength %1</source><translation type="unfinished"></translation></message>
-<message><source>Edge</source><translation type="unfinished"></translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation type="unfinished"></translation></message>
-<message><source>± not known</source><translation type="unfinished"></translation></message>
-<message><source>from</source><translation type="unfinished"></translation></message>
-<message><source>scanner, line of sight</source><translation type="unfinished"></translation></message>
-<message><source>Picture</source><translation type="unfinished"></translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation type="unfinished"></translation></message>
-<message><source>Measured</source><translation type="unfinished"></translation></message>
-<message><source>Remove</source><translation type="unfinished"></translation></message>
-<message><source>All but those that are locked</source><translation type="unfinished"></translation></message>
-<message><source>The measurement that is chosen</source><translation type="unfinished"></translation></message>
-<message><source>Method</source><translation type="unfinished"></translation></message>
-<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation type="unfinished"></translation></message>
-<message><source>Edge strength</source><translation type="unfinished"></translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation type="unfinished"></translation></message>
-<message><source>Jump</source><translation type="unfinished"></translation></message>
-<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation type="unfinished"></translation></message>
-<message><source>Jump growth</source><translation type="unfinished"></translation></message>
-<message><source>% of range</source><translation type="unfinished"></translation></message>
-<message><source>What the smallest step grows by with the distance.</source><translation type="unfinished"></translation></message>
-<message><source>Crease angle</source><translation type="unfinished"></translation></message>
-<message><source>degrees</source><translation type="unfinished"></translation></message>
-<message><source>Smallest fold of the surface that is an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Minimum length</source><translation type="unfinished"></translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation type="unfinished"></translation></message>
-<message><source>Classes</source><translation type="unfinished"></translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
-<message><source>Hysteresis low</source><translation type="unfinished"></translation></message>
-<message><source>% of high</source><translation type="unfinished"></translation></message>
-<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Grazing tolerance</source><translation type="unfinished"></translation></message>
-<message><source>steps</source><translation type="unfinished"></translation></message>
-<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation type="unfinished"></translation></message>
-<message><source>Allow for slips</source><translation type="unfinished"></translation></message>
-<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation type="unfinished"></translation></message>
-<message><source>Range noise at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation type="unfinished"></translation></message>
-<message><source>Lower threshold</source><translation type="unfinished"></translation></message>
-<message><source>levels</source><translation type="unfinished"></translation></message>
-<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation type="unfinished"></translation></message>
-<message><source>Step</source><translation type="unfinished"></translation></message>
-<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation type="unfinished"></translation></message>
-<message><source>Ratio upper : lower</source><translation type="unfinished"></translation></message>
-<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian kernel</source><translation type="unfinished"></translation></message>
-<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation type="unfinished"></translation></message>
-<message><source>Gaussian sigma</source><translation type="unfinished"></translation></message>
-<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation type="unfinished"></translation></message>
-<message><source>Gray scaling</source><translation type="unfinished"></translation></message>
-<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation type="unfinished"></translation></message>
-<message><source>Near</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Far</source><translation type="unfinished"></translation></message>
-<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation type="unfinished"></translation></message>
-<message><source>Mask missing data</source><translation type="unfinished"></translation></message>
-<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation type="unfinished"></translation></message>
-<message><source>Mask isolated cells</source><translation type="unfinished"></translation></message>
-<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation type="unfinished"></translation></message>
-<message><source>Sobel aperture</source><translation type="unfinished"></translation></message>
-<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation type="unfinished"></translation></message>
-<message><source>Gradient norm</source><translation type="unfinished"></translation></message>
-<message><source>How the two gradient components become one magnitude.</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian mask</source><translation type="unfinished"></translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation type="unfinished"></translation></message>
-<message><source>jump</source><translation type="unfinished"></translation></message>
-<message><source>convex</source><translation type="unfinished"></translation></message>
-<message><source>concave</source><translation type="unfinished"></translation></message>
-<message><source>data border</source><translation type="unfinished"></translation></message>
-<message><source>off</source><translation type="unfinished"></translation></message>
-<message><source>on</source><translation type="unfinished"></translation></message>
-<message><source>Thesis (255 / span)</source><translation type="unfinished"></translation></message>
-<message><source>Window (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>Logarithmic (near to far)</source><translation type="unfinished"></translation></message>
-<message><source>1 (off)</source><translation type="unfinished"></translation></message>
-<message><source>L1  |gx| + |gy|</source><translation type="unfinished"></translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation type="unfinished"></translation></message>
-<message><source>4 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>8 neighbours</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+</source><translation type="unfinished"></translation></message>
-<message><source>Rock outlines</source><translation type="unfinished"></translation></message>
-<message><source>Jumps</source><translation type="unfinished"></translation></message>
-<message><source>Canny (thesis)</source><translation type="unfinished"></translation></message>
-<message><source>Canny on log range</source><translation type="unfinished"></translation></message>
-<message><source>Roberts</source><translation type="unfinished"></translation></message>
-<message><source>Sobel</source><translation type="unfinished"></translation></message>
-<message><source>Prewitt</source><translation type="unfinished"></translation></message>
-<message><source>Kirsch</source><translation type="unfinished"></translation></message>
-<message><source>Robinson</source><translation type="unfinished"></translation></message>
-<message><source>Marr-Hildreth</source><translation type="unfinished"></translation></message>
-<message><source>Laplacian of Gaussian</source><translation type="unfinished"></translation></message>
-<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation type="unfinished"></translation></message>
-<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation type="unfinished"></translation></message>
-<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation type="unfinished"></translation></message>
-<message><source>Fine to coarse</source><translation type="unfinished"></translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation type="unfinished"></translation></message>
-<message><source>Smallest rock</source><translation type="unfinished"></translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation type="unfinished"></translation></message>
-<message><source>Farthest rock</source><translation type="unfinished"></translation></message>
-<message><source>What lies farther away is no rock.</source><translation type="unfinished"></translation></message>
-<message><source>Largest size expected</source><translation type="unfinished"></translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation type="unfinished"></translation></message>
-<message><source>Oversize</source><translation type="unfinished"></translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle of the first line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Angle from line to line [degrees]</source><translation type="unfinished"></translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation type="unfinished"></translation></message>
-<message><source>Millimetres per number in the file</source><translation type="unfinished"></translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation type="unfinished"></translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation type="unfinished"></translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation type="unfinished"></translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation type="unfinished"></translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation type="unfinished"></translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation type="unfinished"></translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation type="unfinished"></translation></message>
-<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation type="unfinished"></translation></message>
-<message><source>DXF of release 2000 instead of release 12</source><translation type="unfinished"></translation></message>
-<message><source>DXF: also the edge lines of two points only</source><translation type="unfinished"></translation></message>
-<message><source>Distance</source><translation type="unfinished"></translation></message>
-<message><source>Vertical Difference</source><translation type="unfinished"></translation></message>
-<message><source>Angle</source><translation type="unfinished"></translation></message>
-<message><source>Spans a × b</source><translation type="unfinished"></translation></message>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D restaura os ajustes padrão.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 aviso</translation></message>
+<message><source>%1 warnings</source><translation>%1 avisos</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Mostra os avisos desta varredura e os marca como vistos; eles permanecem, e constam nos registros e nas capturas de tela</translation></message>
+<message><source>at least %1</source><translation>pelo menos %1</translation></message>
+<message><source>something that is no rock</source><translation>algo que não é uma rocha</translation></message>
+<message><source>none seen</source><translation>nada à vista</translation></message>
+<message><source>, hangs below</source><translation>, pende por baixo</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
+<message><source>outside the region of interest</source><translation>fora da região de interesse</translation></message>
+<message><source>called none by hand</source><translation>classificado à mão como não rocha</translation></message>
+<message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
+<message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Merge</source><translation>Mesclar</translation></message>
+<message><source>No Rock</source><translation>Não é rocha</translation></message>
+<message><source>Let go of this rock</source><translation>Soltar esta rocha</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno duvidoso: hachurado</translation></message>
+<message><source>called a rock by hand</source><translation>classificado à mão como rocha</translation></message>
+<message><source>A Rock</source><translation>É rocha</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>É uma rocha, sim (N)</translation></message>
+<message><source>Rock %1</source><translation>Rocha %1</translation></message>
+<message><source>visible spans</source><translation>extensões visíveis</translation></message>
+<message><source>distance</source><translation>distância</translation></message>
+<message><source>visible area</source><translation>área visível</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>na frente</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % do seu contorno</translation></message>
+<message><source>behind rocks</source><translation>atrás das rochas</translation></message>
+<message><source>visible contacts</source><translation>contatos visíveis</translation></message>
+<message><source>free height below</source><translation>altura livre abaixo</translation></message>
+<message><source>arch angle</source><translation>ângulo do arco</translation></message>
+<message><source>confidence p</source><translation>confiança p</translation></message>
+<message><source>No rock</source><translation>Não é rocha</translation></message>
+<message><source>because</source><translation>porque</translation></message>
+<message><source>cells</source><translation>células</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno duvidoso</translation></message>
+<message><source>no doubtful ones</source><translation>sem as duvidosas</translation></message>
+<message><source>Export…</source><translation>Exportar…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
+<message><source>b at least</source><translation>b pelo menos</translation></message>
+<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
+<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
+<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
+<message><source>distance [m]</source><translation>distância [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visível transversal aos feixes</translation></message>
+<message><source>in front [%]</source><translation>na frente [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte do seu contorno onde ela é o lado mais próximo</translation></message>
+<message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
+<message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
+<message><source>fine</source><translation>fino</translation></message>
+<message><source>coarse</source><translation>grosso</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rochas, %2 hachuradas (p &lt; 0.85); %3 regiões de finos</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem: P20 %1, P50 %2, P80 %3, o maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as bordas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>Opening %1</source><translation>Abrindo %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
+<message><source>Saving %1</source><translation>Salvando %1</translation></message>
+<message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>was %1</source><translation>antes: %1</translation></message>
+<message><source>Why</source><translation>Por quê</translation></message>
+<message><source>Target</source><translation>Alvo</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
+<message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
+<message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
+<message><source>none here</source><translation>nenhuma aqui</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensões do que se vê dela; as partes ocultas não são contadas</translation></message>
+<message><source>Resolves</source><translation>Resolução</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
+<message><source>Surface</source><translation>Superfície</translation></message>
+<message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 do feixe</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
+<message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
+<message><source>Cell</source><translation>Célula</translation></message>
+<message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
+<message><source>none</source><translation>nenhuma</translation></message>
+<message><source>yes</source><translation>sim</translation></message>
+<message><source>, strength %1</source><translation>, força %1</translation></message>
+<message><source>Edge</source><translation>Borda</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
+<message><source>± not known</source><translation>± desconhecido</translation></message>
+<message><source>from</source><translation>a partir de</translation></message>
+<message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
+<message><source>Picture</source><translation>Imagem</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>Remove</source><translation>Remover</translation></message>
+<message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
+<message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
+<message><source>Method</source><translation>Método</translation></message>
+<message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
+<message><source>Edge strength</source><translation>Força da borda</translation></message>
+<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter: 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
+<message><source>Jump</source><translation>Salto</translation></message>
+<message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor degrau de profundidade que é uma borda, perto do scanner; auto toma 30 mm, e mais onde as distâncias têm ruído.</translation></message>
+<message><source>Jump growth</source><translation>Crescimento do salto</translation></message>
+<message><source>% of range</source><translation>% da distância</translation></message>
+<message><source>What the smallest step grows by with the distance.</source><translation>Quanto o menor degrau cresce com a distância.</translation></message>
+<message><source>Crease angle</source><translation>Ângulo de dobra</translation></message>
+<message><source>degrees</source><translation>graus</translation></message>
+<message><source>Smallest fold of the surface that is an edge.</source><translation>Menor dobra da superfície que é uma borda.</translation></message>
+<message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
+<message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas); e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
+<message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
+<message><source>% of high</source><translation>% do alto</translation></message>
+<message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
+<message><source>Grazing tolerance</source><translation>Tolerância rasante</translation></message>
+<message><source>steps</source><translation>passos</translation></message>
+<message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Quanto um feixe pode estar fora do lugar antes que uma superfície rasante mostre um salto: 0.1 para uma varredura motorizada, 1 para feixes entrelaçados.</translation></message>
+<message><source>Allow for slips</source><translation>Levar em conta os escorregamentos</translation></message>
+<message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
+<message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
+<message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
+<message><source>Lower threshold</source><translation>Limiar inferior</translation></message>
+<message><source>levels</source><translation>níveis</translation></message>
+<message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Uma célula com gradiente acima deste é uma borda: com Canny se uma cadeia de tais células leva a uma forte, com os detectores de um limiar sempre.</translation></message>
+<message><source>Step</source><translation>Degrau</translation></message>
+<message><source>A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.</source><translation>Um degrau reto desta proporção da distância é uma borda fraca, um de cerca da razão vezes isso é uma forte.</translation></message>
+<message><source>Ratio upper : lower</source><translation>Razão superior : inferior</translation></message>
+<message><source>Upper threshold as a multiple of the lower one; the thesis keeps 3.</source><translation>Limiar superior como múltiplo do inferior; a tese mantém 3.</translation></message>
+<message><source>Gaussian kernel</source><translation>Kernel gaussiano</translation></message>
+<message><source>Size of the smoothing kernel; 1 switches smoothing off.</source><translation>Tamanho do kernel de suavização; 1 desliga a suavização.</translation></message>
+<message><source>Gaussian sigma</source><translation>Sigma gaussiano</translation></message>
+<message><source>Width of the smoothing; auto takes it from the kernel size.</source><translation>Largura da suavização; auto a toma do tamanho do kernel.</translation></message>
+<message><source>Gray scaling</source><translation>Escala de cinza</translation></message>
+<message><source>How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.</source><translation>Como as distâncias viram níveis de cinza: como a tese imprime, uniformemente de perto a longe, ou por razões iguais de perto a longe.</translation></message>
+<message><source>Near</source><translation>Perto</translation></message>
+<message><source>Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distância desenhada como cinza 0; auto a toma da varredura. Não usada pela escala da tese.</translation></message>
+<message><source>Far</source><translation>Longe</translation></message>
+<message><source>Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.</source><translation>Distância desenhada como cinza 255; auto a toma da varredura. Não usada pela escala da tese.</translation></message>
+<message><source>Mask missing data</source><translation>Mascarar dados ausentes</translation></message>
+<message><source>Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.</source><translation>Deixa as células sem distância fora da suavização e do gradiente, para que o limite de um buraco não seja uma borda.</translation></message>
+<message><source>Mask isolated cells</source><translation>Mascarar células isoladas</translation></message>
+<message><source>With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.</source><translation>Com os dados ausentes mascarados: uma célula com a qual concordam menos de 2 das suas 8 vizinhas (poeira) conta como ausente.</translation></message>
+<message><source>Sobel aperture</source><translation>Abertura de Sobel</translation></message>
+<message><source>Size of the gradient operator; larger ones need thresholds many times higher.</source><translation>Tamanho do operador de gradiente; os maiores precisam de limiares muitas vezes mais altos.</translation></message>
+<message><source>Gradient norm</source><translation>Norma do gradiente</translation></message>
+<message><source>How the two gradient components become one magnitude.</source><translation>Como as duas componentes do gradiente viram uma magnitude.</translation></message>
+<message><source>Laplacian mask</source><translation>Máscara do laplaciano</translation></message>
+<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex</source><translation>convexo</translation></message>
+<message><source>concave</source><translation>côncavo</translation></message>
+<message><source>data border</source><translation>limite dos dados</translation></message>
+<message><source>off</source><translation>desligado</translation></message>
+<message><source>on</source><translation>ligado</translation></message>
+<message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
+<message><source>Window (near to far)</source><translation>Janela (de perto a longe)</translation></message>
+<message><source>Logarithmic (near to far)</source><translation>Logarítmica (de perto a longe)</translation></message>
+<message><source>1 (off)</source><translation>1 (desligado)</translation></message>
+<message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
+<message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
+<message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
+<message><source>Rock outlines</source><translation>Contornos de rochas</translation></message>
+<message><source>Jumps</source><translation>Saltos</translation></message>
+<message><source>Canny (thesis)</source><translation>Canny (tese)</translation></message>
+<message><source>Canny on log range</source><translation>Canny em distância logarítmica</translation></message>
+<message><source>Roberts</source><translation>Roberts</translation></message>
+<message><source>Sobel</source><translation>Sobel</translation></message>
+<message><source>Prewitt</source><translation>Prewitt</translation></message>
+<message><source>Kirsch</source><translation>Kirsch</translation></message>
+<message><source>Robinson</source><translation>Robinson</translation></message>
+<message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
+<message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidade e dobras da superfície, com limiares que seguem o ruído da varredura.</translation></message>
+<message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
+<message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
+<message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
+<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
+<message><source>Smallest rock</source><translation>Menor rocha</translation></message>
+<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
+<message><source>Farthest rock</source><translation>Rocha mais distante</translation></message>
+<message><source>What lies farther away is no rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
+<message><source>Largest size expected</source><translation>Maior tamanho esperado</translation></message>
+<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Os pedaços maiores precisam de melhores sinais de ser uma rocha e não uma parede.</translation></message>
+<message><source>Oversize</source><translation>Sobretamanho</translation></message>
+<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Ângulo de um feixe ao seguinte [graus]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Ângulo da primeira linha [graus]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Ângulo de uma linha à seguinte [graus]</translation></message>
+<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unidade dos números do arquivo, onde ele não a diz</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Milímetros por número do arquivo</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Células de uma nuvem que é projetada [graus]; senão, pelo espaçamento dos seus pontos</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>
+<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>De onde foi tomada uma nuvem sem grade, como X,Y,Z [m]</translation></message>
+<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: em que os SIG e as planilhas podem tropeçar</translation></message>
+<message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem em VIEWPOINT</translation></message>
+<message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
+<message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
+<message><source>Angle</source><translation>Ângulo</translation></message>
+<message><source>Spans a × b</source><translation>Extensões a × b</translation></message>
 </context>
 </TS>
