@@ -9,12 +9,18 @@
 #include "ui/language/catalogue.h"
 #include "ui/language/languages.h"
 #include "ui/panel/status_line.h"
+#include "ui/targets/target_card.h"
+#include "ui/targets/targets_panel.h"
 
 #include <QAbstractButton>
+#include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenuBar>
 #include <QRegularExpression>
+
+#include <algorithm>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -151,6 +157,31 @@ private slots:
         QVERIFY(on.window.findChild<QAction*>("language-es")->isChecked());
     }
 
+    // What a file keeps is in one language; a target pinned in another one has not changed.
+    void whatIsKeptIsInTheWordsOfTheSources() {
+        const QString ini = QString::fromStdString((folder_ / "kept" / "memory.ini").string());
+        QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
+        QVERIFY(useLanguage("fr", kTexts));
+        {
+            WindowFixture on(ini);
+            QVERIFY(on.showWith(scan_));
+            on.window.views().pin(on.window.views().cellAt(20, 30));
+            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+            const auto& kept = on.window.targets().notebook().targets.front().asPinned;
+            QVERIFY(kept.size() > 3);
+            QCOMPARE(kept.front().first, std::string("Distance"));
+            QVERIFY(std::ranges::any_of(kept, [](const auto& row) { return row.first == "Resolves"; }));
+        }
+        QVERIFY(useLanguage("es", kTexts));
+        WindowFixture on(ini);
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled() && !on.window.targets().notebook().targets.empty(); }, 20000));
+        on.window.views().pin(on.window.views().cellAt(20, 30));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        const QString card = on.window.targetsPanel().card().text();
+        QVERIFY2(!card.contains("antes:"), qPrintable(card));
+    }
+
     void theSystemChoosesAmongThoseSpoken() {
         QCOMPARE(languageOfSystem({"de-DE", "fr-CA", "en-US"}), QString("fr"));
         QCOMPARE(languageOfSystem({"pt_BR"}), QString("pt"));
@@ -167,10 +198,10 @@ private slots:
         QFile whole(kTexts + "/fr.ts");
         QVERIFY(whole.open(QIODevice::ReadOnly));
         const QByteArray bytes = whole.readAll();
-        for (const qsizetype length : {qsizetype{0}, qsizetype{10}, bytes.size() / 2}) {
+        for (const int length : {0, 10, static_cast<int>(bytes.size()) / 2}) {
             QFile cut(path);
             QVERIFY(cut.open(QIODevice::WriteOnly));
-            cut.write(bytes.left(static_cast<int>(length)));
+            cut.write(bytes.left(length));
             cut.close();
             Catalogue catalogue;
             QVERIFY(!catalogue.read(path));

@@ -5,6 +5,14 @@
 #include <QXmlStreamReader>
 
 namespace edgescan::ui {
+namespace {
+
+int sourceTextsWanted = 0;
+
+} // namespace
+
+SourceTexts::SourceTexts() { ++sourceTextsWanted; }
+SourceTexts::~SourceTexts() { --sourceTextsWanted; }
 
 bool Catalogue::read(const QString& path) {
     texts_.clear();
@@ -26,6 +34,8 @@ bool Catalogue::read(const QString& path) {
     return !texts_.isEmpty();
 }
 
-QString Catalogue::translate(const char*, const char* source, const char*, int) const { return texts_.value(QString::fromUtf8(source)); }
+QString Catalogue::translate(const char*, const char* source, const char*, int) const {
+    return sourceTextsWanted > 0 ? QString() : texts_.value(QString::fromUtf8(source));
+}
 
 } // namespace edgescan::ui

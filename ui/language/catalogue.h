@@ -23,4 +23,13 @@ private:
     QHash<QString, QString> texts_;
 };
 
+/// While one lives, texts are those of the sources: for what is kept in files and compared with them. GUI thread only.
+class SourceTexts {
+public:
+    SourceTexts();
+    ~SourceTexts();
+    SourceTexts(const SourceTexts&) = delete;
+    SourceTexts& operator=(const SourceTexts&) = delete;
+};
+
 } // namespace edgescan::ui

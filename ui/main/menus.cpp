@@ -71,8 +71,8 @@ Command fileMenu(MainWindow& w) {
 Command editMenu(MainWindow& w) {
     Command undo{.keys = "Ctrl+Z", .made = w.undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
     Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
-    undo.made->setObjectName(QObject::tr("Undo")); // the texts name the step
-    redo.made->setObjectName(QObject::tr("Redo"));
+    undo.made->setObjectName("Undo"); // the texts name the step
+    redo.made->setObjectName("Redo");
     const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
     return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
 }
@@ -108,7 +108,8 @@ Command languageMenu(MainWindow& w, Memory& memory) {
         const QString code = language.code;
         Command made{.text = QString::fromUtf8(language.name), .set = [&w, &memory, code](bool) {
                          memory.keep("language", code);
-                         w.notice().showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
+                         w.notice().showNotice(NoticeBar::Kind::Done,
+                                               QObject::tr("The window speaks this language from its next start on."));
                      }};
         menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
             languages->addAction(&action);
@@ -174,7 +175,8 @@ Command viewMenu(MainWindow& w, Memory& memory) {
     add(lookCommands(w));
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), languageMenu(w, memory), kLine});
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory),
+         languageMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
          command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});

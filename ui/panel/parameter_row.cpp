@@ -63,7 +63,8 @@ private:
 
 QString limitsText(const Parameter& p) {
     QString text = QObject::tr(p.help);
-    if (p.choices.empty()) text += QObject::tr("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(*p.unit == '\0' ? QString() : QObject::tr(p.unit));
+    if (p.choices.empty())
+        text += QObject::tr("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(*p.unit == '\0' ? QString() : QObject::tr(p.unit));
     return text + QObject::tr("\nDouble-click: back to the preset");
 }
 

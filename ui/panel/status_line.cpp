@@ -257,8 +257,7 @@ void StatusLine::showSettings(const Settings& settings) {
     for (const std::string& key : keys) {
         const Parameter& p = *findParameter(key);
         about << tr("%1: %2 instead of %3")
-                     .arg(QObject::tr(p.label), shownText(formatValue(p, p.get(settings))),
-                          shownText(formatValue(p, p.get(Settings{}))));
+                     .arg(QObject::tr(p.label), shownText(formatValue(p, p.get(settings))), shownText(formatValue(p, p.get(Settings{}))));
     }
     label.setToolTip(keys.empty() ? tr("All settings are those of the default set.")
                                   : about.join("\n") + tr("\nCtrl+D restores the default settings."));

@@ -2,6 +2,7 @@
 #include "ui/targets/target_card.h"
 
 #include "ui/base/shown_text.h"
+#include "ui/language/catalogue.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -22,10 +23,10 @@ constexpr const char* kDistanceRow = "Distance";
 
 QString distanceWords(const CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
 
-// What the row said when the cell was pinned, where it says something else now.
-QString wasOf(const PinnedTarget& pinned, const QString& name, const QString& now) {
-    const auto row = std::ranges::find(pinned.asPinned, name.toStdString(), &std::pair<std::string, std::string>::first);
-    if (row == pinned.asPinned.end() || exactText(row->second) == now) return {};
+// What the row said when the cell was pinned, where it says something else now: both as they are kept.
+QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
+    const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
+    if (row == pinned.asPinned.end() || row->second == now.second) return {};
     return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
 }
 
@@ -100,12 +101,14 @@ void TargetCard::show(const PinnedTarget& target, const CellTarget* known, const
     lock_->setText(target.locked ? tr("Locked") : tr("Lock"));
     close_->setEnabled(!target.locked);
     if (known == nullptr) return;
-    const QString was = wasOf(target, kDistanceRow, distanceWords(*known));
+    const auto kept = rowsToKeep(*known, around);
+    auto keptRow = kept.begin();
+    const QString was = wasOf(target, *keptRow++);
     distance_->setText(distanceText(*known));
     tolerance_->setText(toleranceText(*known) + (was.isEmpty() ? QString() : "\n" + was));
     const std::vector<TargetRow> rows = targetRows(*known, around);
     for (std::size_t n = 0; n < std::max(rows.size(), rows_.size()); ++n) {
-        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, rows[n].name, rows[n].value) : QString());
+        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, *keptRow++) : QString());
         if (n >= rows.size()) {
             rows_[n].first->hide();
             rows_[n].second->hide();
@@ -143,6 +146,7 @@ QString TargetCard::text() const {
 }
 
 std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around) {
+    const SourceTexts words; // a file is read by people of other languages
     std::vector<std::pair<std::string, std::string>> kept{{kDistanceRow, distanceWords(target).toStdString()}};
     for (const TargetRow& row : targetRows(target, around)) {
         if (row.measured) kept.emplace_back(row.name.toStdString(), row.value.toStdString());

@@ -1,0 +1,160 @@
+// The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER.
+// docs/make-pictures runs it. Each task is done twice, on a screen of 1280 x 800 and of 1920 x 1080.
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
+#include "core/io/open_scan.h"
+#include "core/method/pipeline.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/rocks/rock_table.h"
+#include "ui/rocks/rocks_panel.h"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace edgescan::ui {
+namespace {
+
+struct Bell {
+    std::string before, after;
+};
+
+struct Done {
+    bool well = false;
+    QImage picture;
+};
+
+void click(ImageView& view, int line, int beam) {
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier,
+                      view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint());
+}
+
+bool rocksShown(WindowFixture& on) {
+    QTest::keyClick(&on.window, Qt::Key_K);
+    return QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000);
+}
+
+// The largest rock about the middle of the picture: the one that an operator asks about.
+const Rock& rockInTheMiddle(WindowFixture& on) {
+    const RockPicture& shown = *on.window.rocks().picture();
+    const auto away = [&](const Rock& rock) {
+        const QPoint at = on.window.views().placeOf(rock.cell);
+        return std::hypot(at.y() - shown.labels.lines * 0.5, at.x() - shown.labels.beams * 0.5);
+    };
+    const Rock* best = &shown.study.rocks.front();
+    for (const Rock& rock : shown.study.rocks) {
+        if (rock.longM > 0.5 && away(rock) < away(*best)) best = &rock;
+    }
+    return *best;
+}
+
+bool opened(WindowFixture& on, const Bell& bell) {
+    if (!on.open(bell.before) || !on.activate()) return false;
+    QTest::mouseMove(&on.window.views().gray(), QPoint(on.window.views().gray().width() / 2, on.window.views().gray().height() / 2));
+    return true;
+}
+
+bool tuned(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell)) return false;
+    on.slider("sensitivity")->setFocus();
+    for (int n = 0; n < 12; ++n) QTest::keyClick(on.slider("sensitivity"), Qt::Key_Right);
+    QTest::keyClick(&on.window, Qt::Key_C);
+    return on.settled();
+}
+
+bool picked(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell) || !rocksShown(on)) return false;
+    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    QTest::keyClick(&on.window, Qt::Key_P);
+    click(on.window.views().gray(), at.y(), at.x());
+    return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+}
+
+bool measured(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell) || !rocksShown(on)) return false;
+    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    QTest::keyClick(&on.window, Qt::Key_U);
+    click(on.window.views().gray(), at.y(), at.x() - 25);
+    click(on.window.views().gray(), at.y(), at.x() + 25);
+    QTest::keyClick(&on.window, Qt::Key_P);
+    click(on.window.views().gray(), at.y(), at.x());
+    return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+}
+
+bool handedOver(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell) || !rocksShown(on)) return false;
+    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    QTest::keyClick(&on.window, Qt::Key_L);
+    click(on.window.views().gray(), at.y(), at.x());
+    QTest::keyClick(&on.window, Qt::Key_I);
+    return on.settled();
+}
+
+bool compared(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell)) return false;
+    QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+    return on.open(bell.after) && QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 60000);
+}
+
+bool live(WindowFixture& on, const Bell& bell) {
+    const auto scan = openScan(bell.before);
+    auto telegrams = scan ? telegramsOf(*scan) : Result<std::vector<ScanTelegram>>(scan.error());
+    if (!telegrams) return false;
+    EmulatedScannerSettings fast;
+    fast.linesPerSecond = 100;
+    fast.faults.loseEvery = 83;
+    const auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), fast);
+    if (!scanner) return false;
+    SweepSettings sweep;
+    sweep.expectedLines = scan->lines();
+    sweep.degPerLine = 180.0 / scan->lines();
+    sweep.firstLineDeg = -90;
+    sweep.axis = Axis::Sweep;
+    on.window.live().connectTo("127.0.0.1", (*scanner)->port(), sweep);
+    return QTest::qWaitFor(
+        [&] { return on.window.session().picture() && on.window.session().picture()->detection->scan->lines() > scan->lines() / 2; }, 60000);
+}
+
+struct Task {
+    const char* name;
+    bool (*act)(WindowFixture&, const Bell&);
+};
+constexpr Task kTasks[]{{"open", opened},       {"tune", tuned},       {"pick", picked},          {"measure", measured},
+                        {"compare", compared},  {"live", live},        {"hand-over", handedOver}};
+
+/// 256 colours suffice for a page, at a third of the bytes.
+bool savePage(const QImage& picture, const QString& path) {
+    return picture.convertToFormat(QImage::Format_RGB32).convertToFormat(QImage::Format_Indexed8, Qt::ThresholdDither).save(path);
+}
+
+int makePictures(const QString& folder) {
+    const test::TemporaryFolder made;
+    SimulationSettings settings;
+    settings.seed = 101;
+    settings.lines = 600;
+    settings.beams = 685;
+    const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string()};
+    bool well = bool(saveScan(simulate(settings)->scan, bell.before));
+    settings.afterBlast = true;
+    well = well && bool(saveScan(simulate(settings)->scan, bell.after));
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        for (const Task& task : kTasks) {
+            if (!well) break;
+            WindowFixture on;
+            on.window.resize(size);
+            const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
+            well = on.show() && task.act(on, bell) && savePage(on.window.screenshot(), path);
+            std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
+        }
+    }
+    return well ? 0 : 1;
+}
+
+} // namespace
+} // namespace edgescan::ui
+
+int main(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(edgescan::ui::CloudView::surfaceFormat());
+    QApplication application(argc, argv);
+    return edgescan::ui::makePictures(argc > 1 ? argv[1] : ".");
+}
