@@ -271,8 +271,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Quit</source><translation>&amp;Salir</translation></message>
 <message><source>&amp;Undo</source><translation>&amp;Deshacer</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Rehacer</translation></message>
-<message><source>Undo</source><translation>Deshacer</translation></message>
-<message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Edición</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores bajo el cursor</translation></message>
 <message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
@@ -572,7 +570,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor escalón de profundidad que es un borde, cerca del escáner; auto toma 30 mm, y más donde las distancias tienen ruido.</translation></message>
 <message><source>Jump growth</source><translation>Crecimiento del salto</translation></message>
-<message><source>% of range</source><translation>% de la distancia</translation></message>
+<message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>Cuánto crece el menor escalón con la distancia.</translation></message>
 <message><source>Crease angle</source><translation>Ángulo de pliegue</translation></message>
 <message><source>degrees</source><translation>grados</translation></message>
@@ -645,6 +643,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
 <message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidad y pliegues de la superficie, con umbrales que siguen el ruido del escaneo.</translation></message>
+<message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>

@@ -271,8 +271,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Quit</source><translation>&amp;Quitter</translation></message>
 <message><source>&amp;Undo</source><translation>&amp;Annuler</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Rétablir</translation></message>
-<message><source>Undo</source><translation>Annuler</translation></message>
-<message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>&amp;Edit</source><translation>É&amp;dition</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copier les valeurs sous le curseur</translation></message>
 <message><source>&amp;Mouse</source><translation>S&amp;ouris</translation></message>
@@ -572,7 +570,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Jump</source><translation>Saut</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Plus petite marche en profondeur qui est une arête, près du scanner ; auto prend 30 mm, et plus là où les distances sont bruitées.</translation></message>
 <message><source>Jump growth</source><translation>Croissance du saut</translation></message>
-<message><source>% of range</source><translation>% de la distance</translation></message>
+<message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>De combien la plus petite marche croît avec la distance.</translation></message>
 <message><source>Crease angle</source><translation>Angle de pli</translation></message>
 <message><source>degrees</source><translation>degrés</translation></message>
@@ -645,6 +643,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
 <message><source>Laplacian of Gaussian</source><translation>Laplacien de gaussienne</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+ : sauts en profondeur et plis de la surface, avec des seuils qui suivent le bruit du scan.</translation></message>
+<message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>

@@ -271,8 +271,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Quit</source><translation>&amp;Sair</translation></message>
 <message><source>&amp;Undo</source><translation>&amp;Desfazer</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Refazer</translation></message>
-<message><source>Undo</source><translation>Desfazer</translation></message>
-<message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Editar</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores sob o cursor</translation></message>
 <message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
@@ -572,7 +570,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor degrau de profundidade que é uma borda, perto do scanner; auto toma 30 mm, e mais onde as distâncias têm ruído.</translation></message>
 <message><source>Jump growth</source><translation>Crescimento do salto</translation></message>
-<message><source>% of range</source><translation>% da distância</translation></message>
+<message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>Quanto o menor degrau cresce com a distância.</translation></message>
 <message><source>Crease angle</source><translation>Ângulo de dobra</translation></message>
 <message><source>degrees</source><translation>graus</translation></message>
@@ -645,6 +643,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
 <message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidade e dobras da superfície, com limiares que seguem o ruído da varredura.</translation></message>
+<message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
