@@ -414,8 +414,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
-<message><source>RECORDED, time not known</source><translation>RECORDED, hora desconocida</translation></message>
-<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>time not known</source><translation>hora desconocida</translation></message>
+<message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
 <message><source>%1 edges</source><translation>%1 bordes</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>

@@ -414,8 +414,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
-<message><source>RECORDED, time not known</source><translation>RECORDED, heure inconnue</translation></message>
-<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>time not known</source><translation>heure inconnue</translation></message>
+<message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
 <message><source>%1 edges</source><translation>%1 arêtes</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>

@@ -414,8 +414,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
-<message><source>RECORDED, time not known</source><translation>RECORDED, hora desconhecida</translation></message>
-<message><source>RECORDED %1</source><translation>RECORDED %1</translation></message>
+<message><source>time not known</source><translation>hora desconhecida</translation></message>
+<message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
 <message><source>%1 edges</source><translation>%1 bordas</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>

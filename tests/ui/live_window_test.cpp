@@ -308,7 +308,7 @@ private slots:
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
         QVERIFY(timeline.labelShown().startsWith("RECORDED 20"));
-        QVERIFY2(window.statusLine().recordedShown().startsWith("RECORDED 20"), qPrintable(window.statusLine().recordedShown()));
+        QVERIFY2(window.statusLine().recordedShown().startsWith("measured 20"), qPrintable(window.statusLine().recordedShown()));
         const auto at = [&](int line) {
             return QTest::qWaitFor([&] { return linesShown(window) == line && timeline.position() == line; }, 5000);
         };

@@ -59,7 +59,7 @@ private slots:
         QVERIFY2(window.statusLine().probeShown().contains(expected), qPrintable(window.statusLine().probeShown()));
         QVERIFY(on.open(bare_));
         QCOMPARE(window.statusLine().placeShown(), QString("scanner frame"));
-        QCOMPARE(window.statusLine().recordedShown(), QString("RECORDED, time not known"));
+        QCOMPARE(window.statusLine().recordedShown(), QString("time not known"));
         emit window.views().gray().clicked(30, 40);
         QVERIFY(window.statusLine().probeShown().contains(QString::fromUtf8("N –  E –  El –")));
     }

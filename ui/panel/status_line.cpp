@@ -224,8 +224,8 @@ void StatusLine::showPlace(const Scan& scan) {
 
 void StatusLine::showTimeOf(const Scan& scan, bool live) {
     const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
-    const QString text = live ? QString() : start.empty() ? tr("RECORDED, time not known") : tr("RECORDED %1").arg(shownText(start));
-    tell(Fact::Recorded, text, live || start.empty() ? QString() : tr("RECORDED %1").arg(shownText(start).left(10)), false);
+    const QString text = live ? QString() : start.empty() ? tr("time not known") : tr("measured %1").arg(shownText(start));
+    tell(Fact::Recorded, text, live || start.empty() ? QString() : tr("measured %1").arg(shownText(start).left(10)), false);
     told(Fact::Recorded)
         .label->setToolTip(start.empty() ? tr("The file does not say when it was measured.")
                                          : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
