@@ -144,6 +144,7 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     saved("ptx", ".ptx");
     saved("las", ".las");
     saved("obj", ".obj");
+    saved("foxglove", ".foxglove.mcap");
     seeds.push_back({"las", ".las", smallLas(listOf(scan, {}))});
     seeds.push_back({"text", ".3d", textOf(listOf(scan, {.perMetre = 100}), {})});
     seeds.push_back({"text", ".pts", std::to_string(scan.cells()) + "\n" + textOf(listOf(scan, {}), {})});
