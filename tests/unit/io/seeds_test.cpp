@@ -53,7 +53,7 @@ TEST(Seeds, EveryReaderHasSmallOnesThatOpen) {
         ASSERT_TRUE(scan) << scan.error().sentence();
         holdsSoundly(seed.bytes, seed);
     }
-    EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "las", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
+    EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "foxglove", "las", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
                                               "range_csv", "raw_grid", "text"}));
 }
 
