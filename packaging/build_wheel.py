@@ -26,16 +26,23 @@ def _tag():
     return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 
 
+def _system():
+    """The interpreter below the virtual environment, and an environment in which it sees the system's numpy: pip hides both."""
+    hidden = ("PYTHONPATH", "PYTHONHOME", "PYTHONNOUSERSITE", "VIRTUAL_ENV")
+    return os.path.realpath(sys.executable), {name: value for name, value in os.environ.items() if name not in hidden}
+
+
 def get_requires_for_build_wheel(config_settings=None):
     return []
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build = ROOT / "build" / "wheel"
+    python, environment = _system()
     subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DEDGESCAN_VIEWER=OFF",
-                    "-DEDGESCAN_TESTS=OFF", "-DEDGESCAN_UNITY=ON", f"-DPython3_EXECUTABLE={sys.executable}",
-                    "-DEDGESCAN_PYTHON_INSTALL_DIR=."], check=True)
-    subprocess.run(["cmake", "--build", build, "--target", "edgescan_python_package"], check=True)
+                    "-DEDGESCAN_TESTS=OFF", "-DEDGESCAN_UNITY=ON", f"-DPython3_EXECUTABLE={python}",
+                    "-DEDGESCAN_PYTHON_INSTALL_DIR=."], check=True, env=environment)
+    subprocess.run(["cmake", "--build", build, "--target", "edgescan_python_package"], check=True, env=environment)
     if not (build / "python" / "edgescan").is_dir():
         raise RuntimeError("the Python module was not built: install pybind11-dev, python3-dev and python3-numpy, or run packaging/install-packages")
     files = {f"edgescan/{path.name}": path.read_bytes() for path in sorted((build / "python" / "edgescan").iterdir()) if path.is_file()}
