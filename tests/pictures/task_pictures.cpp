@@ -1,12 +1,15 @@
 // The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER.
-// docs/make-pictures runs it. Each task is done twice, on a screen of 1280 x 800 and of 1920 x 1080.
+// docs/make-pictures runs it, on a screen of 1280 x 800 and on one of 1920 x 1080.
 #include "core/emulator/emulated_scanner.h"
 #include "core/emulator/emulated_telegram.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/main/theme.h"
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
+
+#include <QScreen>
 
 #include <cmath>
 #include <iostream>
@@ -70,12 +73,23 @@ bool picked(WindowFixture& on, const Bell& bell) {
     return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
 }
 
+// The first and the last beam of a rock in the line of one of its cells, less the cells at its border.
+std::pair<int, int> acrossRock(WindowFixture& on, std::uint32_t label, QPoint at) {
+    const Grid<std::uint32_t>& labels = on.window.rocks().picture()->labels;
+    int from = at.x(), to = at.x();
+    while (from > 0 && labels.at(at.y(), from - 1) == label) --from;
+    while (to + 1 < labels.beams && labels.at(at.y(), to + 1) == label) ++to;
+    return {from + 2, to - 2};
+}
+
 bool measured(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell) || !rocksShown(on)) return false;
-    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    const Rock& rock = rockInTheMiddle(on);
+    const QPoint at = on.window.views().placeOf(rock.cell);
+    const auto [from, to] = acrossRock(on, rock.label, at);
     QTest::keyClick(&on.window, Qt::Key_U);
-    click(on.window.views().gray(), at.y(), at.x() - 25);
-    click(on.window.views().gray(), at.y(), at.x() + 25);
+    click(on.window.views().gray(), at.y(), from);
+    click(on.window.views().gray(), at.y(), to);
     QTest::keyClick(&on.window, Qt::Key_P);
     click(on.window.views().gray(), at.y(), at.x());
     return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
@@ -88,12 +102,6 @@ bool handedOver(WindowFixture& on, const Bell& bell) {
     click(on.window.views().gray(), at.y(), at.x());
     QTest::keyClick(&on.window, Qt::Key_I);
     return on.settled();
-}
-
-bool compared(WindowFixture& on, const Bell& bell) {
-    if (!opened(on, bell)) return false;
-    QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-    return on.open(bell.after) && QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 60000);
 }
 
 bool live(WindowFixture& on, const Bell& bell) {
@@ -112,20 +120,16 @@ bool live(WindowFixture& on, const Bell& bell) {
     sweep.axis = Axis::Sweep;
     on.window.live().connectTo("127.0.0.1", (*scanner)->port(), sweep);
     return QTest::qWaitFor(
-        [&] { return on.window.session().picture() && on.window.session().picture()->detection->scan->lines() > scan->lines() / 2; }, 60000);
+        [&] { return on.window.session().picture() && on.window.session().picture()->detection->scan->lines() > scan->lines() / 2; },
+        60000);
 }
 
 struct Task {
     const char* name;
     bool (*act)(WindowFixture&, const Bell&);
 };
-constexpr Task kTasks[]{{"open", opened},       {"tune", tuned},       {"pick", picked},          {"measure", measured},
-                        {"compare", compared},  {"live", live},        {"hand-over", handedOver}};
-
-/// 256 colours suffice for a page, at a third of the bytes.
-bool savePage(const QImage& picture, const QString& path) {
-    return picture.convertToFormat(QImage::Format_RGB32).convertToFormat(QImage::Format_Indexed8, Qt::ThresholdDither).save(path);
-}
+constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},
+                        {"measure", measured}, {"live", live},  {"hand-over", handedOver}};
 
 int makePictures(const QString& folder) {
     const test::TemporaryFolder made;
@@ -135,17 +139,15 @@ int makePictures(const QString& folder) {
     settings.beams = 685;
     const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string()};
     bool well = bool(saveScan(simulate(settings)->scan, bell.before));
-    settings.afterBlast = true;
     well = well && bool(saveScan(simulate(settings)->scan, bell.after));
-    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
-        for (const Task& task : kTasks) {
-            if (!well) break;
-            WindowFixture on;
-            on.window.resize(size);
-            const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
-            well = on.show() && task.act(on, bell) && savePage(on.window.screenshot(), path);
-            std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
-        }
+    const QSize size = QGuiApplication::primaryScreen()->size();
+    for (const Task& task : kTasks) {
+        if (!well) break;
+        WindowFixture on;
+        on.window.resize(size);
+        const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
+        well = on.show() && task.act(on, bell) && on.window.screenshot().convertToFormat(QImage::Format_RGB32).save(path);
+        std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
     }
     return well ? 0 : 1;
 }
@@ -156,5 +158,6 @@ int makePictures(const QString& folder) {
 int main(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(edgescan::ui::CloudView::surfaceFormat());
     QApplication application(argc, argv);
+    edgescan::ui::useTheme(application);
     return edgescan::ui::makePictures(argc > 1 ? argv[1] : ".");
 }

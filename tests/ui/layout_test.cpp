@@ -11,6 +11,8 @@
 #include "ui/main/theme.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/status_line.h"
+#include "ui/rocks/rocks_panel.h"
+#include "ui/targets/targets_panel.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -239,6 +241,32 @@ private slots:
         }
         resizeTo(on.window, {1900, 800});
         QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
+    }
+
+    // Three panels above each other, a rock and a target with their cards: what does not fit scrolls, nothing is squeezed or cut off.
+    void cardsAreWholeWhateverRoomTheyHave() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        on.window.views().pin(on.window.views().cellAt(60, 80));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) {
+            resizeTo(on.window, size);
+            for (const QWidget* panel :
+                 {static_cast<QWidget*>(&on.window.rocksPanel()), static_cast<QWidget*>(&on.window.targetsPanel())}) {
+                if (!panel->isVisible()) continue;
+                int labels = 0;
+                for (const QLabel* label : panel->findChildren<QLabel*>()) {
+                    if (!label->isVisible() || label->text().isEmpty() || !label->pixmap(Qt::ReturnByValue).isNull()) continue;
+                    ++labels;
+                    QVERIFY2(label->height() >= label->fontMetrics().height(), qPrintable(label->text()));
+                }
+                QVERIFY(labels > 2);
+                QVERIFY2(panel->width() <= panel->parentWidget()->width(), "cut off at the right");
+            }
+        }
     }
 
     void theWheelTurnsNothingThatHasNoFocus() {

@@ -19,22 +19,50 @@ QFont boldFont(const QPainter& painter) {
     return bold;
 }
 
-void drawTag(QPainter& painter, const QRect& place, const QPointF& beside, const QString& text, bool active) {
-    if (text.isEmpty()) return;
-    painter.save();
-    painter.setFont(boldFont(painter));
-    QRectF box = QRectF(painter.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
-    box.moveBottomLeft(beside);
-    box.moveLeft(std::clamp(box.left(), place.left() + 2.0, std::max(place.left() + 2.0, place.right() - 2.0 - box.width())));
-    box.moveTop(std::clamp(box.top(), place.top() + 2.0, std::max(place.top() + 2.0, place.bottom() - 2.0 - box.height())));
-    painter.setPen(active ? Qt::black : QColor(232, 232, 232));
-    painter.setBrush(active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
-    painter.drawRoundedRect(box, 3, 3);
-    painter.drawText(box, Qt::AlignCenter, text);
-    painter.restore();
-}
+/// Tags that do not lie on each other: who comes first has the place beside its mark, the next one moves down.
+class Tags {
+public:
+    Tags(QPainter& painter, const QRect& place) : painter_(painter), place_(place) {
+        painter_.save();
+        painter_.setFont(boldFont(painter_));
+    }
+    Tags(const Tags&) = delete;
+    Tags& operator=(const Tags&) = delete;
+    ~Tags() { painter_.restore(); }
 
-void drawTarget(QPainter& painter, const QRect& place, const ScreenMarks::Target& target) {
+    void draw(const QPointF& beside, const QString& text, bool active) {
+        if (text.isEmpty()) return;
+        QRectF box = QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
+        box.moveBottomLeft(beside);
+        keepWithin(box);
+        const QRectF wanted = box;
+        const auto isTaken = [&] { return std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); }); };
+        for (int step = 0; step < kMostSteps && isTaken(); ++step) {
+            box.translate(0, box.height() + kBetweenTags);
+            keepWithin(box);
+        }
+        if (isTaken()) box = wanted; // so crowded that nothing helps
+        taken_.push_back(box);
+        painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
+        painter_.setBrush(active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
+        painter_.drawRoundedRect(box, 3, 3);
+        painter_.drawText(box, Qt::AlignCenter, text);
+    }
+
+private:
+    void keepWithin(QRectF& box) const {
+        box.moveLeft(std::clamp(box.left(), place_.left() + 2.0, std::max(place_.left() + 2.0, place_.right() - 2.0 - box.width())));
+        box.moveTop(std::clamp(box.top(), place_.top() + 2.0, std::max(place_.top() + 2.0, place_.bottom() - 2.0 - box.height())));
+    }
+
+    static constexpr int kMostSteps = 8;
+    static constexpr double kBetweenTags = 2.0; // px
+    QPainter& painter_;
+    QRectF place_;
+    std::vector<QRectF> taken_;
+};
+
+void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
     const Qt::PenStyle style = target.place.hidden ? Qt::DotLine : Qt::SolidLine;
     painter.setBrush(Qt::NoBrush);
     strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), QPen(Qt::white, 2.0, style),
@@ -42,10 +70,9 @@ void drawTarget(QPainter& painter, const QRect& place, const ScreenMarks::Target
     painter.setPen(QPen(Qt::black, 1.0));
     painter.setBrush(Qt::white);
     painter.drawEllipse(target.place.at, 2.0, 2.0);
-    drawTag(painter, place, target.place.at + QPointF(kMarkRing + kTagBeside, -kMarkRing), target.tag, target.active);
 }
 
-void drawMeasure(QPainter& painter, const QRect& place, const ScreenMarks::Measure& measure) {
+void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
     painter.setBrush(Qt::NoBrush);
     strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(kMeasured, 2.0), [&] {
         for (const QLineF& line : measure.lines) painter.drawLine(line);
@@ -53,7 +80,6 @@ void drawMeasure(QPainter& painter, const QRect& place, const ScreenMarks::Measu
     painter.setPen(QPen(Qt::black, 1.5));
     painter.setBrush(kMeasured);
     for (const QPointF& end : measure.ends) painter.drawEllipse(end, kEndDot, kEndDot);
-    if (!measure.lines.empty()) drawTag(painter, place, measure.labelAt + QPointF(kTagBeside, -kTagBeside), measure.label, false);
 }
 
 } // namespace
@@ -87,8 +113,14 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
 void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, place, measure);
-    for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, place, target);
+    for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
+    for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
+    Tags tags(painter, place);
+    for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) // the active one first
+        tags.draw(target->place.at + QPointF(kMarkRing + kTagBeside, -kMarkRing), target->tag, target->active);
+    for (const ScreenMarks::Measure& measure : marks.measures) {
+        if (!measure.lines.empty()) tags.draw(measure.labelAt + QPointF(kTagBeside, -kTagBeside), measure.label, false);
+    }
     painter.restore();
 }
 

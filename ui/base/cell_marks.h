@@ -73,7 +73,7 @@ struct ScreenMarks {
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay within `place`.
+/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay within `place` and off each other.
 void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks);
 
 } // namespace edgescan::ui

@@ -1,6 +1,7 @@
 // Where panel and table of rocks stand in the window.
 #include "ui/main/rock_docks.h"
 
+#include "ui/base/scrolled.h"
 #include "ui/control/rocks.h"
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
@@ -28,13 +29,8 @@ QDockWidget* dockOf(QMainWindow& window, const QString& title, const char* name,
 } // namespace
 
 void addRockDocks(QMainWindow& window, Rocks& rocks, RocksPanel& panel, RockTable& table) {
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(&panel);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* right = dockOf(window, QObject::tr("Rocks"), "dock-rocks", scroll, Qt::RightDockWidgetArea);
+    QDockWidget* right = dockOf(window, QObject::tr("Rocks"), "dock-rocks", scrolled(panel), Qt::RightDockWidgetArea);
     QDockWidget* bottom = dockOf(window, QObject::tr("Rock Table"), "dock-rock-table", &table, Qt::BottomDockWidgetArea);
     QObject::connect(&rocks, &Rocks::shownChanged, &window, [&window, right, bottom](bool on) {
         right->setVisible(on);

@@ -1,6 +1,7 @@
 // Where the panel of targets stands in the window.
 #include "ui/main/target_dock.h"
 
+#include "ui/base/scrolled.h"
 #include "ui/control/targets.h"
 #include "ui/targets/targets_panel.h"
 
@@ -22,14 +23,9 @@ constexpr const char* kClosed = "closed"; // by hand: no target opens it again
 } // namespace
 
 void addTargetDock(QMainWindow& window, Targets& targets, TargetsPanel& panel) {
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(&panel);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* dock = new QDockWidget(QObject::tr("Targets"), &window);
     dock->setObjectName("dock-targets");
-    dock->setWidget(scroll);
+    dock->setWidget(scrolled(panel));
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     dock->hide();
     // On a low screen one card at a time is read better than a third of each.

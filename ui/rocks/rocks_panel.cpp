@@ -20,6 +20,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kSlidersPerLevel = 10.0; // positions of the slider per unit
+constexpr int kNarrowestNumber = 84;      // px
 
 } // namespace
 
@@ -35,12 +36,14 @@ RocksPanel::RocksPanel(QWidget* parent)
     grid->setColumnStretch(0, 1);
     for (const RockParameter& parameter : rockParameters()) {
         auto* name = new QLabel(QObject::tr(parameter.label));
+        name->setWordWrap(true); // in a narrow dock
         auto* number = new QDoubleSpinBox;
         number->setObjectName(QString("rocks-") + parameter.key);
         number->setDecimals(parameter.decimals);
         number->setRange(parameter.minimum, parameter.maximum);
         number->setSingleStep(parameter.step);
         number->setKeyboardTracking(false);
+        number->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
         if (*parameter.unit != '\0') number->setSuffix(" " + QObject::tr(parameter.unit));
         for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(number)})
             widget->setToolTip(QObject::tr(parameter.help));

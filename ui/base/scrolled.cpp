@@ -1,0 +1,50 @@
+// Heights that follow the width.
+#include "ui/base/scrolled.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+class FollowsWidth : public QObject {
+public:
+    FollowsWidth(QScrollArea& area, QWidget& panel) : QObject(&area), area_(area), panel_(panel) {
+        panel.installEventFilter(this);
+        follow();
+    }
+
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) follow();
+        return false;
+    }
+
+private:
+    void follow() {
+        const QLayout& layout = *panel_.layout();
+        area_.setMinimumWidth(layout.minimumSize().width() + area_.verticalScrollBar()->sizeHint().width());
+        const int height = layout.hasHeightForWidth() ? layout.heightForWidth(panel_.width()) : 0;
+        panel_.setMinimumHeight(std::max(height, layout.minimumSize().height()));
+    }
+
+    QScrollArea& area_;
+    QWidget& panel_;
+};
+
+} // namespace
+
+QScrollArea* scrolled(QWidget& panel) {
+    auto* area = new QScrollArea;
+    area->setWidget(&panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    new FollowsWidth(*area, panel);
+    return area;
+}
+
+} // namespace edgescan::ui
