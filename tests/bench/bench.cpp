@@ -7,6 +7,7 @@
 #include "core/gray/smooth.h"
 #include "core/method/methods.h"
 #include "core/scan/cartesian.h"
+#include "core/scan/opencv_view.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
 #include "tests/bench/naive_thesis.h"
@@ -118,6 +119,12 @@ cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
     return edges;
 }
 
+cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const Settings& thesis) {
+    cv::Mat edges;
+    cv::Canny(asMat(blurred), edges, thesis.lower, thesis.upper());
+    return edges;
+}
+
 struct LabelledPoint {
     float x, y, z;
     std::uint32_t index;
@@ -163,7 +170,7 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         {"its slider that measures", [&] { (void)decideDepthEdges(depthResponses(surface, plus, nullptr, 1), plus); }},
         {"its slider that decides", [&] { (void)decideDepthEdges(responses, plus); }},
         {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
-        {"cv::Canny on the cached blur", [&] { (void)canny(blurred, thesis); }},
+        {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
         {"threshold map at a threshold", [&] { (void)edgesAt(map, thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
     if (scan.cells() < 2000000) runs.push_back({"naive, to labelled points", [&] { (void)naiveThesis(scan, 10); }});
