@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 #define EDGESCAN_INLINE inline __attribute__((always_inline))
 // The rows of a loop do not overlap: more of them than the compiler would compare when it runs.
@@ -18,8 +19,15 @@
 namespace edgescan {
 namespace {
 
-constexpr int kPad = 16; // cells on either side of a row of the work space; 5 are needed
-constexpr int kBlock = 64;
+constexpr int kPad = 16;   // cells on either side of a row of the work space; 5 are needed
+constexpr int kBlock = 64; // cells that the loops work on at once
+
+// Calls work(first cell, cells) for blocks of a row, the last one over cells that were worked on before: so no loop ends with single cells.
+template <class Work>
+EDGESCAN_INLINE void inBlocks(int beams, Work work) {
+    if (beams < kBlock) return work(0, beams);
+    for (int first = 0; first < beams; first += kBlock) work(std::min(first, beams - kBlock), std::integral_constant<int, kBlock>());
+}
 
 // Rows of a picture's width with room on either side.
 template <class T>
@@ -40,6 +48,63 @@ EDGESCAN_INLINE int insideOf(int i, int count) {
     return i;
 }
 
+// ---- Levels. A product of floats is within 1e-4 of that of doubles where it is below 512, so it rounds to the same level unless it lies
+// that close to the middle between two. Then, for a block of cells, the doubles decide.
+constexpr float kSurelyRounded = 0.5F - 1e-4F;
+constexpr float kToWhole = 12582912.0F; // 1.5 x 2^23: a sum with it keeps no fraction, and rounds to even
+
+struct QuickLevels {
+    int outside; ///< valid ranges beyond the limits
+    bool isSure; ///< all levels are those of the doubles
+};
+EDGESCAN_INLINE QuickLevels quickLevels(const float* rangeMm, const CellState* states, int cells, float factor, float least, float most,
+                                        std::uint8_t* __restrict levels) {
+    int doubtful = 0;
+    int outside = 0;
+    EDGESCAN_APART
+    for (int j = 0; j < cells; ++j) {
+        const float range = rangeMm[j];
+        const int valid = states[j] == CellState::Valid ? -1 : 0;
+        const float product = range * factor;
+        const float level = (product + kToWhole) - kToWhole;
+        doubtful |= std::fabs(product - level) <= kSurelyRounded ? 0 : -1; // nor is that which is no number sure
+        outside -= valid & ((range < least ? -1 : 0) | (range > most ? -1 : 0));
+        const float notBelow = level > 0.0F ? level : 0.0F;
+        const float within = notBelow < 255.0F ? notBelow : 255.0F;
+        levels[j] = static_cast<std::uint8_t>(static_cast<int>(within) & valid);
+    }
+    return {outside, doubtful == 0};
+}
+
+EDGESCAN_INLINE void exactLevels(const float* rangeMm, const CellState* states, int cells, double factor, std::uint8_t* levels) {
+    for (int j = 0; j < cells; ++j)
+        levels[j] =
+            states[j] == CellState::Valid ? static_cast<std::uint8_t>(std::clamp(std::nearbyint(rangeMm[j] * factor), 0.0, 255.0)) : 0;
+}
+
+EDGESCAN_INLINE std::size_t levelsAll(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,
+                                      Grid<std::uint8_t>& levels) {
+    // Floats compare with limits rounded towards the inside as doubles do with the limits themselves.
+    auto least = static_cast<float>(to.nearMm), most = static_cast<float>(to.farMm);
+    if (least < to.nearMm) least = std::nextafter(least, std::numeric_limits<float>::infinity());
+    if (most > to.farMm) most = std::nextafter(most, -std::numeric_limits<float>::infinity());
+    const auto factor = static_cast<float>(to.factor);
+    std::size_t outside = 0;
+    constexpr int kMany = 4 * kBlock; // counting takes as long for more cells
+    const std::size_t whole = rangeMm.size() / kMany * kMany;
+    const auto take = [&](std::size_t k, auto cells) __attribute__((always_inline)) {
+        const float* from = rangeMm.cells.data() + k;
+        const CellState* state = states.cells.data() + k;
+        std::uint8_t* level = levels.cells.data() + k;
+        const QuickLevels quick = quickLevels(from, state, cells, factor, least, most, level);
+        if (!quick.isSure) exactLevels(from, state, cells, to.factor, level);
+        outside += static_cast<std::size_t>(quick.outside);
+    };
+    for (std::size_t k = 0; k < whole; k += kMany) take(k, std::integral_constant<int, kMany>());
+    if (whole < rangeMm.size()) take(whole, static_cast<int>(rangeMm.size() - whole));
+    return outside;
+}
+
 // ---- Gaussian. Weights without their common divisor: where the sums then stay within 16 bits, twice as many cells are worked on at once.
 template <int kReach, class Sum>
 EDGESCAN_INLINE void blurBody(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, int divisor, Grid<std::uint8_t>& blurred) {
@@ -55,27 +120,35 @@ EDGESCAN_INLINE void blurBody(const Grid<std::uint8_t>& levels, const std::vecto
     for (int i = 0; i < levels.lines; ++i) {
         std::array<const std::uint8_t*, 2 * kReach + 1> from;
         for (int d = -kReach; d <= kReach; ++d) from[static_cast<std::size_t>(d + kReach)] = levels.line(insideOf(i + d, levels.lines));
-        EDGESCAN_APART
-        for (int j = 0; j < beams; ++j) {
-            auto sum = static_cast<std::uint16_t>(w[0] * from[kReach][j]);
-            for (int d = 1; d <= kReach; ++d)
-                sum = static_cast<std::uint16_t>(
-                    sum + static_cast<std::uint16_t>(w[d] * static_cast<std::uint16_t>(from[kReach - d][j] + from[kReach + d][j])));
-            sums[j] = sum;
-        }
+        inBlocks(
+            beams, [=](int first, auto cells) __attribute__((always_inline)) {
+                const int end = first + cells;
+                EDGESCAN_APART
+                for (int j = first; j < end; ++j) {
+                    auto sum = static_cast<std::uint16_t>(w[0] * from[kReach][j]);
+                    for (int d = 1; d <= kReach; ++d)
+                        sum = static_cast<std::uint16_t>(
+                            sum + static_cast<std::uint16_t>(w[d] * static_cast<std::uint16_t>(from[kReach - d][j] + from[kReach + d][j])));
+                    sums[j] = sum;
+                }
+            });
         for (int d = 1; d <= kReach; ++d) {
             sums[-d] = sums[insideOf(-d, beams)];
             sums[beams - 1 + d] = sums[insideOf(beams - 1 + d, beams)];
         }
         std::uint8_t* __restrict to = blurred.line(i);
-        EDGESCAN_APART
-        for (int j = 0; j < beams; ++j) {
-            auto sum = static_cast<Sum>(w[0] * static_cast<Sum>(sums[j]));
-            for (int d = 1; d <= kReach; ++d)
-                sum = static_cast<Sum>(
-                    sum + static_cast<Sum>(w[d] * static_cast<Sum>(static_cast<Sum>(sums[j - d]) + static_cast<Sum>(sums[j + d]))));
-            to[j] = static_cast<std::uint8_t>(static_cast<Sum>(sum + half) >> shift);
-        }
+        inBlocks(
+            beams, [=](int first, auto cells) __attribute__((always_inline)) {
+                const int end = first + cells;
+                EDGESCAN_APART
+                for (int j = first; j < end; ++j) {
+                    auto sum = static_cast<Sum>(w[0] * static_cast<Sum>(sums[j]));
+                    for (int d = 1; d <= kReach; ++d)
+                        sum = static_cast<Sum>(
+                            sum + static_cast<Sum>(w[d] * static_cast<Sum>(static_cast<Sum>(sums[j - d]) + static_cast<Sum>(sums[j + d]))));
+                    to[j] = static_cast<std::uint8_t>(static_cast<Sum>(sum + half) >> shift);
+                }
+            });
     }
 }
 
@@ -154,26 +227,34 @@ EDGESCAN_INLINE void gradientLine(const Grid<std::uint8_t>& levels, int i, Sum* 
     const int beams = levels.beams;
     std::array<const std::uint8_t*, kAperture> from;
     for (int d = 0; d < kAperture; ++d) from[static_cast<std::size_t>(d)] = levels.line(std::clamp(i + d - kReach, 0, levels.lines - 1));
-    EDGESCAN_APART
-    for (int j = 0; j < beams; ++j) {
-        const auto level = [&](int n) { return from[static_cast<std::size_t>(n)][j]; };
-        smooth[j] = weighted<Sum>(Sobel<kAperture>::kSmoothing, level);
-        rise[j] = weighted<Sum>(Sobel<kAperture>::kDerivative, level);
-    }
+    inBlocks(
+        beams, [=](int first, auto cells) __attribute__((always_inline)) {
+            const int end = first + cells;
+            EDGESCAN_APART
+            for (int j = first; j < end; ++j) {
+                const auto level = [&](int n) { return from[static_cast<std::size_t>(n)][j]; };
+                smooth[j] = weighted<Sum>(Sobel<kAperture>::kSmoothing, level);
+                rise[j] = weighted<Sum>(Sobel<kAperture>::kDerivative, level);
+            }
+        });
     for (int d = 1; d <= kReach; ++d) {
         smooth[-d] = smooth[0];
         rise[-d] = rise[0];
         smooth[beams - 1 + d] = smooth[beams - 1];
         rise[beams - 1 + d] = rise[beams - 1];
     }
-    EDGESCAN_APART
-    for (int j = 0; j < beams; ++j) {
-        const std::int16_t x = kept(weighted<Sum>(Sobel<kAperture>::kDerivative, [&](int n) { return smooth[j + n - kReach]; }));
-        const std::int16_t y = kept(weighted<Sum>(Sobel<kAperture>::kSmoothing, [&](int n) { return rise[j + n - kReach]; }));
-        dx[j] = x;
-        dy[j] = y;
-        magnitude[j] = magnitudeOf<Magnitude>(x, y);
-    }
+    inBlocks(
+        beams, [=](int first, auto cells) __attribute__((always_inline)) {
+            const int end = first + cells;
+            EDGESCAN_APART
+            for (int j = first; j < end; ++j) {
+                const std::int16_t x = kept(weighted<Sum>(Sobel<kAperture>::kDerivative, [&](int n) { return smooth[j + n - kReach]; }));
+                const std::int16_t y = kept(weighted<Sum>(Sobel<kAperture>::kSmoothing, [&](int n) { return rise[j + n - kReach]; }));
+                dx[j] = x;
+                dy[j] = y;
+                magnitude[j] = magnitudeOf<Magnitude>(x, y);
+            }
+        });
 }
 
 // ---- Suppression.
@@ -244,11 +325,10 @@ EDGESCAN_INLINE void suppressBody(const Grid<std::uint8_t>& levels, CannyLimits 
         const std::int16_t* dx = gradients[(i + 1) % 2];
         const std::int16_t* dy = gradients[2 + (i + 1) % 2];
         std::uint8_t* to = marks.framed.data() + marks.index(i - 1, 0);
-        int j = 0;
-        for (; j + kBlock <= beams; j += kBlock) {
-            if (anyAbove(here + j, kBlock, low)) suppressCells(dx + j, dy + j, up + j, here + j, down + j, kBlock, low, high, to + j);
-        }
-        suppressCells(dx + j, dy + j, up + j, here + j, down + j, beams - j, low, high, to + j);
+        inBlocks(
+            beams, [=](int j, auto cells) __attribute__((always_inline)) {
+                if (anyAbove(here + j, cells, low)) suppressCells(dx + j, dy + j, up + j, here + j, down + j, cells, low, high, to + j);
+            });
     }
 }
 
@@ -270,6 +350,10 @@ EDGESCAN_INLINE void suppressAll(const Grid<std::uint8_t>& levels, int aperture,
 // ---- The same loops for each instruction set.
 #define EDGESCAN_GRAY_LOOPS(Name, ...)                                                                                                     \
     struct Name {                                                                                                                          \
+        __VA_ARGS__ static std::size_t levels(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,                  \
+                                              Grid<std::uint8_t>& made) {                                                                  \
+            return levelsAll(rangeMm, states, to, made);                                                                                   \
+        }                                                                                                                                  \
         __VA_ARGS__ static void blur(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred) {     \
             blurAll(levels, weights, blurred);                                                                                             \
         }                                                                                                                                  \
@@ -291,16 +375,19 @@ EDGESCAN_GRAY_LOOPS(Avx512, __attribute__((target("avx512f,avx512bw,avx512dq,avx
 #endif
 
 constexpr std::array kLoops {
-    GrayLoops{"plain", false, [] { return true; }, Plain::blur, Plain::suppress},
+    GrayLoops{"plain", false, [] { return true; }, Plain::levels, Plain::blur, Plain::suppress},
 #if defined(__x86_64__) && defined(__GNUC__)
-        GrayLoops{"SSE4.2", false, [] { return __builtin_cpu_supports("sse4.2") != 0; }, Sse42::blur, Sse42::suppress},
-        GrayLoops{"AVX2", true, [] { return __builtin_cpu_supports("avx2") != 0; }, Avx2::blur, Avx2::suppress},
-        GrayLoops{"AVX-512", true,
+        GrayLoops{"SSE4.2", false, [] { return __builtin_cpu_supports("sse4.2") != 0; }, Sse42::levels, Sse42::blur, Sse42::suppress},
+        GrayLoops{"AVX2", true, [] { return __builtin_cpu_supports("avx2") != 0; }, Avx2::levels, Avx2::blur, Avx2::suppress},
+        GrayLoops{"AVX-512",
+                  true,
                   [] {
                       return __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
                              __builtin_cpu_supports("avx512vl") != 0;
                   },
-                  Avx512::blur, Avx512::suppress},
+                  Avx512::levels,
+                  Avx512::blur,
+                  Avx512::suppress},
 #endif
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/scan/scan.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,13 @@ namespace edgescan {
 struct CannyLimits {
     std::int32_t low = 0;
     std::int32_t high = 0;
+};
+
+/// Gray levels in proportion to the range.
+struct LinearLevels {
+    double factor = 1.0; ///< levels per mm
+    double nearMm = 0.0;
+    double farMm = 0.0;
 };
 
 /// Cells of a picture in a frame of one cell on each side, so that every cell has eight neighbours.
@@ -35,6 +43,10 @@ struct GrayLoops {
     const char* instructions; ///< "plain", "SSE4.2", "AVX2", "AVX-512"
     bool isWide;              ///< 32 bytes at once or more
     bool (*isHere)();         ///< whether this processor has them
+
+    /// rint(range x factor) within 0..255, the product as double; 0 where the cell is not valid. How many valid ranges lie outside
+    /// near..far is returned.
+    std::size_t (*levels)(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to, Grid<std::uint8_t>& levels);
 
     /// cv::GaussianBlur of 8-bit levels with gaussianWeights() of 3 to 11 cells; `blurred` has the size of `levels`, at least 1 x 1.
     void (*blur)(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred);

@@ -35,6 +35,20 @@ struct ThresholdMap {
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
 
+/// The same for one threshold after the other, as under a hand on the slider: two bytes are compared per cell instead of eight where few
+/// cells can be edges at all.
+class SweptEdges {
+public:
+    explicit SweptEdges(ThresholdMap map);
+    /// edgesAt() of the map, for thresholds from 0.
+    [[nodiscard]] Grid<std::uint8_t> at(double threshold) const;
+
+private:
+    ThresholdMap map_;           // empty where there are ranks
+    std::vector<double> values_; // of the map, ascending, each once
+    Grid<std::uint16_t> ranks_;  // 0: never an edge; else 1 + place in values_
+};
+
 /// Number of edge cells at every threshold, and where it hardly changes.
 struct EdgeCountCurve {
     std::vector<double> thresholds; ///< ascending

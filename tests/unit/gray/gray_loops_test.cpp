@@ -1,5 +1,6 @@
 // The gray path's own loops against OpenCV, for every instruction set of this machine.
 #include "core/gray/canny.h"
+#include "core/gray/gray.h"
 #include "core/gray/smooth.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +79,42 @@ TEST_P(EveryGrayLoop, EqualsOpenCvOnThousandsOfPictures) {
         edges += static_cast<std::size_t>(cv::countNonZero(mask));
     }
     EXPECT_GT(edges, 100000U) << "hardly a picture had an edge";
+}
+
+// Ranges of whole and of broken millimetres, and those that lie exactly in the middle between two levels or beside it.
+TEST_P(EveryGrayLoop, LevelsAreThoseOfDoubles) {
+    std::mt19937 random(5);
+    std::size_t middles = 0;
+    for (int n = 0; n < 600; ++n) {
+        const int cells = 1 + static_cast<int>(random() % 1500U);
+        const LinearLevels to = linearLevels({static_cast<double>(random() % 3000U) / 7, 3000.0 + random() % 40000U / 8.0, false});
+        Grid<float> ranges(1, cells);
+        Grid<CellState> states(1, cells, CellState::Valid);
+        for (std::size_t k = 0; k < ranges.size(); ++k) {
+            const auto middle = static_cast<float>((random() % 300U + 0.5) / to.factor);
+            const std::array<float, 6> any{static_cast<float>(random() % 60000U),
+                                           static_cast<float>(random() % 60000U) / 13,
+                                           middle,
+                                           std::nextafter(middle, 0.0F),
+                                           static_cast<float>(random() % 2 == 0 ? to.nearMm : to.farMm),
+                                           random() % 2 == 0 ? 1e30F : -3.0F};
+            ranges[k] = any[random() % (n % 3 == 0 ? 2U : any.size())];
+            if (random() % 5 == 0) states[k] = CellState::NoReturn;
+        }
+        Grid<std::uint8_t> levels(1, cells);
+        const std::size_t outside = loops().levels(ranges, states, to, levels);
+        std::size_t expectedOutside = 0;
+        for (std::size_t k = 0; k < ranges.size(); ++k) {
+            const double range = ranges[k];
+            const bool valid = states[k] == CellState::Valid;
+            const double level = valid ? std::clamp(std::nearbyint(range * to.factor), 0.0, 255.0) : 0.0;
+            ASSERT_EQ(levels[k], level) << range << " x " << to.factor;
+            expectedOutside += valid && (range < to.nearMm || range > to.farMm) ? 1U : 0U;
+            middles += std::abs(range * to.factor - std::floor(range * to.factor) - 0.5) < 1e-5 ? 1U : 0U;
+        }
+        EXPECT_EQ(outside, expectedOutside);
+    }
+    EXPECT_GT(middles, 10000U);
 }
 
 TEST_P(EveryGrayLoop, NoCellsGiveNoCells) {
