@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace edgescan {
@@ -20,52 +18,27 @@ bool isOldNan(const char* from, const char* to) {
     return to - from >= 3 && from[0] == '#' && (from[1] == 'Q' || from[1] == 'I' || from[1] == 'S');
 }
 
-constexpr std::array<std::uint64_t, 9> kPowersOfTen{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
-
-// Appends the digits that stand at `at` to `digits`, eight at once where as many bytes can be read: a digit's value is what is left of the
-// byte without 0x30, and neighbours are joined to numbers of two, four and eight digits. Ends behind the last digit.
-const char* takeDigits(const char* at, const char* to, const char* readable, std::uint64_t& digits) {
-    if constexpr (std::endian::native == std::endian::little) {
-        constexpr std::uint64_t kEachByte = 0x0101010101010101U;
-        while (readable - at >= 8) {
-            std::uint64_t bytes = 0;
-            std::memcpy(&bytes, at, sizeof bytes);
-            bytes ^= kEachByte * 0x30;
-            const std::uint64_t beyondNine = (((bytes & (kEachByte * 0x7F)) + kEachByte * 0x76) | bytes) & (kEachByte * 0x80);
-            const int count = std::countr_zero(beyondNine) / 8; // 8 where all are digits
-            if (count == 0) return at;
-            bytes <<= 64 - 8 * count;
-            bytes = (bytes * 10 + (bytes >> 8U)) & 0x00FF00FF00FF00FFU;
-            bytes = (bytes * 100 + (bytes >> 16U)) & 0x0000FFFF0000FFFFU;
-            bytes = (bytes * 10000 + (bytes >> 32U)) & 0xFFFFFFFFU;
-            digits = digits * kPowersOfTen[static_cast<std::size_t>(count)] + bytes;
-            at += count;
-            if (count < 8) return at;
-        }
-    }
-    for (; at < to && *at >= '0' && *at <= '9'; ++at) digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
-    return at;
-}
-
 // std::from_chars, and faster where there are a few digits and a point: both whole numbers, up to 10^15, are exact as double, so their
-// quotient is the nearest one there is (IEEE 754), which is what from_chars gives. No digit stands at `to`; bytes up to `readable` are
-// there.
-std::from_chars_result numberFrom(const char* from, const char* to, const char* readable, double& value) {
+// quotient is the nearest one there is (IEEE 754), which is what from_chars gives.
+std::from_chars_result numberFrom(const char* from, const char* to, double& value) {
     static constexpr std::array<double, 16> kPowers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     constexpr std::ptrdiff_t kMostDigits = 15;
     const bool negative = from < to && *from == '-';
     const char* const first = from + (negative ? 1 : 0);
+    const char* point = nullptr;
+    const char* at = first;
     std::uint64_t digits = 0;
-    const char* at = takeDigits(first, to, readable, digits);
-    std::ptrdiff_t count = at - first;
-    std::ptrdiff_t decimals = 0;
-    if (at < to && *at == '.') {
-        const char* const point = at;
-        at = takeDigits(point + 1, to, readable, digits);
-        decimals = at - point - 1;
-        count += decimals;
+    for (; at < to; ++at) {
+        if (*at >= '0' && *at <= '9')
+            digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+        else if (*at == '.' && point == nullptr)
+            point = at;
+        else
+            break;
     }
+    const std::ptrdiff_t count = at - first - (point == nullptr ? 0 : 1);
     if (count < 1 || count > kMostDigits || (at < to && (*at == 'e' || *at == 'E'))) return std::from_chars(from, to, value);
+    const std::ptrdiff_t decimals = point == nullptr ? 0 : at - point - 1;
     const double size = static_cast<double>(digits) / kPowers[static_cast<std::size_t>(decimals)];
     value = negative ? -size : size;
     return {at, std::errc{}};
@@ -145,7 +118,7 @@ bool RowReader::readCell(std::vector<double>& numbers) {
         parsed = std::from_chars(copy.data(), copy.data() + length, value);
         parsed.ptr = from + (parsed.ptr - copy.data());
     } else {
-        parsed = numberFrom(from, rowEnd_, end_, value);
+        parsed = numberFrom(from, rowEnd_, value);
     }
     if (parsed.ec == std::errc::result_out_of_range) {
         const std::string_view word(from, static_cast<std::size_t>(parsed.ptr - from));
