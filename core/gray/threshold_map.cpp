@@ -17,17 +17,13 @@ constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
 constexpr double kGuessError = 1e-6;    // relative
-constexpr std::size_t kRankedPart = 4;  // of all cells, a fourth: no more are sorted into ranks
+constexpr std::size_t kSortedPart = 4;  // of all cells, a fourth: no more are sorted
 constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
 constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
 
 EDGESCAN_SIMD void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
-}
-
-EDGESCAN_SIMD void takeRanksAbove(const std::uint16_t* ranks, std::size_t cells, std::uint16_t rank, std::uint8_t* __restrict mask) {
-    for (std::size_t k = 0; k < cells; ++k) mask[k] = ranks[k] > rank ? 255 : 0;
 }
 
 // How a swept threshold becomes a threshold of the gradient, and roughly back.
@@ -273,29 +269,40 @@ Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     return mask;
 }
 
-SweptEdges::SweptEdges(ThresholdMap map) : map_(std::move(map)) {
+SweptEdges::SweptEdges(ThresholdMap map) : map_(std::move(map)), lines_(map_.highest.lines), beams_(map_.highest.beams) {
     const Grid<double>& highest = map_.highest;
     std::vector<std::uint32_t> cells;
     for (std::size_t k = 0; k < highest.size(); ++k) {
         if (highest[k] >= 0) cells.push_back(static_cast<std::uint32_t>(k));
-        if (cells.size() > highest.size() / kRankedPart) return; // sorting would cost more than it saves
+        if (cells.size() > highest.size() / kSortedPart) return; // sorting would cost more than it saves
     }
     values_.reserve(cells.size());
     for (const std::uint32_t k : cells) values_.push_back(highest[k]);
     std::sort(values_.begin(), values_.end());
     values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
-    if (values_.size() >= std::numeric_limits<std::uint16_t>::max()) return;
-    ranks_ = Grid<std::uint16_t>(highest.lines, highest.beams);
-    for (const std::uint32_t k : cells)
-        ranks_[k] = static_cast<std::uint16_t>(1 + (std::lower_bound(values_.begin(), values_.end(), highest[k]) - values_.begin()));
-    map_ = {};
+    const auto placeOf = [&](std::uint32_t k) {
+        return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), highest[k]) - values_.begin());
+    };
+    std::vector<std::uint32_t> places;
+    places.reserve(cells.size());
+    counts_.assign(values_.size() + 1, 0); // the last: of no value at all
+    for (const std::uint32_t k : cells) {
+        places.push_back(static_cast<std::uint32_t>(placeOf(k)));
+        ++counts_[places.back()];
+    }
+    for (std::size_t n = values_.size(); n > 0; --n) counts_[n - 1] += counts_[n];
+    std::vector<std::size_t> next(counts_.begin() + 1, counts_.end()); // where the next cell of a value goes
+    cells_.resize(cells.size());
+    for (std::size_t n = 0; n < cells.size(); ++n) cells_[next[places[n]]++] = cells[n];
+    map_.highest = {};
 }
 
 Grid<std::uint8_t> SweptEdges::at(double threshold) const {
-    if (ranks_.size() == 0) return edgesAt(map_, threshold);
-    Grid<std::uint8_t> mask(ranks_.lines, ranks_.beams);
-    const auto below = std::lower_bound(values_.begin(), values_.end(), threshold) - values_.begin();
-    takeRanksAbove(ranks_.cells.data(), mask.size(), static_cast<std::uint16_t>(below), mask.cells.data());
+    if (map_.highest.size() != 0) return edgesAt(map_, threshold);
+    Grid<std::uint8_t> mask(lines_, beams_);
+    if (counts_.empty()) return mask;
+    const auto first = static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), threshold) - values_.begin());
+    for (std::size_t n = 0; n < counts_[first]; ++n) mask[cells_[n]] = 255;
     return mask;
 }
 

@@ -35,8 +35,8 @@ struct ThresholdMap {
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
 
-/// The same for one threshold after the other, as under a hand on the slider: two bytes are compared per cell instead of eight where few
-/// cells can be edges at all.
+/// The same for one threshold after the other, as under a hand on the slider: the work is that of writing the edges, and no cell is
+/// compared where few can be edges at all.
 class SweptEdges {
 public:
     explicit SweptEdges(ThresholdMap map);
@@ -44,9 +44,11 @@ public:
     [[nodiscard]] Grid<std::uint8_t> at(double threshold) const;
 
 private:
-    ThresholdMap map_;           // empty where there are ranks
-    std::vector<double> values_; // of the map, ascending, each once
-    Grid<std::uint16_t> ranks_;  // 0: never an edge; else 1 + place in values_
+    ThresholdMap map_; // without cells where they are sorted
+    int lines_, beams_;
+    std::vector<double> values_;       // of the map, ascending, each once
+    std::vector<std::size_t> counts_;  // per value: cells that have it or a higher one
+    std::vector<std::uint32_t> cells_; // those with the highest value first
 };
 
 /// Number of edge cells at every threshold, and where it hardly changes.
