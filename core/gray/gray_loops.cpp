@@ -260,14 +260,14 @@ EDGESCAN_INLINE void gradientLine(const Grid<std::uint8_t>& levels, int i, Sum* 
 // ---- Suppression.
 constexpr std::uint32_t kTan22 = 13573; // tan(22.5 degrees) x 2^15, as cv::Canny rounds it
 
-// cv::Canny asks y 2^15 < x kTan22 and y 2^15 > x (kTan22 + 2^16). kTan22 is odd and x below 2^15, so x kTan22 / 2^15 is whole only for x =
-// 0, and then the magnitude alone decides: its whole part says the same. All ones where true, as wide as the values beside it: selections
-// by bits, where branches would be guessed wrong.
+// All ones where true, as wide as the values beside it: selections by bits, where branches would be guessed wrong.
 template <class Lane>
 EDGESCAN_INLINE Lane all(bool condition) {
     return condition ? Lane{-1} : Lane{0};
 }
 
+// cv::Canny asks y 2^15 < x kTan22 and y 2^15 > x (kTan22 + 2^16). kTan22 is odd and x below 2^15: x kTan22 / 2^15 is whole for x = 0
+// alone, where the magnitude decides by itself. So its whole part says the same.
 template <class Magnitude>
 EDGESCAN_INLINE void suppressCells(const std::int16_t* dx, const std::int16_t* dy, const Magnitude* up, const Magnitude* here,
                                    const Magnitude* down, int cells, Magnitude low, Magnitude high, std::uint8_t* __restrict marks) {

@@ -52,8 +52,8 @@ constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 8};
 constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.2}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.5};
-constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 0, 0, 0};
-constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 4};
+constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
+constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 15};
 constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", 400, 700, 100};
 constexpr Goal kOrganized{"PCL OrganizedEdgeFromNormals / EdgeScan+", 3, 6, 3};
 
@@ -185,7 +185,7 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         {"its slider that decides", [&] { (void)decideDepthEdges(responses, plus); }},
         {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
         {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
-        {"threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
+        {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
     const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
     for (const GrayLoops& loops : allGrayLoops()) {
