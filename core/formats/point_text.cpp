@@ -45,6 +45,22 @@ bool areWords(const TextLayout& layout) {
     return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
 }
 
+/// Room for as many rows as the text has line ends, but for no more than its bytes suffice for.
+void reserveRows(PointTable& table, const Source& source, const TextLayout& layout, const NamedColumns& named) {
+    const std::string_view text = source.text();
+    const auto lineEnds = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    const std::size_t rows = std::min(lineEnds + 1, text.size() / (2 * layout.columns) + 1);
+    table.points.reserve(rows);
+    if (named[ColumnRole::RangeMm]) table.rangeMm.reserve(rows);
+    if (named[ColumnRole::State]) table.state.reserve(rows);
+    if (named[ColumnRole::Intensity]) table.intensity.reserve(rows);
+    if (named.hasCell()) {
+        table.line.reserve(rows);
+        table.beam.reserve(rows);
+    }
+    if (named.hasScannerPoint()) table.scannerPoints.reserve(rows);
+}
+
 Result<PointTable> readTextPoints(const Source& source) {
     if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
         return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
@@ -62,6 +78,7 @@ Result<PointTable> readTextPoints(const Source& source) {
     PointTable table;
     table.format = "point list";
     const NamedColumns& named = columns->named;
+    reserveRows(table, source, layout, named);
     RowReader rows(source, layout);
     rows.measure(columns->xyz);
     std::vector<double> row;

@@ -3,6 +3,7 @@
 
 #include "core/base/grid.h"
 #include "core/gray/gradient.h"
+#include "core/gray/gray_loops.h"
 #include "core/settings/settings.h"
 
 #include <cstdint>
@@ -12,6 +13,9 @@ namespace edgescan {
 
 /// 255 = edge, lines x beams: cv::Canny with lower, upper = ratio x lower, aperture and norm of the settings.
 [[nodiscard]] Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings);
+
+/// The same by the loops of one instruction set.
+[[nodiscard]] Grid<std::uint8_t> cannyBy(const GrayLoops& loops, const Grid<std::uint8_t>& smoothed, const Settings& settings);
 
 /// As canny(), but a missing cell in the gradient window counts as the window's centre and has no gradient itself, so that the
 /// border of a hole makes no edge. Bit-identical to canny() where no cell is missing. `missing`: 255 = no valid range.

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double kLargestThreshold = 32767.0; // cv::Canny squares no more than this
 
-// cv::Canny divides gradient and thresholds by 16 for aperture 7, to keep the gradient within 16 bits.
-double gradientScale(int aperture) { return aperture == 7 ? 1.0 / 16.0 : 1.0; }
-
 Gradient plainSobel(const Grid<std::uint8_t>& smoothed, int aperture) {
     Gradient gradient{Grid<std::int16_t>(smoothed.lines, smoothed.beams), Grid<std::int16_t>(smoothed.lines, smoothed.beams),
                       gradientScale(aperture)};
@@ -52,6 +49,8 @@ void gradientAt(Gradient& gradient, const Grid<std::uint8_t>& smoothed, const Gr
 }
 
 } // namespace
+
+double gradientScale(int aperture) { return aperture == 7 ? 1.0 / 16.0 : 1.0; }
 
 SobelWeights sobelWeights(int aperture) {
     cv::Mat derivative;

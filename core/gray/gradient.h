@@ -22,6 +22,9 @@ struct SobelWeights {
 };
 [[nodiscard]] SobelWeights sobelWeights(int aperture);
 
+/// What cv::Canny multiplies gradient and thresholds by: 1/16 for aperture 7, which keeps them within 16 bits, else 1.
+[[nodiscard]] double gradientScale(int aperture);
+
 /// As cv::Canny computes it, borders repeated. `missing` (255 = no valid range) may be null; else a missing cell in the window counts as
 /// the window's centre and has no gradient itself. Bit-identical to OpenCV where no cell is missing.
 [[nodiscard]] Gradient sobelGradient(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>* missing, int aperture);

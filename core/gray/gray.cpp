@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
+#include "core/gray/gray_loops.h"
 
 #include <algorithm>
 #include <array>
@@ -64,13 +65,6 @@ inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const
     return outside;
 }
 
-EDGESCAN_SIMD int takeThesisLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
-                                   std::uint8_t* __restrict levels) {
-    const double factor = kLevels / (scale.farMm - scale.nearMm);
-    return takeLevels(
-        rangeMm, states, beams, scale, [factor](double range) { return range * factor; }, levels);
-}
-
 EDGESCAN_SIMD int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
                                    std::uint8_t* __restrict levels) {
     const double nearMm = scale.nearMm;
@@ -124,6 +118,8 @@ GrayScale grayScale(const Scan& scan, const Settings& settings) {
     return scale;
 }
 
+LinearLevels linearLevels(const GrayScale& scale) { return {kLevels / (scale.farMm - scale.nearMm), scale.nearMm, scale.farMm}; }
+
 GrayImage grayImage(const Scan& scan, const Settings& settings) {
     GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
     if (gray.scale.farMm <= gray.scale.nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
@@ -134,10 +130,13 @@ GrayImage grayImage(const Scan& scan, const Settings& settings) {
         fillLogLevels(gray, scan);
         return gray;
     }
-    const auto takeLine = settings.scaling == Scaling::Thesis ? takeThesisLevels : takeWindowLevels;
+    if (settings.scaling == Scaling::Thesis) {
+        gray.saturated = grayLoops().levels(scan.rangeMm, scan.state, linearLevels(gray.scale), gray.levels);
+        return gray;
+    }
     for (int i = 0; i < scan.lines(); ++i)
-        gray.saturated +=
-            static_cast<std::size_t>(takeLine(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
+        gray.saturated += static_cast<std::size_t>(
+            takeWindowLevels(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
     return gray;
 }
 

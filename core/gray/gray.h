@@ -1,6 +1,7 @@
 // Range to gray: the first stage of the method (thesis 5.4; docs/method.md, "Gray levels and presets").
 #pragma once
 
+#include "core/gray/gray_loops.h"
 #include "core/scan/scan.h"
 #include "core/settings/settings.h"
 
@@ -21,6 +22,9 @@ struct GrayImage {
 
 /// Works out near and far for a scan; the automatic ones come from its valid ranges.
 [[nodiscard]] GrayScale grayScale(const Scan& scan, const Settings& settings);
+
+/// What the thesis's scaling multiplies ranges with; far must be larger than near.
+[[nodiscard]] LinearLevels linearLevels(const GrayScale& scale);
 
 [[nodiscard]] GrayImage grayImage(const Scan& scan, const Settings& settings);
 

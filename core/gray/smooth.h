@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/gray/gray_loops.h"
 #include "core/settings/settings.h"
 
 #include <cstdint>
@@ -15,6 +16,9 @@ namespace edgescan {
 
 /// cv::GaussianBlur of the gray levels, lines x beams, borders reflected (BORDER_REFLECT_101).
 [[nodiscard]] Grid<std::uint8_t> smooth(const Grid<std::uint8_t>& gray, const Settings& settings);
+
+/// The same by the loops of one instruction set.
+[[nodiscard]] Grid<std::uint8_t> smoothBy(const GrayLoops& loops, const Grid<std::uint8_t>& gray, const Settings& settings);
 
 /// As smooth(), but a missing cell in the window takes the value of the window's centre, and missing cells stay 0: nothing is
 /// smoothed across the border of a hole. Bit-identical to smooth() where no cell is missing. `missing`: 255 = no valid range.

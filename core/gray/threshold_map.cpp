@@ -17,6 +17,7 @@ constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
 constexpr double kGuessError = 1e-6;    // relative
+constexpr std::size_t kSortedPart = 4;  // of all cells, a fourth: no more are sorted
 constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
 constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
 constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
@@ -265,6 +266,43 @@ ThresholdMap responseThresholdMap(const Grid<float>& response) {
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
     takeEdgesAt(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
+    return mask;
+}
+
+SweptEdges::SweptEdges(ThresholdMap map) : map_(std::move(map)), lines_(map_.highest.lines), beams_(map_.highest.beams) {
+    const Grid<double>& highest = map_.highest;
+    std::vector<std::uint32_t> cells;
+    for (std::size_t k = 0; k < highest.size(); ++k) {
+        if (highest[k] >= 0) cells.push_back(static_cast<std::uint32_t>(k));
+        if (cells.size() > highest.size() / kSortedPart) return; // sorting would cost more than it saves
+    }
+    values_.reserve(cells.size());
+    for (const std::uint32_t k : cells) values_.push_back(highest[k]);
+    std::sort(values_.begin(), values_.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+    const auto placeOf = [&](std::uint32_t k) {
+        return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), highest[k]) - values_.begin());
+    };
+    std::vector<std::uint32_t> places;
+    places.reserve(cells.size());
+    counts_.assign(values_.size() + 1, 0); // the last: of no value at all
+    for (const std::uint32_t k : cells) {
+        places.push_back(static_cast<std::uint32_t>(placeOf(k)));
+        ++counts_[places.back()];
+    }
+    for (std::size_t n = values_.size(); n > 0; --n) counts_[n - 1] += counts_[n];
+    std::vector<std::size_t> next(counts_.begin() + 1, counts_.end()); // where the next cell of a value goes
+    cells_.resize(cells.size());
+    for (std::size_t n = 0; n < cells.size(); ++n) cells_[next[places[n]]++] = cells[n];
+    map_.highest = {};
+}
+
+Grid<std::uint8_t> SweptEdges::at(double threshold) const {
+    if (map_.highest.size() != 0) return edgesAt(map_, threshold);
+    Grid<std::uint8_t> mask(lines_, beams_);
+    if (counts_.empty()) return mask;
+    const auto first = static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), threshold) - values_.begin());
+    for (std::size_t n = 0; n < counts_[first]; ++n) mask[cells_[n]] = 255;
     return mask;
 }
 

@@ -35,6 +35,22 @@ struct ThresholdMap {
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
 
+/// The same for one threshold after the other, as under a hand on the slider: the work is that of writing the edges, and no cell is
+/// compared where few can be edges at all.
+class SweptEdges {
+public:
+    explicit SweptEdges(ThresholdMap map);
+    /// edgesAt() of the map, for thresholds from 0.
+    [[nodiscard]] Grid<std::uint8_t> at(double threshold) const;
+
+private:
+    ThresholdMap map_; // without cells where they are sorted
+    int lines_, beams_;
+    std::vector<double> values_;       // of the map, ascending, each once
+    std::vector<std::size_t> counts_;  // per value: cells that have it or a higher one
+    std::vector<std::uint32_t> cells_; // those with the highest value first
+};
+
 /// Number of edge cells at every threshold, and where it hardly changes.
 struct EdgeCountCurve {
     std::vector<double> thresholds; ///< ascending

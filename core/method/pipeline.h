@@ -40,7 +40,7 @@ private:
     Kept<DepthSurface> surface_;
     Kept<DepthResponses> responses_;
     std::shared_ptr<const DepthCracks> cracks_; // of responses_
-    Kept<ThresholdMap> thresholds_;             // while nothing but the threshold is turned
+    Kept<SweptEdges> thresholds_;               // while nothing but the threshold is turned
 };
 
 /// One run from nothing.

@@ -15,9 +15,9 @@ EDGESCAN_SIMD std::size_t countOf(CellState state, const CellState* states, int 
     return static_cast<std::size_t>(count);
 }
 
-// Limits of every sixteenth cell: the compiler makes vectors of sixteen limits, but of one only if it may reorder.
+// Limits of every 64th cell: of one limit the compiler makes a vector only if it may reorder, and 16 it takes one by one.
 struct LimitsOfLane {
-    static constexpr int kLaneCount = 16;
+    static constexpr int kLaneCount = 64;
     std::array<float, kLaneCount> least, most;
     LimitsOfLane() {
         least.fill(std::numeric_limits<float>::infinity());
@@ -27,16 +27,22 @@ struct LimitsOfLane {
 
 EDGESCAN_SIMD void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
     constexpr int kLaneCount = LimitsOfLane::kLaneCount;
-    const auto take = [&](int n, int j) {
-        const bool valid = states[j] == CellState::Valid;
-        lanes.least[n] = valid && rangeMm[j] < lanes.least[n] ? rangeMm[j] : lanes.least[n];
-        lanes.most[n] = valid && rangeMm[j] > lanes.most[n] ? rangeMm[j] : lanes.most[n];
-    };
+    LimitsOfLane found = lanes; // on the stack: nothing that is read can change it
     int j = 0;
     for (; j + kLaneCount <= beams; j += kLaneCount) {
-        for (int n = 0; n < kLaneCount; ++n) take(n, j + n);
+        for (int n = 0; n < kLaneCount; ++n) {
+            const float range = rangeMm[j + n];
+            const bool valid = states[j + n] == CellState::Valid;
+            found.least[n] = valid & (range < found.least[n]) ? range : found.least[n];
+            found.most[n] = valid & (range > found.most[n]) ? range : found.most[n];
+        }
     }
-    for (; j < beams; ++j) take(0, j);
+    for (; j < beams; ++j) {
+        if (states[j] != CellState::Valid) continue;
+        found.least[0] = std::min(found.least[0], rangeMm[j]);
+        found.most[0] = std::max(found.most[0], rangeMm[j]);
+    }
+    lanes = found;
 }
 
 } // namespace

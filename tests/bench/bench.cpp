@@ -7,6 +7,7 @@
 #include "core/gray/smooth.h"
 #include "core/method/methods.h"
 #include "core/scan/cartesian.h"
+#include "core/scan/opencv_view.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
 #include "tests/bench/naive_thesis.h"
@@ -50,10 +51,18 @@ constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 8};
-constexpr Goal kOpenCv{"plain OpenCV / ours, edge map", 4, 6, 0.8};
-constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 4};
+constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.2}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.5};
+constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
+constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 15};
 constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", 400, 700, 100};
 constexpr Goal kOrganized{"PCL OrganizedEdgeFromNormals / EdgeScan+", 3, 6, 3};
+
+const Goal& openCvGoal(const std::string& name) {
+    for (const Goal* goal : {&kOpenCvAvx2, &kOpenCvAvx512, &kOpenCvSse}) {
+        if (std::string(goal->what).ends_with(name)) return *goal;
+    }
+    return kOpenCvAny;
+}
 
 // Prints rows and remembers whether all were held.
 class Table {
@@ -106,6 +115,12 @@ Grid<std::uint8_t> thesisMask(const Scan& scan, const Settings& thesis) {
     return canny(smooth(grayImage(scan, thesis).levels, thesis), thesis);
 }
 
+Grid<std::uint8_t> edgeMapBy(const GrayLoops& loops, const Scan& scan, const Settings& thesis) {
+    Grid<std::uint8_t> levels(scan.lines(), scan.beams());
+    loops.levels(scan.rangeMm, scan.state, linearLevels(grayScale(scan, thesis)), levels);
+    return cannyBy(loops, smoothBy(loops, levels, thesis), thesis);
+}
+
 // As few lines of OpenCV as the thesis's recipe takes.
 cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
     const cv::Mat ranges(scan.lines(), scan.beams(), CV_32F, const_cast<float*>(scan.rangeMm.cells.data()));
@@ -115,6 +130,12 @@ cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
     ranges.convertTo(gray, CV_8U, 255.0 / (most - least));
     cv::GaussianBlur(gray, blurred, {thesis.kernel, thesis.kernel}, 0);
     cv::Canny(blurred, edges, thesis.lower, thesis.upper());
+    return edges;
+}
+
+cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const Settings& thesis) {
+    cv::Mat edges;
+    cv::Canny(asMat(blurred), edges, thesis.lower, thesis.upper());
     return edges;
 }
 
@@ -154,8 +175,8 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const DepthResponses responses = depthResponses(surface, plus);
     const Grid<std::uint8_t> blurred = smooth(grayImage(scan, thesis).levels, thesis);
     const auto detection = detectEdges(std::make_shared<const Scan>(scan), thesis);
-    const ThresholdMap map = thresholdMapOf(*detection);
-    enum { kThesis, kOneThread, kTwo, kMeasure, kDecide, kPlain, kSweptCanny, kSweptOurs, kCloud, kNaiveCloud };
+    const SweptEdges swept(thresholdMapOf(*detection));
+    enum { kThesis, kOneThread, kTwo, kMeasure, kDecide, kPlain, kSweptCanny, kSweptOurs, kCloud };
     std::vector<Candidate> runs{
         {"thesis's recipe, ours", [&] { (void)edgeCells(thesisMask(scan, thesis)); }},
         {"EdgeScan+, one thread", [&] { runPlus(scan, 1); }},
@@ -163,9 +184,15 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         {"its slider that measures", [&] { (void)decideDepthEdges(depthResponses(surface, plus, nullptr, 1), plus); }},
         {"its slider that decides", [&] { (void)decideDepthEdges(responses, plus); }},
         {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
-        {"cv::Canny on the cached blur", [&] { (void)canny(blurred, thesis); }},
-        {"threshold map at a threshold", [&] { (void)edgesAt(map, thesis.lower); }},
+        {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
+        {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
+    const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
+    for (const GrayLoops& loops : allGrayLoops()) {
+        if (!loops.isHere()) continue;
+        runs.push_back({std::string("edge map, ") + loops.instructions, [&] { (void)edgeMapBy(loops, scan, thesis); }});
+    }
+    const std::size_t naive = runs.size();
     if (scan.cells() < 2000000) runs.push_back({"naive, to labelled points", [&] { (void)naiveThesis(scan, 10); }});
     measureInTurn(runs, rounds);
     const auto cpu = [&](std::size_t n) { return medianOf(runs[n].cpuMs); };
@@ -179,9 +206,9 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     }
     table.row(kSlider, cpu(kMeasure) / cpu(kOneThread));
     table.row(kDecision, cpu(kDecide) / cpu(kOneThread));
-    table.row(kOpenCv, cpu(kPlain) / cpu(kThesis));
+    for (std::size_t n = firstLoops; n < naive; ++n) table.row(openCvGoal(runs[n].name), cpu(kPlain) / cpu(n));
     table.row(kThreshold, cpu(kSweptCanny) / cpu(kSweptOurs));
-    if (runs.size() > kNaiveCloud) table.row(kNaive, cpu(kNaiveCloud) / cpu(kCloud));
+    if (runs.size() > naive) table.row(kNaive, cpu(naive) / cpu(kCloud));
     const double least = 7.0 * static_cast<double>(scan.cells()) / bytesPerMs(); // range and state read, mask and class written
     std::printf("\n| candidate | thread CPU, ms | wall, ms | x memory's limit | ns per cell |\n|---|---|---|---|---|\n");
     for (const Candidate& run : runs)

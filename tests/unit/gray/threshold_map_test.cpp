@@ -128,6 +128,22 @@ Grid<double> spreadSlowly(Grid<double> marker, const Grid<double>& mask) {
     return marker;
 }
 
+// Few values and many, and more cells than are sorted.
+TEST(ThresholdMap, SortedCellsGiveTheSameEdges) {
+    std::mt19937 random(3);
+    for (const auto& [lines, beams, share, values] :
+         {std::array{1, 1, 1, 1}, {1, 7, 4, 3}, {90, 130, 8, 40}, {90, 130, 2, 40}, {600, 700, 5, 1 << 30}}) {
+        ThresholdMap map{Grid<double>(lines, beams, -1.0)};
+        for (double& highest : map.highest.cells) {
+            if (static_cast<int>(random() % static_cast<unsigned>(share)) != 0) continue;
+            const unsigned value = random() % static_cast<unsigned>(values);
+            highest = value == 1 ? std::numeric_limits<double>::infinity() : value / 3.0;
+        }
+        const SweptEdges swept(map);
+        for (const double threshold : thresholdsOf(map, 1)) ASSERT_EQ(swept.at(threshold), edgesAt(map, threshold)) << threshold;
+    }
+}
+
 TEST(ThresholdMap, ReconstructionFollowsWindingPaths) {
     std::mt19937 random(77);
     for (int round = 0; round < 40; ++round) {
