@@ -67,6 +67,18 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
     return state;
 }
 
+std::vector<std::uint32_t> chainsOfCells(const std::vector<std::uint32_t>& cells, int lines, int beams, int minimum) {
+    std::vector<std::uint32_t> kept;
+    if (cells.empty()) return kept;
+    Grid<std::uint8_t> state(lines, beams);
+    for (const std::uint32_t k : cells) state[k] = 1;
+    linkChains(
+        state, 0.0F, minimum, [](std::uint32_t) { return 1.0F; },
+        [&kept](const std::vector<std::uint32_t>& chain) { kept.insert(kept.end(), chain.begin(), chain.end()); });
+    std::ranges::sort(kept);
+    return kept;
+}
+
 Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
     strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
@@ -92,12 +104,15 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
             result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;
         }
     });
-    if (!settings.border) return result;
-    for (const std::uint32_t k : responses.border) {
-        if (result.mask[k] != 0) continue;
-        result.mask[k] = 255;
-        result.kind[k] = DepthEdge::Border;
-    }
+    const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
+        for (const std::uint32_t k : cells) {
+            if (result.mask[k] != 0) continue;
+            result.mask[k] = 255;
+            result.kind[k] = kind;
+        }
+    };
+    if (settings.silhouettes) add(chainsOfCells(responses.silhouettes, lines, beams, settings.minimumLength), DepthEdge::Silhouette);
+    if (settings.border) add(responses.border, DepthEdge::Border);
     return result;
 }
 

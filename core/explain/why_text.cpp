@@ -24,7 +24,7 @@ bool isDepth(const Why& why) { return why.depth.has_value(); }
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{"edge", "jump", "convex fold", "concave fold", "data border"};
+    static constexpr std::array<const char*, kDepthEdges> kNames{"edge", "jump", "convex fold", "concave fold", "data border", "outline before a void"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
