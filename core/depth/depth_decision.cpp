@@ -67,14 +67,30 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
     return state;
 }
 
-std::vector<std::uint32_t> chainsOfCells(const std::vector<std::uint32_t>& cells, int lines, int beams, int minimum) {
-    std::vector<std::uint32_t> kept;
-    if (cells.empty()) return kept;
-    Grid<std::uint8_t> state(lines, beams);
-    for (const std::uint32_t k : cells) state[k] = 1;
-    linkChains(
-        state, 0.0F, minimum, [](std::uint32_t) { return 1.0F; },
-        [&kept](const std::vector<std::uint32_t>& chain) { kept.insert(kept.end(), chain.begin(), chain.end()); });
+std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum) {
+    constexpr int kReach = 2; // the cells of an outline may be joined by a corner that is void
+    std::vector<std::uint32_t> kept, chain;
+    if (responses.silhouettes.empty()) return kept;
+    Grid<std::uint8_t> waits(responses.jump.lines, responses.jump.beams);
+    for (const std::uint32_t k : responses.silhouettes) waits[k] = 1;
+    const auto beams = static_cast<std::uint32_t>(waits.beams);
+    for (const std::uint32_t seed : responses.silhouettes) {
+        if (waits[seed] == 0) continue;
+        chain.assign(1, seed);
+        waits[seed] = 0;
+        for (std::size_t n = 0; n < chain.size(); ++n) {
+            const int line = static_cast<int>(chain[n] / beams);
+            const int beam = static_cast<int>(chain[n] % beams);
+            for (int i = std::max(line - kReach, 0); i <= std::min(line + kReach, waits.lines - 1); ++i) {
+                for (int j = std::max(beam - kReach, 0); j <= std::min(beam + kReach, waits.beams - 1); ++j) {
+                    if (waits.at(i, j) == 0) continue;
+                    waits.at(i, j) = 0;
+                    chain.push_back(static_cast<std::uint32_t>(waits.index(i, j)));
+                }
+            }
+        }
+        if (static_cast<int>(chain.size()) >= minimum) kept.insert(kept.end(), chain.begin(), chain.end());
+    }
     std::ranges::sort(kept);
     return kept;
 }
@@ -111,7 +127,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
             result.kind[k] = kind;
         }
     };
-    if (settings.silhouettes) add(chainsOfCells(responses.silhouettes, lines, beams, settings.minimumLength), DepthEdge::Silhouette);
+    if (settings.silhouettes) add(longSilhouettes(responses, settings.minimumLength), DepthEdge::Silhouette);
     if (settings.border) add(responses.border, DepthEdge::Border);
     return result;
 }

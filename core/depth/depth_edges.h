@@ -33,11 +33,11 @@ inline constexpr int kDepthEdges = 6; // None included
 /// nothing was measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten: when another slider moves,
 /// decideDepthEdges() alone runs again.
 struct DepthResponses {
-    Grid<float> jump;                  ///< lines x beams
-    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
-    RangeNoise noise;                  ///< measured or typed
-    double jumpMm = 0;                 ///< J0, automatic or typed
-    std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
+    Grid<float> jump;                       ///< lines x beams
+    Grid<float> crease;                     ///< lines x beams; positive: convex, negative: concave
+    RangeNoise noise;                       ///< measured or typed
+    double jumpMm = 0;                      ///< J0, automatic or typed
+    std::vector<std::uint32_t> border;      ///< measured cells beside a void of more than 4 cells, ascending
     std::vector<std::uint32_t> silhouettes; ///< of these, the near sides of an outline (core/depth/silhouettes.h), ascending
 };
 
@@ -84,8 +84,8 @@ struct DepthCracks {
 /// Chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least: 255, else 0.
 [[nodiscard]] Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum);
 
-/// Of these cells, ascending, those in chains (8 neighbours) of `minimum` cells at least.
-[[nodiscard]] std::vector<std::uint32_t> chainsOfCells(const std::vector<std::uint32_t>& cells, int lines, int beams, int minimum);
+/// The silhouettes, ascending, in chains of `minimum` cells at least; two cells within two of each other are linked.
+[[nodiscard]] std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum);
 
 /// Step 7: classes, hysteresis and minimum length.
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);

@@ -8,10 +8,10 @@
 namespace edgescan {
 namespace {
 
-constexpr int kSide = 5;         // cells of a surface that its slope is taken from
-constexpr int kFewest = 3;       // of them
-constexpr float kSure = 2;       // jump thresholds
-constexpr float kBend = 0.25F;   // tangent by which a surface may bend on its way across the void
+constexpr int kSide = 5;          // cells of a surface that its slope is taken from
+constexpr int kFewest = 3;        // of them
+constexpr float kSure = 1;        // jump thresholds
+constexpr float kBend = 0.25F;    // tangent by which a surface may bend on its way across the void
 constexpr float kGrazing = 2.75F; // tangent of 70 degrees
 
 // The cells of one line along the beams, or of one beam along the lines.
@@ -25,9 +25,7 @@ struct Way {
     [[nodiscard]] std::size_t cell(int n) const { return along == Along::Beams ? inverse.u.index(at, n) : inverse.u.index(n, at); }
     [[nodiscard]] bool isVoid(int n) const { return inverse.support[cell(n)] == Support::Void; }
     [[nodiscard]] float u(int n) const { return inverse.u[cell(n)]; }
-    [[nodiscard]] float angle(int n) const {
-        return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at);
-    }
+    [[nodiscard]] float angle(int n) const { return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at); }
 };
 
 // The surface that ends at a cell: its slope of u per cell towards the void; not known where there are too few cells or a break.

@@ -19,6 +19,7 @@ Probe probeCell(const Detection& detection, std::size_t k) {
     }
     probe.state = scan.state[k];
     probe.rangeMm = scan.rangeMm[k];
+    if (const FilledCell* filled = detection.filled ? detection.filled->at(k) : nullptr) probe.filled = *filled;
     probe.gray = detection.gray->levels[k];
     probe.pointM = pointOfCell(scan, k);
     if (scan.placement && probe.state == CellState::Valid) probe.mineM = minePoint(scan, k).enhM;

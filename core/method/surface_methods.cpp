@@ -24,8 +24,7 @@ ThresholdMap surfaceThresholds(const Detection& detection) {
         for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
     };
     if (settings.border) always(responses.border);
-    if (settings.silhouettes)
-        always(chainsOfCells(responses.silhouettes, responses.jump.lines, responses.jump.beams, settings.minimumLength));
+    if (settings.silhouettes) always(longSilhouettes(responses, settings.minimumLength));
     return map;
 }
 

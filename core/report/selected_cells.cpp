@@ -7,8 +7,10 @@
 namespace edgescan {
 
 std::shared_ptr<const Scan> chosenScan(const Detection& detection, const ExportOptions& options) {
-    if (!options.selection) return detection.scan;
-    auto chosen = std::make_shared<Scan>(*detection.scan);
+    const bool filled = options.choices.filled && detection.filled;
+    if (!options.selection && !filled) return detection.scan;
+    auto chosen = std::make_shared<Scan>(filled ? withFilled(*detection.scan, *detection.filled).scan : *detection.scan);
+    if (!options.selection) return chosen;
     for (const std::uint32_t k : allBut(*options.selection, chosen->cells())) {
         if (chosen->state[k] == CellState::Valid) chosen->state[k] = CellState::Masked;
     }
