@@ -1,6 +1,9 @@
 // Voids along every line and every beam: which end is the near one, and whether it ends there.
 #include "core/depth/silhouettes.h"
 
+#include "core/base/simd.h"
+#include "core/scan/marked_cells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -66,20 +69,54 @@ bool isOutline(const End& near, const End& far, int cells, float angle, const De
     return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
 }
 
-void markOutlines(const Way& way, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
-    for (int n = 1; n < way.count; ++n) {
-        if (!way.isVoid(n) || way.isVoid(n - 1)) continue;
-        int after = n;
-        while (after < way.count && way.isVoid(after)) ++after;
-        if (after == way.count) return; // nobody knows what is behind
-        const int before = n - 1;
-        const bool first = way.u(before) >= way.u(after);
-        const int at = first ? before : after;
-        const End near = endAt(way, at, first ? -1 : 1, limits);
-        const End far = endAt(way, first ? after : before, first ? 1 : -1, limits);
-        if (way.inverse.support[way.cell(at)] == Support::Measured && isOutline(near, far, after - n, way.angle(at), limits))
-            marked[way.cell(at)] = 1;
-        n = after;
+// A void between two cells of a way.
+void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const bool first = way.u(before) >= way.u(after);
+    const int at = first ? before : after;
+    if (way.inverse.support[way.cell(at)] != Support::Measured) return;
+    const End near = endAt(way, at, first ? -1 : 1, limits);
+    const End far = endAt(way, first ? after : before, first ? 1 : -1, limits);
+    if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
+}
+
+// 1 where a void ends.
+EDGESCAN_SIMD void markVoidEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+    for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Void) & (here[n] != Support::Void));
+}
+
+EDGESCAN_SIMD void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
+    for (int j = 0; j < beams; ++j) last[j] = support[j] != Support::Void ? line : last[j];
+}
+
+void markAlongBeams(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const int beams = inverse.u.beams;
+    std::vector<std::uint8_t> ends(static_cast<std::size_t>(std::max(0, beams - 1)));
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        const Support* support = inverse.support.line(i);
+        markVoidEnds(support, support + 1, beams - 1, ends.data());
+        forEachMarked(ends, [&](std::size_t n) {
+            int before = static_cast<int>(n);
+            while (before >= 0 && support[before] == Support::Void) --before;
+            // Nobody knows what is beyond the border of the grid.
+            if (before >= 0) lookAtVoid({inverse, steps, Along::Beams, i, beams}, before, static_cast<int>(n) + 1, limits, marked);
+        });
+    }
+}
+
+void markAlongLines(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const int beams = inverse.u.beams;
+    std::vector<std::uint8_t> ends(static_cast<std::size_t>(beams));
+    std::vector<std::int32_t> last(ends.size(), -1);
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        const Support* support = inverse.support.line(i);
+        if (i > 0) {
+            markVoidEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            forEachMarked(ends, [&](std::size_t n) {
+                if (last[n] >= 0)
+                    lookAtVoid({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines}, last[n], i, limits, marked);
+            });
+        }
+        takeLastSolid(support, i, beams, last.data());
     }
 }
 
@@ -87,12 +124,10 @@ void markOutlines(const Way& way, const DepthLimits& limits, Grid<std::uint8_t>&
 
 std::vector<std::uint32_t> silhouetteCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits) {
     Grid<std::uint8_t> marked(inverse.u.lines, inverse.u.beams);
-    for (int i = 0; i < inverse.u.lines; ++i) markOutlines({inverse, steps, Along::Beams, i, inverse.u.beams}, limits, marked);
-    for (int j = 0; j < inverse.u.beams; ++j) markOutlines({inverse, steps, Along::Lines, j, inverse.u.lines}, limits, marked);
+    markAlongBeams(inverse, steps, limits, marked);
+    markAlongLines(inverse, steps, limits, marked);
     std::vector<std::uint32_t> cells;
-    for (std::size_t k = 0; k < marked.size(); ++k) {
-        if (marked[k] != 0) cells.push_back(static_cast<std::uint32_t>(k));
-    }
+    forEachMarked(marked.cells, [&cells](std::size_t k) { cells.push_back(static_cast<std::uint32_t>(k)); });
     return cells;
 }
 

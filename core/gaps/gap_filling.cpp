@@ -195,19 +195,20 @@ private:
     };
     [[nodiscard]] std::optional<Between> between(Place at, int lines, int beams) const {
         const auto end = [&](int sign) {
-            int n = 1;
-            while (n <= longest_ && cells_.contains(at.line + sign * n * lines, at.beam + sign * n * beams) &&
-                   cells_.at(at.line + sign * n * lines, at.beam + sign * n * beams) != kMeasured)
-                ++n;
-            return n;
+            for (int n = 1; n <= longest_; ++n) {
+                const int i = at.line + sign * n * lines, j = at.beam + sign * n * beams;
+                if (!cells_.contains(i, j)) break; // dust beside the gap may reach the border
+                if (cells_.at(i, j) == kMeasured) return n;
+            }
+            return longest_ + 1;
         };
         const int back = end(-1), on = end(1);
         if (back + on - 1 > longest_) return std::nullopt;
         const double before = rangeAt(at.line - back * lines, at.beam - back * beams);
         const double after = rangeAt(at.line + on * lines, at.beam + on * beams);
-        const auto continued = [&](int end, int away) { // the straight line in u of three cells of that side, at the other end
-            const double near = rangeAt(at.line + end * lines, at.beam + end * beams);
-            const int i = at.line + (end + 2 * away) * lines, j = at.beam + (end + 2 * away) * beams;
+        const auto continued = [&](int edge, int away) { // the straight line in u of three cells of that side, at the other end
+            const double near = rangeAt(at.line + edge * lines, at.beam + edge * beams);
+            const int i = at.line + (edge + 2 * away) * lines, j = at.beam + (edge + 2 * away) * beams;
             const bool known =
                 cells_.contains(i, j) && cells_.at(i, j) == kMeasured && cells_.at(i - away * lines, j - away * beams) == kMeasured;
             if (!known) return near;

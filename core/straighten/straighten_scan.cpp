@@ -6,6 +6,7 @@
 #include "core/scan/placement.h"
 #include "core/straighten/interlace.h"
 #include "core/straighten/line_phases.h"
+#include "core/straighten/step_unevenness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,8 @@ struct Displacement {
     double oddAheadDeg = 0;        // odd beams against even ones
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
     int slipCount = 0;             // how many of these are not 0
+    double uneven = 0;             // what the steps differ by anyway, index steps
+    double surest = HUGE_VAL;      // largest step of the stall that is least sure
     int left = 0;                  // slips on which even and odd beams do not agree
 };
 
@@ -60,6 +63,29 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
     return median(std::move(steps));
 }
 
+// A stall and the leap that makes up for it are proved by the largest of their steps, or not at all.
+void dropUnproved(Displacement& found) {
+    constexpr double kSignificant = 6; // standard deviations of what the steps differ by anyway
+    constexpr std::size_t kPause = 3;  // lines without a slip that end a stall
+    std::vector<double>& steps = found.slipSteps;
+    for (std::size_t first = 0; first < steps.size(); ++first) {
+        if (steps[first] == 0) continue;
+        std::size_t last = first;
+        double most = 0;
+        for (std::size_t i = first; i < steps.size() && i - last <= kPause; ++i) {
+            if (steps[i] == 0) continue;
+            last = i;
+            most = std::max(most, std::abs(steps[i]));
+        }
+        if (most < kSignificant * found.uneven) {
+            std::fill(steps.begin() + static_cast<std::ptrdiff_t>(first), steps.begin() + static_cast<std::ptrdiff_t>(last) + 1, 0.0);
+        } else {
+            found.surest = std::min(found.surest, most);
+        }
+        first = last;
+    }
+}
+
 Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     constexpr double kAgreeBeams = 0.35; // index steps
     constexpr double kAgreeLines = 0.75;
@@ -68,6 +94,7 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
     if (slips.interlaced)
         found.oddAheadDeg = beyond(medianParity(slips.parity) * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+    found.uneven = slips.slipCount > 0 ? static_cast<double>(stepUnevenness(inverse)) : 0.0;
     const double usualDeg = medianStepDeg(polar.lineDeg);
     found.slipSteps.resize(polar.lineDeg.size());
     for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
@@ -79,8 +106,9 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
         }
         const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
         found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
-        found.slipCount += found.slipSteps[i] != 0 ? 1 : 0;
     }
+    dropUnproved(found);
+    found.slipCount = static_cast<int>(std::ranges::count_if(found.slipSteps, [](double steps) { return steps != 0; }));
     return found;
 }
 
@@ -101,8 +129,10 @@ std::string slipText(const Displacement& found) {
     const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
     double most = 0;
     for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
+    const std::string sure =
+        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times what its steps differ by anyway" : "";
     return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
-           std::to_string(first + 1) + ", by up to " + degreesText(most) + ")";
+           std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
 }
 
 // Empty where nothing is displaced.

@@ -80,6 +80,13 @@ TEST(Gaps, WhatIsTooLargeAtTheBorderOrTakenOutStays) {
     EXPECT_EQ(fillGaps(lost, 8).cells.size(), 6U * 7U);
 }
 
+// Dust between the gap and the border of the grid: there is no end to look for beyond it.
+TEST(Gaps, DustAtTheBorderIsNoEnd) {
+    Scan scan = wallWith([](int i, int j) { return i == 1 && j >= 30 && j < 33; });
+    for (int j = 29; j < 34; ++j) scan.rangeMm.at(0, j) = j % 2 == 0 ? 500.0F : 20000.0F;
+    for (const FilledCell& cell : fillGaps(scan, 8).cells) EXPECT_NEAR(cell.rangeMm, 5000.0, 100.0);
+}
+
 // Least squares with all the weights alike, by Eigen.
 TEST(Gaps, ThePlaneIsThatOfLeastSquaresAndItsLeverageToo) {
     std::mt19937 random(5);
