@@ -206,17 +206,7 @@ private:
         if (back + on - 1 > longest_) return std::nullopt;
         const double before = rangeAt(at.line - back * lines, at.beam - back * beams);
         const double after = rangeAt(at.line + on * lines, at.beam + on * beams);
-        const auto continued = [&](int edge, int away) { // the straight line in u of three cells of that side, at the other end
-            const double near = rangeAt(at.line + edge * lines, at.beam + edge * beams);
-            const int i = at.line + (edge + 2 * away) * lines, j = at.beam + (edge + 2 * away) * beams;
-            const bool known =
-                cells_.contains(i, j) && cells_.at(i, j) == kMeasured && cells_.at(i - away * lines, j - away * beams) == kMeasured;
-            if (!known) return near;
-            const double u = 1 / near + (back + on) * 0.5 * (1 / near - 1 / rangeAt(i, j));
-            return u > 0 ? 1 / u : HUGE_VAL;
-        };
-        const double asContinued = std::max(std::abs(continued(-back, -1) - after), std::abs(continued(on, 1) - before));
-        const double apart = std::min(std::abs(before - after), asContinued);
+        const double apart = std::abs(before - after);
         if (!(apart < kEndsApartMm + kEndsApart * std::min(before, after))) return std::nullopt;
         return Between{(back + on) / (on / before + back / after), apart};
     }

@@ -42,7 +42,7 @@ struct Displacement {
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
     int slipCount = 0;             // how many of these are not 0
     double uneven = 0;             // what the steps differ by anyway, index steps
-    double surest = HUGE_VAL;      // largest step of the stall that is least sure
+    double surest = 0;             // the largest slip, index steps
     int left = 0;                  // slips on which even and odd beams do not agree
 };
 
@@ -63,27 +63,11 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
     return median(std::move(steps));
 }
 
-// A stall and the leap that makes up for it are proved by the largest of their steps, or not at all.
+// Slips hang together, a stall with the leap that makes up for it: the largest of a sweep proves them, or none is told of.
 void dropUnproved(Displacement& found) {
     constexpr double kSignificant = 6; // standard deviations of what the steps differ by anyway
-    constexpr std::size_t kPause = 3;  // lines without a slip that end a stall
-    std::vector<double>& steps = found.slipSteps;
-    for (std::size_t first = 0; first < steps.size(); ++first) {
-        if (steps[first] == 0) continue;
-        std::size_t last = first;
-        double most = 0;
-        for (std::size_t i = first; i < steps.size() && i - last <= kPause; ++i) {
-            if (steps[i] == 0) continue;
-            last = i;
-            most = std::max(most, std::abs(steps[i]));
-        }
-        if (most < kSignificant * found.uneven) {
-            std::fill(steps.begin() + static_cast<std::ptrdiff_t>(first), steps.begin() + static_cast<std::ptrdiff_t>(last) + 1, 0.0);
-        } else {
-            found.surest = std::min(found.surest, most);
-        }
-        first = last;
-    }
+    for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
+    if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
 }
 
 Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
