@@ -1,6 +1,7 @@
 // Everything known about one cell.
 #include "core/explain/probe.h"
 
+#include "core/gaps/gap_filling.h"
 #include "core/georef/placed_points.h"
 #include "core/scan/cartesian.h"
 

@@ -1,4 +1,5 @@
 // An export of what somebody selected: the points, and what the record says of them.
+#include "core/gaps/gap_filling.h"
 #include "core/measure/cell_sets.h"
 #include "core/report/record_parts.h"
 
