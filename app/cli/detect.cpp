@@ -80,6 +80,11 @@ bool nothingAskedFor(const Outputs& out) {
     return out.json.empty() && out.mask.empty() && out.gray.empty() && out.range.empty() && out.edges.empty() && out.cloud.empty();
 }
 
+std::string filledText(const Detection& detection) {
+    if (!detection.filled) return {};
+    return ", " + std::to_string(detection.filled->cells.size()) + " cells filled in " + std::to_string(detection.filled->gaps) + " gaps";
+}
+
 Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
     Result<Scan> opened = openAsAsked(file, readingOptions(detect.read));
@@ -94,8 +99,8 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     if (nothingAskedFor(out)) {
         const Scan& scan = *detection->scan;
         say(printable(file) + ": " + std::to_string(detection->edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
-            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams), " + fixedText(detection->totalMs, 1) +
-            " ms");
+            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams)" + filledText(*detection) + ", " +
+            fixedText(detection->totalMs, 1) + " ms");
         return Done{};
     }
     return writeOutputs(detect, out, *detection, loadMs);

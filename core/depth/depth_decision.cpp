@@ -67,6 +67,34 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
     return state;
 }
 
+std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum) {
+    constexpr int kReach = 2; // the cells of an outline may be joined by a corner that is void
+    std::vector<std::uint32_t> kept, chain;
+    if (responses.silhouettes.empty()) return kept;
+    Grid<std::uint8_t> waits(responses.jump.lines, responses.jump.beams);
+    for (const std::uint32_t k : responses.silhouettes) waits[k] = 1;
+    const auto beams = static_cast<std::uint32_t>(waits.beams);
+    for (const std::uint32_t seed : responses.silhouettes) {
+        if (waits[seed] == 0) continue;
+        chain.assign(1, seed);
+        waits[seed] = 0;
+        for (std::size_t n = 0; n < chain.size(); ++n) {
+            const int line = static_cast<int>(chain[n] / beams);
+            const int beam = static_cast<int>(chain[n] % beams);
+            for (int i = std::max(line - kReach, 0); i <= std::min(line + kReach, waits.lines - 1); ++i) {
+                for (int j = std::max(beam - kReach, 0); j <= std::min(beam + kReach, waits.beams - 1); ++j) {
+                    if (waits.at(i, j) == 0) continue;
+                    waits.at(i, j) = 0;
+                    chain.push_back(static_cast<std::uint32_t>(waits.index(i, j)));
+                }
+            }
+        }
+        if (static_cast<int>(chain.size()) >= minimum) kept.insert(kept.end(), chain.begin(), chain.end());
+    }
+    std::ranges::sort(kept);
+    return kept;
+}
+
 Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
     strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
@@ -92,12 +120,15 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
             result.kind[k] = jump ? DepthEdge::Jump : responses.crease[k] > 0 ? DepthEdge::Convex : DepthEdge::Concave;
         }
     });
-    if (!settings.border) return result;
-    for (const std::uint32_t k : responses.border) {
-        if (result.mask[k] != 0) continue;
-        result.mask[k] = 255;
-        result.kind[k] = DepthEdge::Border;
-    }
+    const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
+        for (const std::uint32_t k : cells) {
+            if (result.mask[k] != 0) continue;
+            result.mask[k] = 255;
+            result.kind[k] = kind;
+        }
+    };
+    if (settings.silhouettes) add(longSilhouettes(responses, settings.minimumLength), DepthEdge::Silhouette);
+    if (settings.border) add(responses.border, DepthEdge::Border);
     return result;
 }
 

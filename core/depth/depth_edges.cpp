@@ -4,6 +4,7 @@
 #include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/depth/gap_detour.h"
+#include "core/depth/silhouettes.h"
 #include "core/depth/surface_lines.h"
 #include "core/scan/marked_cells.h"
 #include "core/scan/spikes.h"
@@ -146,6 +147,15 @@ DepthSurface depthSurface(const Scan& scan, bool straightened, int threads) {
     return surface;
 }
 
+DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
+    if (filling == nullptr) return surface;
+    for (const FilledCell& filled : filling->cells) {
+        surface.inverse.u[filled.cell] = 1000.0F / filled.rangeMm;
+        surface.inverse.support[filled.cell] = Support::Wanted;
+    }
+    return surface;
+}
+
 DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings) {
     DepthLimits limits;
     const double typed = settings.noiseAt5mMm;
@@ -169,7 +179,8 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     const Grid<Support>& support = surface.inverse.support;
     const auto grid = [&support] { return Grid<float>(support.lines, support.beams); };
     if (cracks != nullptr) *cracks = {grid(), grid(), grid(), grid(), grid()};
-    DepthResponses result{grid(), grid(), limits.noise, static_cast<double>(limits.jumpMm), borderCells(support)};
+    DepthResponses result{grid(), grid(), limits.noise, static_cast<double>(limits.jumpMm), borderCells(support),
+                          silhouetteCells(surface.inverse, surface.steps, limits)};
     inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {
         respond(surface, limits, {first, last}, result, cracks);
     });

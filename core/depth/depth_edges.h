@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/depth/depth_field.h"
+#include "core/gaps/gap_filling.h"
 #include "core/scan/inverse_range.h"
 #include "core/straighten/interlace.h"
 
@@ -21,25 +22,27 @@ struct DepthEdgeSettings {
     bool jumps = true;
     bool convex = true;
     bool concave = true;
-    bool border = false; ///< where the data end: nobody knows what is there, so it is no edge of a rock (docs/operator.md, "S3")
+    bool silhouettes = true; ///< the near side of a void, where it is certain (core/depth/silhouettes.h)
+    bool border = false;     ///< where the data end: nobody knows what is there, so it is no edge of a rock (docs/operator.md, "S3")
 };
 
-enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4 };
-inline constexpr int kDepthEdges = 5; // None included
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5 };
+inline constexpr int kDepthEdges = 6; // None included
 
 /// The strength of jumps and creases per cell, before anything is decided. 1 = at the threshold; 0 where a neighbour is stronger or
 /// nothing was measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten: when another slider moves,
 /// decideDepthEdges() alone runs again.
 struct DepthResponses {
-    Grid<float> jump;                  ///< lines x beams
-    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
-    RangeNoise noise;                  ///< measured or typed
-    double jumpMm = 0;                 ///< J0, automatic or typed
-    std::vector<std::uint32_t> border; ///< measured cells beside a void of more than 4 cells, ascending
+    Grid<float> jump;                       ///< lines x beams
+    Grid<float> crease;                     ///< lines x beams; positive: convex, negative: concave
+    RangeNoise noise;                       ///< measured or typed
+    double jumpMm = 0;                      ///< J0, automatic or typed
+    std::vector<std::uint32_t> border;      ///< measured cells beside a void of more than 4 cells, ascending
+    std::vector<std::uint32_t> silhouettes; ///< of these, the near sides of an outline (core/depth/silhouettes.h), ascending
 };
 
 struct DepthEdges {
-    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a measured range
+    Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge; never a cell without a range that was measured, or filled on request
     Grid<DepthEdge> kind;    ///< lines x beams
     RangeNoise noise;        ///< measured or typed
 };
@@ -53,6 +56,10 @@ struct DepthSurface {
     double spacingMm = 0;
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0);
+
+/// The same with filled gaps: noise, slips and echoes of dust are those of what was measured, then filled cells become Support::Wanted.
+/// Null: the surface as it is.
+[[nodiscard]] DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling);
 
 /// The thresholds of all stages, from sliders and noise.
 [[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
@@ -76,6 +83,9 @@ struct DepthCracks {
 
 /// Chains (8 neighbours) of cells above `low` that reach `high` somewhere and have `minimum` cells at least: 255, else 0.
 [[nodiscard]] Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum);
+
+/// The silhouettes, ascending, in chains of `minimum` cells at least; two cells within two of each other are linked.
+[[nodiscard]] std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum);
 
 /// Step 7: classes, hysteresis and minimum length.
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);

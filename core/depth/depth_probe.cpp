@@ -167,8 +167,8 @@ private:
 
 } // namespace
 
-DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam) {
-    const DepthSurface sweep = depthSurface(scan, settings.straighten);
+DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam, const GapFilling* filling) {
+    const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten), filling);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});
     SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLooksBack - 2));

@@ -63,6 +63,7 @@ struct DepthProbe {
 
 /// Runs the stages again up to the line of the cell; equal to depthResponses() to the last bit, but without responses that
 /// go round gaps.
-[[nodiscard]] DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam);
+[[nodiscard]] DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam,
+                                    const GapFilling* filling = nullptr);
 
 } // namespace edgescan

@@ -23,11 +23,12 @@ DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     depth.convex = (classes & kClassConvex) != 0;
     depth.concave = (classes & kClassConcave) != 0;
     depth.border = (classes & kClassBorder) != 0;
+    depth.silhouettes = (classes & kClassSilhouette) != 0;
     return depth;
 }
 
 const char* edgeClassName(DepthEdge kind) {
-    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border"};
+    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border", "silhouette"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -9,7 +9,7 @@ namespace edgescan {
 /// The method must not be Canny. Outlines and jumps are classes of the same edges.
 [[nodiscard]] DepthEdgeSettings depthEdgeSettings(const Settings& settings);
 
-/// "jump", "convex", "concave", "border"; "none".
+/// "jump", "convex", "concave", "border", "silhouette"; "none".
 [[nodiscard]] const char* edgeClassName(DepthEdge kind);
 
 } // namespace edgescan

@@ -1,6 +1,7 @@
 // Everything known about one cell.
 #include "core/explain/probe.h"
 
+#include "core/gaps/gap_filling.h"
 #include "core/georef/placed_points.h"
 #include "core/scan/cartesian.h"
 
@@ -19,6 +20,7 @@ Probe probeCell(const Detection& detection, std::size_t k) {
     }
     probe.state = scan.state[k];
     probe.rangeMm = scan.rangeMm[k];
+    if (const FilledCell* filled = detection.filled ? detection.filled->at(k) : nullptr) probe.filled = *filled;
     probe.gray = detection.gray->levels[k];
     probe.pointM = pointOfCell(scan, k);
     if (scan.placement && probe.state == CellState::Valid) probe.mineM = minePoint(scan, k).enhM;

@@ -16,6 +16,7 @@ struct Probe {
     CellState state = CellState::NoReturn;
     double rangeMm = 0.0; ///< raw value times unit; a range only where state is Valid
     int gray = 0;
+    std::optional<FilledCell> filled{};   ///< what its gap was filled with; nobody measured it
     Eigen::Vector3d pointM;               ///< scanner frame, metres; NaN where not valid
     std::optional<Eigen::Vector3d> mineM; ///< Easting, Northing, Elevation; empty when the scan has no pose
     bool edge = false;

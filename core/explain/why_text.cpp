@@ -24,7 +24,8 @@ bool isDepth(const Why& why) { return why.depth.has_value(); }
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{"edge", "jump", "convex fold", "concave fold", "data border"};
+    static constexpr std::array<const char*, kDepthEdges> kNames{"edge",         "jump",        "convex fold",
+                                                                 "concave fold", "data border", "outline before a void"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -80,6 +81,8 @@ std::string reason(const Why& why, const Settings& settings, Naming naming) {
     if (!why.probe.edge) return reasonOfNone(why, settings, strength, thresholds);
     if (hasOneThreshold(settings.method)) return strength + " is above " + thresholds.upper;
     if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
+    if (why.probe.kind == DepthEdge::Silhouette)
+        return "the surface ends here before missing data, and what lies behind them is farther away";
     if (why.standing == Standing::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
         return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
@@ -115,6 +118,8 @@ std::string depthText(const Why& why) {
     std::string text;
     if (depth.support == Support::Filled)
         text += "\nNo range of its own: the gap is filled from both sides, and edges go round it by the cells beside it.";
+    if (depth.support == Support::Wanted)
+        text += "\nNo range of its own: the gap was filled on request, and its cells take part like measured ones.";
     if (why.roundGap) text += "\nThe edge of a cell without a range beside it goes round by this one.";
     if (depth.support == Support::Void) text += "\nNothing is known here: no step and no fold is measured beside missing data.";
     if (depth.snappedMm) text += "\nMixed pixel: taken at " + number(*depth.snappedMm / 1000) + " m, on the closer of two surfaces.";

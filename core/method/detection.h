@@ -30,6 +30,7 @@ struct Detection {
     std::shared_ptr<const Grid<std::uint8_t>> smoothed; ///< lines x beams, what the gradient saw; null where the method has none
     std::shared_ptr<const Grid<std::uint8_t>> mask;     ///< lines x beams, 255 = edge
     std::shared_ptr<const Grid<DepthEdge>> classes;     ///< lines x beams; null where the method tells no classes apart
+    std::shared_ptr<const GapFilling> filled;           ///< gaps that were filled; null unless that was asked for
     std::shared_ptr<const DepthSurface> surface;        ///< the sweep as EdgeScan+ cleaned it; null for other methods
     std::shared_ptr<const DepthCracks> cracks;          ///< what lies between its edges; null unless the pipeline keeps it
     std::shared_ptr<const DepthResponses> responses;    ///< what EdgeScan+ measured; null for other methods

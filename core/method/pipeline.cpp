@@ -2,6 +2,7 @@
 #include "core/method/pipeline.h"
 
 #include "core/depth/depth_settings.h"
+#include "core/gaps/gap_filling.h"
 #include "core/gray/canny.h"
 #include "core/gray/masked_cells.h"
 #include "core/gray/smooth.h"
@@ -60,9 +61,13 @@ void Pipeline::runStages(Detection& d) {
         d.smoothed = upToDate(smoothed_, Stage::Smoothing, "smooth", d,
                               [&] { return d.masked ? smoothAroundHoles(levels, *d.masked, settings) : smooth(levels, settings); });
     }
+    if (settings.fillCells > 0)
+        d.filled = upToDate(filled_, Stage::Surface, "gaps", d, [&] { return fillGaps(*d.scan, settings.fillCells); });
     if (!reads(settings.method, kReadsSurface)) return;
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    d.surface = upToDate(surface_, Stage::Surface, "surface", d, [&] { return depthSurface(*d.scan, depth.straighten); });
+    const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
+    d.surface =
+        upToDate(surface_, Stage::Surface, "surface", d, [&] { return withFilledGaps(depthSurface(*d.scan, depth.straighten), wanted); });
     d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
         const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
         DepthResponses responses = depthResponses(*d.surface, depth, cracks.get());

@@ -37,6 +37,7 @@ private:
     std::shared_ptr<const Detection> last_;
     Kept<GrayImage> gray_;
     Kept<Grid<std::uint8_t>> masked_, smoothed_;
+    Kept<GapFilling> filled_;
     Kept<DepthSurface> surface_;
     Kept<DepthResponses> responses_;
     std::shared_ptr<const DepthCracks> cracks_; // of responses_

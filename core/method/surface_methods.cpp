@@ -20,9 +20,11 @@ ThresholdMap surfaceThresholds(const Detection& detection) {
     const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map = linkedThresholdMap(depthStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
-    if (settings.border) {
-        for (const std::uint32_t k : responses.border) map.highest[k] = std::numeric_limits<double>::infinity();
-    }
+    const auto always = [&map](const std::vector<std::uint32_t>& cells) {
+        for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
+    };
+    if (settings.border) always(responses.border);
+    if (settings.silhouettes) always(longSilhouettes(responses, settings.minimumLength));
     return map;
 }
 
@@ -31,11 +33,12 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     const DepthResponses& responses = *detection.responses;
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     Judgement found;
-    found.takesPart = withoutOwnRange(*detection.scan)[k] == 0;
+    const GapFilling* filling = detection.settings.fillEdges ? detection.filled.get() : nullptr;
+    found.takesPart = withoutOwnRange(*detection.scan)[k] == 0 || (filling != nullptr && filling->at(k) != nullptr);
     found.linked = depthStrength(responses, settings);
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * settings.hysteresisLow;
-    found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams));
+    found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
     // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.

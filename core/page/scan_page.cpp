@@ -118,10 +118,10 @@ std::string cssColour(const Rgb& colour) {
 }
 
 std::string edgeLegend(const Detection& detection) {
-    constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data"};
+    constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data", "outline before a void"};
     std::string html = "<div class=\"legend\">";
     const auto counts = countClasses(detection);
-    for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? 5U : 1U); ++kind) {
+    for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
         const std::size_t count = detection.classes ? counts[kind] : detection.edges->size();
         if (count == 0 && detection.classes) continue;
         html += "<span><i style=\"background:" + cssColour(kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" + std::to_string(count) +

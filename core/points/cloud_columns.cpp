@@ -159,6 +159,11 @@ void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, cons
     addColumn<std::uint8_t>(cloud, "blue", cells, [&](const CellOfPoint& cell) { return colour(cell).blue; });
 }
 
+void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<float>* sdMm) {
+    if (sdMm == nullptr) return;
+    addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
+}
+
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
     Chosen chosen;
@@ -200,21 +205,23 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks) {
+                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
     if (rocks != nullptr)
         addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](const CellOfPoint& cell) { return valueAt(*rocks, cell); });
+    addFilled(cloud, valid.cells, filledSdMm);
     addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<DepthEdge>* classes) {
+                        const Grid<DepthEdge>* classes, const Grid<float>* filledSdMm) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
+    addFilled(cloud, edges.cells, filledSdMm);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
 }

@@ -10,6 +10,7 @@ struct WritingChoices {
     bool doubles = false;
     bool dxf2000 = false;
     bool shortLines = false;
+    bool filled = false;
 
     bool operator==(const WritingChoices&) const = default;
 };
@@ -20,7 +21,7 @@ struct WritingChoice {
     bool WritingChoices::*member;
 };
 
-inline constexpr std::array<WritingChoice, 4> kWritingChoices{{
+inline constexpr std::array<WritingChoice, 5> kWritingChoices{{
     {"comments",
      "XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over",
      &WritingChoices::comments},
@@ -29,6 +30,8 @@ inline constexpr std::array<WritingChoice, 4> kWritingChoices{{
      &WritingChoices::doubles},
     {"dxf-2000", "DXF of release 2000 instead of release 12", &WritingChoices::dxf2000},
     {"short-lines", "DXF: also the edge lines of two points only", &WritingChoices::shortLines},
+    {"with-filled", "PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks",
+     &WritingChoices::filled},
 }};
 
 } // namespace edgescan

@@ -1,6 +1,7 @@
 // Edges of one scan looked for in another.
 #include "core/repeat/repeatability.h"
 
+#include "core/eval/thin.h"
 #include "core/method/methods.h"
 #include "core/method/pipeline.h"
 #include "core/repeat/point_index.h"
@@ -52,6 +53,8 @@ void countOneWay(RepeatCount& count, const PlacedScan& from, const Grid<std::uin
     }
 }
 
+std::size_t edgesIn(const Grid<std::uint8_t>& mask) { return mask.size() - static_cast<std::size_t>(std::ranges::count(mask.cells, 0)); }
+
 /// With the threshold that gives `edges` of them or a few more; empty when no threshold gives as many.
 std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& placed, const Settings& settings) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
@@ -64,7 +67,24 @@ std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& 
     return edgesAt(map, highest[edges]);
 }
 
-std::size_t edgesIn(const Grid<std::uint8_t>& mask) { return mask.size() - static_cast<std::size_t>(std::ranges::count(mask.cells, 0)); }
+/// The thinned mask of the highest threshold whose thinned mask has so many cells; empty when none has as many.
+std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedScan& placed, const Settings& settings) {
+    const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
+    std::vector<double> highest;
+    for (const double value : map.highest.cells) {
+        if (value >= 0 && std::isfinite(value)) highest.push_back(value);
+    }
+    std::ranges::sort(highest, std::greater<>());
+    highest.erase(std::unique(highest.begin(), highest.end()), highest.end());
+    const auto at = [&](std::size_t n) { return thinned(edgesAt(map, highest[n])); };
+    std::size_t tooFew = 0, enough = highest.size();
+    while (tooFew + 1 < enough) {
+        const std::size_t middle = tooFew + (enough - tooFew) / 2;
+        (edgesIn(at(middle)) < places ? tooFew : enough) = middle;
+    }
+    if (places == 0 || enough == highest.size()) return std::nullopt;
+    return at(enough);
+}
 
 } // namespace
 
@@ -92,16 +112,21 @@ std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const 
     const std::string ours = traitsOf(Method::EdgeScanPlus).key;
     const auto referenceA = named(ofA, ours);
     const auto referenceB = named(ofB, ours);
+    const Grid<std::uint8_t> thinOfA = referenceA != ofA.end() ? thinned(referenceA->mask) : Grid<std::uint8_t>();
+    const Grid<std::uint8_t> thinOfB = referenceB != ofB.end() ? thinned(referenceB->mask) : Grid<std::uint8_t>();
     std::vector<MethodRepeatability> rows;
     for (const ComparedMethod& method : ofA) {
         const auto other = named(ofB, method.key);
         if (other == ofB.end()) continue;
-        MethodRepeatability row{method.name, method.key, {}, std::nullopt, method.note.empty() ? other->note : method.note};
+        MethodRepeatability row{method.name, method.key, {}, std::nullopt, std::nullopt, method.note.empty() ? other->note : method.note};
         row.asSet = counter.count(method.mask, other->mask);
         if (method.settings && referenceA != ofA.end() && referenceB != ofB.end()) {
             const auto maskA = maskWith(edgesIn(referenceA->mask), a, *method.settings);
             const auto maskB = maskWith(edgesIn(referenceB->mask), b, *method.settings);
             if (maskA && maskB) row.atEqual = counter.count(*maskA, *maskB);
+            const auto thinA = method.key == ours ? std::optional(thinOfA) : thinnedWith(edgesIn(thinOfA), a, *method.settings);
+            const auto thinB = method.key == ours ? std::optional(thinOfB) : thinnedWith(edgesIn(thinOfB), b, *method.settings);
+            if (thinA && thinB) row.atEqualPlaces = counter.count(*thinA, *thinB);
         }
         rows.push_back(std::move(row));
     }

@@ -34,7 +34,10 @@ struct MethodRepeatability {
     std::string name, key;
     RepeatCount asSet;                  ///< with its fixed settings
     std::optional<RepeatCount> atEqual; ///< with the threshold that gives as many edges in each scan as the reference method has there
-    std::string note;                   ///< why there is no result
+    /// Thinned to lines one cell wide, with the threshold that gives as many cells then as the reference method's thinned mask has: a band
+    /// of several cells along one edge counts as one place.
+    std::optional<RepeatCount> atEqualPlaces;
+    std::string note; ///< why there is no result
 };
 
 /// Every method on both scans. The reference of equal numbers is EdgeScan+ with its fixed settings.

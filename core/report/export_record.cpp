@@ -209,6 +209,10 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
         record["edges"] = detection.edges->size();
         record["classes"] = classesReport(detection);
         record["edge_mask_sha256"] = maskSha256(*detection.mask);
+        if (detection.filled) {
+            record["filled"] = filledReport(*detection.filled);
+            record["filled"]["in_export"] = options.choices.filled && isCloud(content);
+        }
         if (isOfRocks(content)) record["rocks"] = rocksRecord(*options.rocks);
     }
     record["program"] = programOfRecords();

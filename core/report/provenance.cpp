@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <span>
 #include <system_error>
@@ -83,6 +84,19 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
+/// What nobody measured is written only where the file tells it apart.
+Result<Done> checkFilled(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+    if (!isCloud(content) || !options.choices.filled) return Done{};
+    if (!detection.filled)
+        return Error{"no gap was filled that could be written", path.string(),
+                     "give --fill and how many cells, or leave --with-filled out"};
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".pcd" || extension == ".ply" || extension == ".csv") return Done{};
+    return Error{"this format has no room for the mark of filled cells", path.string(),
+                 "choose .pcd, .ply or .csv, or leave --with-filled out"};
+}
+
 /// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
 Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
@@ -123,7 +137,11 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
                                            const std::string& record, const ExportOptions& options) {
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     const Scan& scan = *chosen;
-    const SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
+    SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
+    if (auto can = checkFilled(content, detection, path, options); !can) return can.error();
+    const bool filled = isCloud(content) && options.choices.filled;
+    const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
+    if (filled) save.filledSdMm = &filledSdMm;
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
         return std::vector<FileBytes>{{path, std::move(*bytes)}};

@@ -32,7 +32,8 @@ inline constexpr const char* kRecordFormat = "edgescan-record/1";
 [[nodiscard]] nlohmann::ordered_json sealedSidecar(nlohmann::ordered_json sidecar);
 [[nodiscard]] bool sidecarIsWhole(const nlohmann::ordered_json& sidecar);
 
-/// The scan that the points of an export are taken from: with a selection all other cells are masked.
+/// The scan that the points of an export are taken from: filled cells have ranges where the choices ask for them, and with a selection all
+/// other cells are masked.
 [[nodiscard]] std::shared_ptr<const Scan> chosenScan(const Detection& detection, const ExportOptions& options);
 
 /// What a record says of a selection: {"cells": n, "runs": [[first, count], ...]}; null for none. And back: empty where it is damaged.

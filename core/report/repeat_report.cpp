@@ -41,15 +41,19 @@ std::string repeatText(const RepeatRun& run) {
                 " mm before (medians).\n";
     }
     text += "An edge is repeated when the other scan has one within " + fixedText(1000 * run.radiusM, 0) +
-            " mm; counted where the other scan could see.\nAt equal number: with the threshold that gives as many edges as EdgeScan+.\n";
+            " mm; counted where the other scan could see.\nAt equal number: with the threshold that gives as many edges as EdgeScan+. By "
+            "places: with lines thinned to one cell, as many of them.\n";
     std::string head = "method";
     head.resize(kMethodWidth, ' ');
     text += head + rightAligned("edges", 9) + rightAligned("visible", 9) + rightAligned("repeated", 10) + " |" +
-            rightAligned("at equal", 9) + rightAligned("visible", 9) + rightAligned("repeated", 10) + "\n";
+            rightAligned("at equal", 9) + rightAligned("visible", 9) + rightAligned("repeated", 10) + " |" + rightAligned("by places", 10) +
+            "\n";
     for (const MethodRepeatability& row : run.methods) {
         std::string name = row.name;
         name.resize(std::max(kMethodWidth, name.size()), ' ');
-        text += name + cells(row.asSet) + " |" + (row.atEqual ? cells(*row.atEqual) : rightAligned("-", 9)) + "\n";
+        text += name + cells(row.asSet) + " |" + (row.atEqual ? cells(*row.atEqual) : rightAligned("-", 28)) + " |" +
+                (row.atEqualPlaces ? rightAligned(fixedText(100 * row.atEqualPlaces->share(), 1) + " %", 10) : rightAligned("-", 10)) +
+                "\n";
         if (!row.note.empty()) text += "  " + row.note + "\n";
     }
     text.pop_back();
@@ -61,6 +65,7 @@ Json repeatReport(const RepeatRun& run) {
     for (const MethodRepeatability& row : run.methods) {
         Json one{{"name", row.name}, {"method", row.key}, {"as_set", countJson(row.asSet)}};
         one["at_equal_number"] = row.atEqual ? countJson(*row.atEqual) : Json(nullptr);
+        one["at_equal_places"] = row.atEqualPlaces ? countJson(*row.atEqualPlaces) : Json(nullptr);
         if (!row.note.empty()) one["note"] = row.note;
         methods.push_back(std::move(one));
     }

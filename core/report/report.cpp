@@ -2,8 +2,10 @@
 #include "core/report/report.h"
 
 #include "core/base/json_text.h"
+#include "core/base/order_statistic.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
+#include "core/depth/depth_settings.h"
 #include "core/georef/placement_json.h"
 #include "core/points/acquisition_json.h"
 #include "core/settings/parameters.h"
@@ -145,13 +147,27 @@ nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
                 {"warnings", warnings},
                 {"version", version()}};
     if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
+    if (detection.filled) report["filled"] = filledReport(*detection.filled);
     return report;
 }
 
 nlohmann::ordered_json classesReport(const Detection& detection) {
     if (!detection.classes) return nullptr;
     const auto counts = countClasses(detection);
-    return {{"jump", counts[1]}, {"convex", counts[2]}, {"concave", counts[3]}, {"border", counts[4]}};
+    json report = json::object();
+    for (std::size_t kind = 1; kind < counts.size(); ++kind) report[edgeClassName(static_cast<DepthEdge>(kind))] = counts[kind];
+    return report;
+}
+
+nlohmann::ordered_json filledReport(const GapFilling& filling) {
+    std::vector<float> sdMm;
+    for (const FilledCell& cell : filling.cells) sdMm.push_back(cell.sdMm);
+    const bool none = sdMm.empty();
+    return {{"gaps", filling.gaps},
+            {"cells", filling.cells.size()},
+            {"by_plane", filling.byPlane},
+            {"by_line", filling.cells.size() - filling.byPlane},
+            {"sd_mm_p50", none ? json() : json(tidy(static_cast<double>(median(std::move(sdMm))), 100))}};
 }
 
 std::string reportText(const nlohmann::ordered_json& report, bool indented) { return shortJsonText(report, indented ? 2 : -1); }

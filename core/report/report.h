@@ -19,8 +19,11 @@ namespace edgescan {
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
 [[nodiscard]] nlohmann::ordered_json detectReport(const Detection& detection, double loadMs);
 
-/// {"jump": n, "convex": n, "concave": n, "border": n}, or null where the method tells no classes apart.
+/// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n}, or null where the method tells no classes apart.
 [[nodiscard]] nlohmann::ordered_json classesReport(const Detection& detection);
+
+/// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: what was filled; `filling` of the scan.
+[[nodiscard]] nlohmann::ordered_json filledReport(const GapFilling& filling);
 
 /// The report as text, indented or on one line. A path that is not UTF-8 is told with replacement characters.
 [[nodiscard]] std::string reportText(const nlohmann::ordered_json& report, bool indented);

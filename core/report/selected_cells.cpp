@@ -1,4 +1,5 @@
 // An export of what somebody selected: the points, and what the record says of them.
+#include "core/gaps/gap_filling.h"
 #include "core/measure/cell_sets.h"
 #include "core/report/record_parts.h"
 
@@ -7,8 +8,10 @@
 namespace edgescan {
 
 std::shared_ptr<const Scan> chosenScan(const Detection& detection, const ExportOptions& options) {
-    if (!options.selection) return detection.scan;
-    auto chosen = std::make_shared<Scan>(*detection.scan);
+    const bool filled = options.choices.filled && detection.filled;
+    if (!options.selection && !filled) return detection.scan;
+    auto chosen = std::make_shared<Scan>(filled ? withFilled(*detection.scan, *detection.filled).scan : *detection.scan);
+    if (!options.selection) return chosen;
     for (const std::uint32_t k : allBut(*options.selection, chosen->cells())) {
         if (chosen->state[k] == CellState::Valid) chosen->state[k] = CellState::Masked;
     }

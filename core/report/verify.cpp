@@ -160,12 +160,24 @@ Result<std::shared_ptr<const RockStudy>> rocksOf(const Json& record, const Detec
     return std::make_shared<const RockStudy>(studyRocks(rockInputs(detection), *settings, *edits));
 }
 
+/// What a record of an earlier version does not name yet: settings at their defaults, classes that no cell has.
+void takeLater(Json& then, const Json& now) {
+    if (!then.is_object()) return;
+    const Json usual = settingsToJson(Settings{});
+    for (const auto& [key, value] : now.items()) {
+        if (!then.contains(key) && (value == 0 || (usual.contains(key) && usual[key] == value))) then[key] = value;
+    }
+}
+
 /// Everything that the record says is worked out again, but who exported and with which program.
 void compareRecord(const Json& record, const Json& again, Verification& v) {
     for (const auto& [key, value] : again.items()) {
         if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
         Json then = record[key], now = value;
         if (key == "scan") then.erase("input"), now.erase("input"); // it may have been renamed
+        if (key == "settings") takeLater(then, now);
+        if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue; // another set; the settings were compared
+        if (key == "classes" && then.is_object()) takeLater(then, now);
         if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
     }
 }

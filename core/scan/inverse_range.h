@@ -13,6 +13,7 @@ enum class Support : std::uint8_t {
     Void,     ///< nothing came back: u is that of 60 m
     Measured, ///< a range that its neighbours agree with
     Filled,   ///< a short gap, filled linearly in u; never an edge
+    Wanted,   ///< a gap that somebody wants filled and taken part in (core/gaps); may be an edge
 };
 
 struct InverseRange {

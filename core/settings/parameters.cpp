@@ -18,7 +18,8 @@ namespace {
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassConvex, "convex", "convex"},
                                    {kClassConcave, "concave", "concave"},
-                                   {kClassBorder, "border", "data border"}};
+                                   {kClassBorder, "border", "data border"},
+                                   {kClassSilhouette, "silhouette", "outline before a void"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -46,6 +47,7 @@ constexpr auto surface = readers<kReadsSurface>;
 constexpr auto gray = readers<kReadsGray>;
 constexpr auto twoThresholds = readers<kReadsTwoThresholds>;
 bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
+bool fillEdges(const Settings& s) { return surface(s) && s.fillCells > 0; }
 bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
 bool sigma(const Settings& s) { return reads(s.method, kReadsSigma) || (reads(s.method, kReadsKernel) && s.kernel > 1); }
 
@@ -81,8 +83,8 @@ const std::vector<Parameter>& table() {
          15, 90, 90, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
          1, 50, 50, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), surface, Stage::Edges},
-        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.",
-         0, 15, 15, 1, 0, kNoAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), readers<kReadsClasses>, Stage::Edges},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.",
+         0, 31, 31, 1, 0, kNoAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
          30, 100, 100, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
@@ -91,6 +93,10 @@ const std::vector<Parameter>& table() {
          0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), surface, Stage::Surface},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 30, 0.25, 2, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), surface, Stage::Responses},
+        {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
+         0, 20, 20, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(fillCells), always, Stage::Surface},
+        {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that nobody measured.",
+         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(fillEdges), fillEdges, Stage::Surface},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
          0, 20000, 340, 1, 1, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray, Stage::Threshold},
         {"step", "Step", "% of range", "A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.",

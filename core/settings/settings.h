@@ -45,7 +45,14 @@ enum class LogMask : std::uint8_t {
 };
 
 /// The classes of edges that EdgeScan+ tells apart, as bits of Settings::classes.
-enum EdgeClassBits : std::uint8_t { kClassJump = 1, kClassConvex = 2, kClassConcave = 4, kClassBorder = 8, kClassRock = 7 };
+enum EdgeClassBits : std::uint8_t {
+    kClassJump = 1,
+    kClassConvex = 2,
+    kClassConcave = 4,
+    kClassBorder = 8,
+    kClassSilhouette = 16,
+    kClassRock = kClassJump | kClassConvex | kClassConcave | kClassSilhouette,
+};
 
 struct Settings {
     Method method = Method::EdgeScanPlus;
@@ -61,6 +68,10 @@ struct Settings {
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
     bool straighten = true;          ///< take interlaced beams and slipped lines into account
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
+
+    // Gaps (docs/method.md, "Gaps")
+    int fillCells = 0;      ///< shorter side of the gaps that are filled, cells; 0: none is
+    bool fillEdges = false; ///< filled cells take part in EdgeScan+'s edges and may be edges themselves
 
     // Gray levels, Canny and the other detectors
     Scaling scaling = Scaling::Log;

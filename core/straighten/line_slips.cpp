@@ -2,8 +2,10 @@
 #include "core/straighten/line_slips.h"
 
 #include "core/base/bands.h"
+#include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/straighten/slip_votes.h"
+#include "core/straighten/step_unevenness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -262,6 +264,23 @@ LineSteps lineSlips(const InverseRange& inverse, int threads) {
         for (int i = first; i < last; ++i) findSlip(inverse, i + kNearest, work, steps);
     });
     return steps;
+}
+
+float stepUnevenness(const InverseRange& inverse) {
+    constexpr int kLooks = 60;
+    const int lines = inverse.u.lines, beams = inverse.u.beams;
+    LineWork work(beams);
+    std::vector<float> sizes;
+    for (int i = kNearest; i + 1 + kNearest < lines; i += std::max(1, lines / kLooks)) {
+        slantsRoundStep(inverse.u.line(i), beams, reachAt(i, lines), beams, work.slants.slant.data(), work.slants.slanted.data());
+        addStepsAgain(inverse, i, work.slants, work.slips);
+        for (const std::vector<SlipVote>& votes : work.slips) {
+            if (!areEnough(votes.size(), beams)) continue;
+            const float middle = weightedMiddle(votes);
+            if (spreadAround(middle, votes) <= kAgree) sizes.push_back(std::abs(middle));
+        }
+    }
+    return 1.48F * median(std::move(sizes));
 }
 
 LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {

@@ -6,6 +6,7 @@
 #include "core/scan/placement.h"
 #include "core/straighten/interlace.h"
 #include "core/straighten/line_phases.h"
+#include "core/straighten/step_unevenness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,8 @@ struct Displacement {
     double oddAheadDeg = 0;        // odd beams against even ones
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
     int slipCount = 0;             // how many of these are not 0
+    double uneven = 0;             // what the steps differ by anyway, index steps
+    double surest = 0;             // the largest slip, index steps
     int left = 0;                  // slips on which even and odd beams do not agree
 };
 
@@ -60,6 +63,13 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
     return median(std::move(steps));
 }
 
+// Slips hang together, a stall with the leap that makes up for it: the largest of a sweep proves them, or none is told of.
+void dropUnproved(Displacement& found) {
+    constexpr double kSignificant = 6; // standard deviations of what the steps differ by anyway
+    for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
+    if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
+}
+
 Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     constexpr double kAgreeBeams = 0.35; // index steps
     constexpr double kAgreeLines = 0.75;
@@ -68,6 +78,7 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
     if (slips.interlaced)
         found.oddAheadDeg = beyond(medianParity(slips.parity) * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+    found.uneven = slips.slipCount > 0 ? static_cast<double>(stepUnevenness(inverse)) : 0.0;
     const double usualDeg = medianStepDeg(polar.lineDeg);
     found.slipSteps.resize(polar.lineDeg.size());
     for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
@@ -79,8 +90,9 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
         }
         const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
         found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
-        found.slipCount += found.slipSteps[i] != 0 ? 1 : 0;
     }
+    dropUnproved(found);
+    found.slipCount = static_cast<int>(std::ranges::count_if(found.slipSteps, [](double steps) { return steps != 0; }));
     return found;
 }
 
@@ -101,8 +113,10 @@ std::string slipText(const Displacement& found) {
     const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
     double most = 0;
     for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
+    const std::string sure =
+        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times what its steps differ by anyway" : "";
     return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
-           std::to_string(first + 1) + ", by up to " + degreesText(most) + ")";
+           std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
 }
 
 // Empty where nothing is displaced.

@@ -12,7 +12,7 @@
 
 namespace edgescan::ui {
 
-inline constexpr int kEdgeClasses = 4; // jump, convex, concave, data border: DepthEdge - 1
+inline constexpr int kEdgeClasses = 5; // jump, convex, concave, data border, outline before a void: DepthEdge - 1
 
 struct EdgeCells {
     using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
@@ -27,8 +27,9 @@ using EdgeColours = std::array<QColor, kEdgeClasses>;
 inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, colour.blue}; }
 /// As files have them.
 inline const EdgeColours kUsualColours{colourOf(kEdgeColours[1]), colourOf(kEdgeColours[2]), colourOf(kEdgeColours[3]),
-                                       colourOf(kEdgeColours[4])};
+                                       colourOf(kEdgeColours[4]), colourOf(kEdgeColours[5])};
 /// Told apart by those who see no difference between red and green: along yellow, white and blue. 3 : 1 and more to the cloud's gray, too.
-inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190)};
+inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190),
+                                             QColor(190, 255, 190)};
 
 } // namespace edgescan::ui

@@ -55,6 +55,11 @@ EdgeLegend::EdgeLegend(QWidget* parent) : QFrame(parent) {
         paintSwatches();
         if (!showing_) emit byClassWanted(on);
     });
+    filled_ = new QLabel;
+    filled_->setObjectName("legend-filled");
+    filled_->setToolTip(tr("Striped green in the images; nobody measured these cells, and the cloud does not show them."));
+    filled_->hide();
+    grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     paintSwatches();
     hide(); // there is nothing to tell of yet
 }
@@ -85,6 +90,8 @@ void EdgeLegend::showResult(const Detection& detection) {
         rows_[n].count->setText(counted ? grouped(counts[n + 1]) : QString());
     }
     byClass_->setVisible(known);
+    filled_->setVisible(detection.filled != nullptr);
+    if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(grouped(detection.filled->cells.size())));
     show();
     adjustSize();
     showing_ = false;

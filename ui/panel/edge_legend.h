@@ -26,6 +26,7 @@ public:
     void showEdges(bool on);
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
+    [[nodiscard]] QLabel* filled() const { return filled_; } ///< how many cells were filled; hidden where none was asked for
     [[nodiscard]] QCheckBox* classSwitch(int n) const { return rows_[static_cast<std::size_t>(n)].box; }
 
 signals:
@@ -47,6 +48,7 @@ private:
     QLabel* total_ = nullptr;
     std::array<Row, kEdgeClasses> rows_;
     QCheckBox* byClass_ = nullptr;
+    QLabel* filled_ = nullptr;
     EdgeColours colours_ = kUsualColours;
     bool showing_ = false;
 };

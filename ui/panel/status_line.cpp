@@ -32,6 +32,10 @@ QString number(double value, int decimals) { return QString::number(value, 'f', 
 QString count(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 QString rangeText(const Probe& probe) {
+    if (probe.filled)
+        return QObject::tr("filled, not measured: %1 m ± %2")
+            .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
+                 number(static_cast<double>(probe.filled->sdMm) / 1000.0, 3));
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
     if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
     if (probe.state == CellState::NoReturn) return QObject::tr("no return");
@@ -241,6 +245,7 @@ void StatusLine::showCounts(const Detection& detection) {
     for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
         if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));
     }
+    if (detection.filled) text += tr(" · %1 filled").arg(count(detection.filled->cells.size()));
     tell(Fact::Counts, text, edges + " · " + none, false);
     told(Fact::Counts).label->setToolTip(text);
 }

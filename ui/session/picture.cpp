@@ -16,6 +16,8 @@ constexpr QRgb kStatus = qRgb(70, 20, 50);
 constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
 constexpr QRgb kLost = qRgb(14, 46, 66);
 constexpr QRgb kLostHatch = qRgb(70, 160, 210);
+constexpr QRgb kFilled = qRgb(20, 66, 58);
+constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
 constexpr int kRoomAtFirst = 64; // lines, when nobody said how many there will be
 
@@ -25,6 +27,16 @@ QRgb missingColour(CellState state, int line, int beam) {
     const bool stripe = (line + beam) % 4 == 0;
     if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
     return stripe ? kMissingHatch : kMissing;
+}
+
+// Upright stripes: no other kind of cell without a range has them.
+void paintFilled(QImage& image, const Detection& detection) {
+    if (!detection.filled) return;
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    for (const FilledCell& filled : detection.filled->cells) {
+        const std::size_t beam = filled.cell % beams;
+        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(filled.cell / beams)))[beam] = beam % 2 == 0 ? kFilledHatch : kFilled;
+    }
 }
 
 template <class ValidColour>
@@ -89,11 +101,14 @@ QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows) {
         const int shown = static_cast<int>(std::clamp((level - levels.black) * 255.0 / span, 0.0, 255.0));
         table[static_cast<std::size_t>(level)] = qRgb(shown, shown, shown);
     }
-    return paintCells(*detection.scan, rows, [&](std::size_t k) { return table[detection.gray->levels[k]]; });
+    QImage image = paintCells(*detection.scan, rows, [&](std::size_t k) { return table[detection.gray->levels[k]]; });
+    paintFilled(image, detection);
+    return image;
 }
 
 QImage edgePicture(const Detection& detection, int rows) {
     QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
+    paintFilled(image, detection);
     // Edges last: without masking they also lie on cells without a range.
     paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
     return image;
@@ -130,8 +145,8 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection
     picture->detection = detection;
     picture->cloud = cloud;
     const int rows = shownLines(*detection->scan, source.growth);
-    const bool grayHolds =
-        last && last->detection->gray == detection->gray && last->detection->scan == detection->scan && last->gray->height() == rows;
+    const bool grayHolds = last && last->detection->gray == detection->gray && last->detection->filled == detection->filled &&
+                           last->detection->scan == detection->scan && last->gray->height() == rows;
     picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, {}, rows));
     picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
     picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));

@@ -42,7 +42,8 @@ struct Picture {
     Settings asked; ///< what the detection was wanted with; the detection's own settings fix what must stay while a scan grows
     std::shared_ptr<const Detection> detection;
     std::shared_ptr<const CloudGeometry> cloud;
-    std::shared_ptr<const QImage> gray;    ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue
+    std::shared_ptr<const QImage>
+        gray; ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue, filled cells striped green
     std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< green edges, transparent elsewhere
     EdgeCells edgeCells;

@@ -90,7 +90,7 @@ TEST(Parameters, ASetTakesNamesInAnyOrder) {
     const Parameter& classes = *findParameter("classes");
     EXPECT_EQ(*parseValue(classes, "concave,jump"), kClassJump | kClassConcave);
     EXPECT_EQ(formatValue(classes, kClassJump | kClassConcave), "jump,concave");
-    EXPECT_EQ(*parseValue(classes, "all"), 15);
+    EXPECT_EQ(*parseValue(classes, "all"), 31);
     EXPECT_EQ(*parseValue(classes, "none"), 0);
     for (const char* text : {"jump,", ",", "jump,border2", "jump concave", "3"}) EXPECT_FALSE(parseValue(classes, text)) << text;
 }
@@ -128,10 +128,10 @@ TEST(Presets, AFileComesBackAsItWas) {
 
 // Records name the default settings by their version: whoever changes a default raises kDefaultSet.version and writes the new ones here.
 TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
-    EXPECT_EQ(kDefaultSet.version, 1);
+    EXPECT_EQ(kDefaultSet.version, 2);
     EXPECT_EQ(
         settingsToJson(Settings{}).dump(),
-        R"({"aperture":3,"classes":"jump,convex,concave","crease":30,"far":"auto","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
+        R"({"aperture":3,"classes":"jump,convex,concave,silhouette","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
         R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":5,"near":"auto",)"
         R"("noise":"auto","norm":"l1","ratio":3,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);

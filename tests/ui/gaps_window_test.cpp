@@ -1,0 +1,54 @@
+// Filled gaps in the real window: counted, striped, told in the status line, and gone again.
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/panel/edge_legend.h"
+#include "ui/panel/status_line.h"
+
+#include <QLabel>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class GapsWindowTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+
+private slots:
+    void theSliderFillsGapsThatSayTheyAreNotMeasured() {
+        const std::string path = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.resize(1500, 950);
+        QVERIFY(on.showWith(path));
+        const Grid<std::uint8_t> before = *on.picture().detection->mask;
+        QVERIFY(window.legend().filled()->isHidden());
+        QVERIFY(!window.statusLine().countsShown().contains("filled"));
+
+        QTest::keyClick(on.slider("fill"), Qt::Key_End);
+        QVERIFY(on.settled());
+        QTRY_VERIFY(on.picture().detection->filled != nullptr);
+        const GapFilling& filling = *on.picture().detection->filled;
+        QVERIFY(filling.cells.size() > 50);
+        QCOMPARE(*on.picture().detection->mask, before);
+        QVERIFY(!window.legend().filled()->isHidden());
+        QVERIFY(window.legend().filled()->text().contains(QString::number(filling.cells.size())));
+        QVERIFY(window.statusLine().countsShown().contains(QString(" %1 filled").arg(filling.cells.size())));
+        for (const auto& image : {on.picture().gray, on.picture().edges}) {
+            const FilledCell& cell = filling.cells.front();
+            const QRgb seen = image->pixel(static_cast<int>(cell.cell % 160), static_cast<int>(cell.cell / 160));
+            QVERIFY(qGreen(seen) > qRed(seen) && qGreen(seen) > qBlue(seen));
+        }
+        const Probe probe = probeCell(*on.picture().detection, filling.cells.front().cell);
+        QVERIFY(probeWords(probe).verdict.startsWith("filled, not measured: "));
+
+        QTest::keyClick(on.slider("fill"), Qt::Key_Home);
+        QVERIFY(on.settled());
+        QTRY_VERIFY(on.picture().detection->filled == nullptr);
+        QVERIFY(window.legend().filled()->isHidden());
+    }
+};
+
+QTEST_MAIN(GapsWindowTest)
+#include "gaps_window_test.moc"

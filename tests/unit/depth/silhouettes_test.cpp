@@ -1,0 +1,76 @@
+// Outlines before a void, told from missing data.
+#include "core/depth/silhouettes.h"
+
+#include "core/method/pipeline.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace edgescan {
+namespace {
+
+constexpr int kLines = 90, kBeams = 120;
+
+// A box 1 m before a wall, lines 30 to 59 and beams 40 to 69, and beside it, at higher beams, a stripe of 12 cells without a return.
+std::shared_ptr<const Scan> boxWithShadow(double boxMm = 4000) {
+    const PolarGeometry polar = test::regularAngles(kLines, kBeams);
+    return std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [&](int i, int j) {
+        const bool rows = i >= 30 && i < 60;
+        if (rows && j >= 70 && j < 82) return 0.0;
+        return test::wallRangeMm(polar, i, j, rows && j >= 40 && j < 70 ? boxMm : 5000.0);
+    }));
+}
+
+std::size_t silhouettesOf(const Detection& detection) { return countClasses(detection)[static_cast<std::size_t>(DepthEdge::Silhouette)]; }
+
+TEST(Silhouettes, TheSideOfABoxBeforeItsShadowIsOneAndTheWallBehindIsNone) {
+    const auto scan = boxWithShadow();
+    const auto detection = detectEdges(scan, Settings{});
+    const std::vector<std::uint32_t>& cells = detection->responses->silhouettes;
+    std::set<std::uint32_t> wanted;
+    for (int i = 30; i < 60; ++i) wanted.insert(static_cast<std::uint32_t>(scan->rangeMm.index(i, 69)));
+    EXPECT_TRUE(std::ranges::is_sorted(cells));
+    EXPECT_EQ(std::set<std::uint32_t>(cells.begin(), cells.end()), wanted);
+    for (const std::uint32_t k : wanted) EXPECT_EQ((*detection->mask)[k], 255);
+    EXPECT_GE(silhouettesOf(*detection), 26U); // corners are jumps as well
+    Settings without;
+    without.classes = kClassRock & ~kClassSilhouette;
+    EXPECT_EQ(silhouettesOf(*detectEdges(scan, without)), 0U);
+}
+
+TEST(Silhouettes, MissingDataOnOneSurfaceHaveNone) {
+    EXPECT_TRUE(detectEdges(boxWithShadow(5000), Settings{})->responses->silhouettes.empty());
+}
+
+// The same hole with a step below the jump threshold: nobody can be sure.
+TEST(Silhouettes, AStepThatIsNoJumpIsNone) { EXPECT_TRUE(detectEdges(boxWithShadow(4970), Settings{})->responses->silhouettes.empty()); }
+
+TEST(Silhouettes, AVoidThatReachesTheBorderTellsNothing) {
+    const PolarGeometry polar = test::regularAngles(kLines, kBeams);
+    const auto scan = std::make_shared<const Scan>(
+        test::makeScan(kLines, kBeams, [&](int i, int j) { return j >= 70 || i >= 60 ? 0.0 : test::wallRangeMm(polar, i, j, 4000.0); }));
+    EXPECT_TRUE(detectEdges(scan, Settings{})->responses->silhouettes.empty());
+}
+
+// A floor that slants away by 75 degrees along the beams loses its returns, and a wall stands behind.
+TEST(Silhouettes, ASurfaceThatSlantsAwayIsNone) {
+    const double slant = std::tan(75 * std::numbers::pi / 180), step = 0.25 * std::numbers::pi / 180;
+    const auto scan = std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [&](int, int j) {
+        if (j >= 60 && j < 70) return 0.0;
+        return j >= 70 ? 30000.0 : 3000.0 * std::exp(slant * step * (j - 30));
+    }));
+    EXPECT_TRUE(detectEdges(scan, Settings{})->responses->silhouettes.empty());
+}
+
+TEST(Silhouettes, ShortOnesAreDroppedAndTheThresholdMapKnowsTheSame) {
+    const auto scan = boxWithShadow();
+    const auto found = detectEdges(scan, Settings{});
+    EXPECT_EQ(longSilhouettes(*found->responses, 30).size(), 30U);
+    EXPECT_TRUE(longSilhouettes(*found->responses, 31).empty());
+}
+
+} // namespace
+} // namespace edgescan
