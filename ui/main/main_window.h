@@ -3,6 +3,7 @@
 
 #include "ui/base/plain_window.h"
 #include "ui/control/audit_trail.h"
+#include "ui/control/comparing.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
@@ -26,6 +27,7 @@ class QSplitter;
 
 namespace edgescan::ui {
 
+class ChangeLegend;
 class DockRail;
 class EdgeLegend;
 class EdgesPanel;
@@ -62,6 +64,8 @@ public:
     [[nodiscard]] TargetsPanel& targetsPanel() { return *targetsPanel_; }
     [[nodiscard]] Measures& measures() { return measures_; }
     [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] Comparing& comparing() { return comparing_; }
+    [[nodiscard]] ChangeLegend& changeLegend() { return *changeLegend_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
     /// Where the picture comes from and of when: always in sight.
     [[nodiscard]] const StateBadge& origin() const { return *origin_; }
@@ -127,6 +131,7 @@ private:
     StatusLine* status_;
     WarningButton* warnings_;
     EdgeLegend* legend_;
+    ChangeLegend* changeLegend_;
     DockRail* rail_;
 
     // In the order in which they are told of a new picture.
@@ -140,6 +145,7 @@ private:
     Targets targets_;
     Measures measures_;
     Selection selection_;
+    Comparing comparing_;
     ScanReport report_;
     AuditTrail audit_;
 

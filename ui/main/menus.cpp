@@ -8,6 +8,7 @@
 #include "ui/dialogs/sheets.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
+#include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
 #include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
@@ -46,6 +47,7 @@ Command fileMenu(MainWindow& w) {
                                 command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
                                 recent,
                                 command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
+                                command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
                                 command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
                                 command("Re&load", "F5", [&w] { w.files().reload(); }),
                                 kLine,
@@ -219,6 +221,7 @@ Command edgesMenu(MainWindow& w) {
         "&Edges",
         {
             presets,
+            compareMenu(w),
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
