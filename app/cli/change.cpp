@@ -1,8 +1,8 @@
 // edgescan-cli change: what changed between two scans of one place, before and after a blast.
-#include "core/change/change_report.h"
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/change/change_report.h"
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
@@ -71,10 +71,12 @@ void addChange(CLI::App& app, int& code) {
     CLI::App& command =
         *app.add_subcommand("change", "What changed between two scans of one place: edges gained and lost, surfaces nearer and farther");
     command.add_option("FILE", flags->files, "The scan before, and the scan now")->required()->expected(2);
-    command.add_option("--poses", flags->poses, "Their .pose files of 3DTK, in the same order; else the places that the scans have")->expected(2);
+    command.add_option("--poses", flags->poses, "Their .pose files of 3DTK, in the same order; else the places that the scans have")
+        ->expected(2);
     command.add_flag("--by-surfaces", flags->bySurfaces, "Line them up by their surfaces, also where there are poses");
     command.add_option("--json", flags->json, "All figures and regions; - is stdout, instead of the table");
-    command.add_option("--picture", flags->picture, "PNG on the grid of the scan now: gained, lost and kept edges, nearer and farther surfaces");
+    command.add_option("--picture", flags->picture,
+                       "PNG on the grid of the scan now: gained, lost and kept edges, nearer and farther surfaces");
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {

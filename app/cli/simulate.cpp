@@ -139,7 +139,9 @@ CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
     const char* group = "Scene";
     SimulationSettings& s = simulate.settings;
-    command.add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")->group(group);
+    command
+        .add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")
+        ->group(group);
     add(command, group, "--rocks", s.rocks, "Boulders in the arch or pile");
     add(command, group, "--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]");
     add(command, group, "--rock-rounding", s.rockRounding,

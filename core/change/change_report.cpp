@@ -59,7 +59,7 @@ Rgb tinted(std::uint8_t gray, const Rgb& colour) {
 
 std::string lineUpText(const LinedUp& how) {
     if (how.by == LinedUpBy::OneScan) return "one scan with two settings";
-    std::string text = how.by == LinedUpBy::Poses ? "lined up by their poses" : "▲ no pose: lined up by their surfaces";
+    std::string text = how.by == LinedUpBy::Poses ? "lined up by their poses" : "no pose: lined up by their surfaces";
     return text + (how.sameCells ? "" : "; other cells: points moved to the grid of the later scan");
 }
 
@@ -74,9 +74,9 @@ std::string changeText(const Scan& later, const SceneChange& change) {
             counted("same", ranges.same) + ", " + counted("no return now", ranges.noReturnNow) + ", " +
             counted("no return before", ranges.noReturnBefore);
     text += "\nhalf of the cells differ by less than " + fixedText(change.differMm, 1) + " mm";
-    text += "\na change is more than " + fixedText(kChangeSigmas, 0) + " standard deviations: " +
-            fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " + fixedText(kChangeSigmas * change.noise.at(10.0), 0) +
-            " mm at 10 m";
+    text += "\na change is more than " + fixedText(kChangeSigmas, 0) +
+            " standard deviations: " + fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " +
+            fixedText(kChangeSigmas * change.noise.at(10.0), 0) + " mm at 10 m";
     text += "\n" + std::to_string(change.regions.size()) + " regions of " + std::to_string(kSmallestRegion) +
             " cells and more, visible surface from one viewpoint";
     for (std::size_t n = 0; n < std::min(kMostRows, change.regions.size()); ++n) text += "\n" + rowOf(later, change.regions[n]);
@@ -89,20 +89,20 @@ Json changeReport(const Scan& later, const SceneChange& change) {
     const char* ways[]{"one scan", "poses", "surfaces"};
     Json surfaces = nullptr;
     if (how.surfaces)
-        surfaces = {{"pairs", how.surfaces->pairs},
-                    {"residual_m", how.surfaces->residualM},
-                    {"residual_before_m", how.surfaces->residualBeforeM}};
-    Json report{{"lined_up_by", ways[static_cast<std::size_t>(how.by)]},
-                {"same_cells", how.sameCells},
-                {"surfaces", std::move(surfaces)},
-                {"out_of_spec", how.outOfSpec},
-                {"warnings", how.warnings},
-                {"edges",
-                 {{"gained", change.edges.gained}, {"lost", change.edges.lost}, {"kept", change.edges.kept}, {"unseen", change.edges.unseen}}},
-                {"cells", nullptr},
-                {"median_difference_mm", nullptr},
-                {"change_limit_mm", nullptr},
-                {"regions", Json::array()}};
+        surfaces = {
+            {"pairs", how.surfaces->pairs}, {"residual_m", how.surfaces->residualM}, {"residual_before_m", how.surfaces->residualBeforeM}};
+    Json report{
+        {"lined_up_by", ways[static_cast<std::size_t>(how.by)]},
+        {"same_cells", how.sameCells},
+        {"surfaces", std::move(surfaces)},
+        {"out_of_spec", how.outOfSpec},
+        {"warnings", how.warnings},
+        {"edges",
+         {{"gained", change.edges.gained}, {"lost", change.edges.lost}, {"kept", change.edges.kept}, {"unseen", change.edges.unseen}}},
+        {"cells", nullptr},
+        {"median_difference_mm", nullptr},
+        {"change_limit_mm", nullptr},
+        {"regions", Json::array()}};
     if (how.by == LinedUpBy::OneScan) return report;
     const RangeChanges& ranges = change.ranges;
     report["cells"] = {{"nearer", ranges.nearer},

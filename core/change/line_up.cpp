@@ -12,11 +12,11 @@
 namespace edgescan {
 namespace {
 
-constexpr double kReachM = 0.5;         // how far surfaces may lie apart to be brought together
-constexpr double kMostOffM = 0.03;      // surfaces that lie farther apart are not said to fit
-constexpr double kSameCellSteps = 0.5;  // less than half a cell: cells stay what they are
-constexpr double kWithinSteps = 0.75;   // of a direction: half the diagonal of a cell
-constexpr double kSameEdge = 1.02;      // ranges of one cell that belong to one surface
+constexpr double kReachM = 0.5;        // how far surfaces may lie apart to be brought together
+constexpr double kMostOffM = 0.03;     // surfaces that lie farther apart are not said to fit
+constexpr double kSameCellSteps = 0.5; // less than half a cell: cells stay what they are
+constexpr double kWithinSteps = 0.75;  // of a direction: half the diagonal of a cell
+constexpr double kSameEdge = 1.02;     // ranges of one cell that belong to one surface
 constexpr double kSamePlaceM = 0.002, kSameTurn = 2e-4;
 
 bool sameGrid(const Scan& a, const Scan& b) {
@@ -99,6 +99,9 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
     scan->intensity = {};
     scan->attached.clear();
     scan->name = pair.earlier.scan->name;
+    scan->path = pair.earlier.scan->path;
+    scan->sha256 = pair.earlier.scan->sha256;
+    scan->format = pair.earlier.scan->format;
     scan->warnings = pair.earlier.scan->warnings;
     scan->acquisition = pair.earlier.scan->acquisition;
     struct Fallen {
@@ -148,8 +151,7 @@ void judge(LinedUp& how, double off) {
         say("without a pose of both, the two scans are lined up by their surfaces alone.");
     else if (how.surfaces && off > kSameCellSteps)
         say("the surfaces of the two scans do not lie where their poses put them: " + tenthsOfMm(how.surfaces->residualBeforeM) +
-            " apart, and " + tenthsOfMm(how.surfaces->residualM) + " if one is moved by " +
-            fixedText(off, 1) + " cells.");
+            " apart, and " + tenthsOfMm(how.surfaces->residualM) + " if one is moved by " + fixedText(off, 1) + " cells.");
     if (how.surfaces && how.surfaces->residualM > kMostOffM)
         say("the surfaces of the two scans lie " + tenthsOfMm(how.surfaces->residualM) +
             " apart at best, so most of the place changed or they are no scans of one place.");

@@ -24,22 +24,23 @@ enum class LinedUpBy : std::uint8_t {
 };
 
 struct LineUpWish {
-    std::optional<std::array<RigidTransform, 2>> poses{}; ///< later, earlier: scanner frame to a common one, instead of the scans' own places
-    bool bySurfaces = false;                              ///< also mend places that there are
+    std::optional<std::array<RigidTransform, 2>>
+        poses{};             ///< later, earlier: scanner frame to a common one, instead of the scans' own places
+    bool bySurfaces = false; ///< also mend places that there are
 };
 
 struct LinedUp {
     LinedUpBy by = LinedUpBy::OneScan;
-    bool sameCells = true;                  ///< cell k of the one is cell k of the other; else points were moved to the cells they fall into
-    std::optional<ScanAlignment> surfaces;  ///< how far they lie apart, also where they were not moved; empty for one scan
-    bool outOfSpec = false;                 ///< the warnings say why
+    bool sameCells = true;                 ///< cell k of the one is cell k of the other; else points were moved to the cells they fall into
+    std::optional<ScanAlignment> surfaces; ///< how far they lie apart, also where they were not moved; empty for one scan
+    bool outOfSpec = false;                ///< the warnings say why
     std::vector<std::string> warnings;
 };
 
 /// The earlier scan on the grid of the later one.
 struct EarlierOnGrid {
-    std::shared_ptr<const Scan> scan;                  ///< lines x beams of the later one; ranges in mm from its sensor
-    std::shared_ptr<const Grid<std::uint8_t>> edges;   ///< 255 = edge of the earlier scan
+    std::shared_ptr<const Scan> scan;                ///< lines x beams of the later one; ranges in mm from its sensor
+    std::shared_ptr<const Grid<std::uint8_t>> edges; ///< 255 = edge of the earlier scan
     LinedUp how;
 };
 

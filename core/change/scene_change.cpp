@@ -148,7 +148,9 @@ void takeAgreement(SceneChange& change, const Scan& later) {
 
 } // namespace
 
-double ChangeNoise::at(double rangeM) const { return std::sqrt(std::pow(later.at(rangeM), 2) + std::pow(earlier.at(rangeM), 2) + placesMm * placesMm); }
+double ChangeNoise::at(double rangeM) const {
+    return std::sqrt(std::pow(later.at(rangeM), 2) + std::pow(earlier.at(rangeM), 2) + placesMm * placesMm);
+}
 
 EdgeChanges edgeChanges(const Grid<std::uint8_t>& later, const Grid<std::uint8_t>& earlier, const Grid<CellState>& laterState,
                         const Grid<CellState>& earlierState, int reach) {

@@ -27,8 +27,8 @@ enum class RangeChange : std::uint8_t {
 };
 
 /// How edges and ranges are told apart. Fixed, so that two people see the same.
-inline constexpr int kEdgeReachCells = 1;    ///< of another scan: an edge within so many cells is the same one; of one scan: 0
-inline constexpr double kChangeSigmas = 4.0; ///< a range changed when it differs by more, and from all neighbours too
+inline constexpr int kEdgeReachCells = 1;          ///< of another scan: an edge within so many cells is the same one; of one scan: 0
+inline constexpr double kChangeSigmas = 4.0;       ///< a range changed when it differs by more, and from all neighbours too
 inline constexpr std::size_t kSmallestRegion = 40; ///< cells
 
 struct EdgeChanges {
@@ -62,7 +62,7 @@ struct ChangeNoise {
 struct ChangedRegion {
     bool farther = false;
     std::size_t cells = 0;
-    std::uint32_t cell = 0;                                    ///< of them the one nearest the middle
+    std::uint32_t cell = 0; ///< of them the one nearest the middle
     int firstLine = 0, lastLine = 0, firstBeam = 0, lastBeam = 0;
     double areaM2 = 0.0;   ///< across the beams, at the nearer of both ranges
     double byM = 0.0;      ///< median change, above 0

@@ -14,7 +14,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWidestPx = 300;
+constexpr int kLongestName = 30; // letters
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -38,9 +38,7 @@ QString thousands(std::size_t n) { return QLocale(QLocale::English, QLocale::Uni
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(name);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setMaximumWidth(kWidestPx);
+    label->setTextFormat(Qt::PlainText); // lines are broken where they are made: a plate over the cloud must know its height
     return label;
 }
 
@@ -87,20 +85,21 @@ ChangeLegend::ChangeLegend(QWidget* parent)
 }
 
 void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working) {
-    before_ = before;
+    before_ = before.size() > kLongestName ? before.left(kLongestName - 1) + "…" : before;
     for (int n = 0; n < kChangeRows; ++n) {
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
         const Row& row = rows_[static_cast<std::size_t>(n)];
-        const bool told = comparison != nullptr && (!ofSurfaces || comparison->isOfTwoScans());
+        const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
+        const bool told = some && (!ofSurfaces || comparison->isOfTwoScans());
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(told);
         row.count->setText(told ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
-    QString how = working ? tr("comparing …") : tr("nothing to compare with yet: turn a setting, or open another scan");
+    QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
     if (comparison != nullptr && !working) {
-        how = shownText(lineUpText(comparison->change.earlier.how));
-        if (comparison->change.earlier.how.outOfSpec) how += '\n' + tr("▲ OUT OF SPEC");
+        how = shownText(lineUpText(comparison->change.earlier.how)).replace("; ", "\n");
+        if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
         if (comparison->isOfTwoScans())
-            how += '\n' + tr("half of the cells differ by less than %1 mm; a change is more than %2 mm at 5 m")
+            how += '\n' + tr("half of the cells differ by less than %1 mm\na change is more than %2 mm at 5 m")
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }

@@ -5,6 +5,7 @@
 #include "core/io/open_as_asked.h"
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
+#include "ui/cloud/cloud_geometry.h"
 #include "ui/session/session.h"
 
 #include <algorithm>
@@ -51,7 +52,8 @@ EdgeCells cellsOf(const Comparison& made) {
         all.push_back(static_cast<std::uint32_t>(k));
     }
     EdgeCells found{std::make_shared<const std::vector<std::uint32_t>>(std::move(all)), {}};
-    for (std::size_t n = 0; n < lists.size(); ++n) found.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    for (std::size_t n = 0; n < lists.size(); ++n)
+        found.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
     return found;
 }
 

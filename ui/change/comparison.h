@@ -32,7 +32,8 @@ struct Comparison {
     EdgeCells edges;                       ///< by class: gained, lost, kept, unseen
     std::shared_ptr<const QImage> map;     ///< beams x lines: edges by their change on black
     std::shared_ptr<const QImage> overlay; ///< the same and the surfaces that changed, transparent elsewhere
-    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< by cell, bytes red, green, blue, 255; the cloud dimmed where nothing changed
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        points; ///< by cell, bytes red, green, blue, 255; the cloud dimmed where nothing changed
 
     [[nodiscard]] std::size_t count(ChangeRow row) const;
     [[nodiscard]] bool isOfTwoScans() const { return change.earlier.how.by != LinedUpBy::OneScan; }

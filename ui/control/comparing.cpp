@@ -33,8 +33,11 @@ bool isTyping(const QWidget* widget) {
 Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, NoticeBar& notice, Memory& memory)
     : session_(session), views_(views), legend_(legend), rocks_(rocks), notice_(notice), memory_(memory),
       reader_(
-          this, [](const Reading& reading) { return earlierPicture(reading.path, reading.settings); }, [this](const Read& read) { takeRead(read); },
-          [this](const QString& what) { takeRead(Error{what.toStdString(), "", "choose another scan"}); }),
+          this, [](const Reading& reading) { return earlierPicture(reading.path, reading.settings); },
+          [this](const Read& read) { takeRead(read); },
+          [this](const QString& what) {
+              takeRead(Error{what.toStdString(), "", "choose another scan"});
+          }),
       comparer_(
           this,
           [this](const ComparisonAsked& asked) {
@@ -125,7 +128,8 @@ void Comparing::ask() {
 }
 
 void Comparing::take(const Answer& answer) {
-    const bool wanted = comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
+    const bool wanted =
+        comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
     if (!wanted) { // a newer question is under way, or there is nothing left to ask
         working_ = working_ && comparable();
         return;
@@ -136,10 +140,13 @@ void Comparing::take(const Answer& answer) {
         kept_ = nullptr;
         emit keptChanged(false);
     } else {
-        if (!comparison_ || comparison_->asked.now != answer.asked.now || comparison_->asked.before != answer.asked.before) region_ = 0;
+        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
         comparison_ = *answer.made;
-        for (const std::string& warning : comparison_->change.earlier.how.warnings)
-            if (region_ == 0 && comparison_->isOfTwoScans()) notice_.showNotice(NoticeBar::Kind::Warning, shownText(warning));
+        if (otherScans) {
+            region_ = 0;
+            for (const std::string& warning : comparison_->change.earlier.how.warnings)
+                notice_.showNotice(NoticeBar::Kind::Warning, shownText(warning));
+        }
     }
     show();
     showLegend();
@@ -154,7 +161,8 @@ void Comparing::show() {
     std::shared_ptr<EdgesInstead> instead;
     if (comparison_ && shown_) {
         instead = std::make_shared<EdgesInstead>();
-        *instead = {comparison_->edges, changeColours(), comparison_->map, comparison_->overlay, rocks_.shown() ? nullptr : comparison_->points};
+        *instead = {comparison_->edges, changeColours(), comparison_->map, comparison_->overlay,
+                    rocks_.shown() ? nullptr : comparison_->points};
     }
     const bool on = instead != nullptr;
     views_.setEdgesInstead(std::move(instead));
@@ -197,7 +205,7 @@ void Comparing::nextRegion() {
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-5, -5, 5, 5)));
     views_.cloud().zoomToCells(cells);
-    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5, visible %6 m², at %7 m")
+    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
                            .arg(n + 1)
                            .arg(regions.size())
                            .arg(region.farther ? tr("farther") : tr("nearer"))

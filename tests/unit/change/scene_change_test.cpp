@@ -29,7 +29,8 @@ ScanEdges edgesOf(const std::shared_ptr<const Scan>& scan) { return {scan, detec
 TEST(EdgeChanges, AreThoseOfASlowVersion) {
     std::mt19937 dice(5);
     for (int round = 0; round < 60; ++round) {
-        const int lines = 1 + static_cast<int>(dice() % 12), beams = 1 + static_cast<int>(dice() % 12), reach = static_cast<int>(dice() % 3);
+        const int lines = 1 + static_cast<int>(dice() % 12), beams = 1 + static_cast<int>(dice() % 12),
+                  reach = static_cast<int>(dice() % 3);
         Grid<std::uint8_t> later(lines, beams), earlier(lines, beams);
         Grid<CellState> laterState(lines, beams, CellState::Valid), earlierState(lines, beams, CellState::Valid);
         for (std::size_t k = 0; k < later.size(); ++k) {
