@@ -290,10 +290,9 @@ void LinkedViews::setOverlay(bool on) {
     if (shown_ && insteadNow() != nullptr) return gray().setOverlay(instead_->overlay, 1.0);
     if (!on || !shown_) return gray().setOverlay(nullptr, 1.0);
     const bool asMade = !byClass_ && colours_ == kUsualColours;
-    gray().setOverlay(
-        asMade ? shown_->overlay
-               : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, colours_, byClass_, shown_->gray->height())),
-        1.0);
+    gray().setOverlay(asMade ? shown_->overlay
+                             : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, colours_, byClass_, shown_->gray->height())),
+                      1.0);
 }
 
 void LinkedViews::setEdgesByClass(bool on) {

@@ -22,19 +22,19 @@ Command compareMenu(MainWindow& w) {
         whileKept(action);
         QObject::connect(&comparing, &Comparing::flipped, &action, &QAction::setChecked);
     };
-    return submenu("Compare &A/B",
-                   {
-                       command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
-                       command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
-                       kLine,
-                       linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
-                       linked(toggle("Show What &Changed", "Shift+D", nullptr, true,
-                                     [&comparing](bool on) { comparing.setDifferenceShown(on); }),
-                              [](QAction& action) { action.setChecked(true); }),
-                       linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
-                       kLine,
-                       linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
-                   });
+    return submenu(
+        "Compare &A/B",
+        {
+            command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
+            command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            kLine,
+            linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
+            linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
+                   [](QAction& action) { action.setChecked(true); }),
+            linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
+            kLine,
+            linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
+        });
 }
 
 void addChangeLegend(MainWindow& w) {

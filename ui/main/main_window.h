@@ -9,6 +9,7 @@
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/live.h"
+#include "ui/control/marked_edges.h"
 #include "ui/control/measures.h"
 #include "ui/control/rocks.h"
 #include "ui/control/scan_report.h"
@@ -66,6 +67,7 @@ public:
     [[nodiscard]] Selection& selection() { return selection_; }
     [[nodiscard]] Comparing& comparing() { return comparing_; }
     [[nodiscard]] ChangeLegend& changeLegend() { return *changeLegend_; }
+    [[nodiscard]] MarkedEdges& markedEdges() { return markedEdges_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
     /// Where the picture comes from and of when: always in sight.
     [[nodiscard]] const StateBadge& origin() const { return *origin_; }
@@ -146,6 +148,7 @@ private:
     Measures measures_;
     Selection selection_;
     Comparing comparing_;
+    MarkedEdges markedEdges_;
     ScanReport report_;
     AuditTrail audit_;
 

@@ -16,7 +16,8 @@ namespace {
 
 QString cachedPath(bool afterBlast) {
     // The version is in the name: a newer program draws its own bell.
-    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" + (afterBlast ? "after-" : "") + version() + ".json";
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" +
+           (afterBlast ? "after-" : "") + version() + ".json";
 }
 
 } // namespace
