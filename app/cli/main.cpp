@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     cli::addWhy(app, code);
     cli::addRocks(app, code);
     cli::addCompare(app, code);
+    cli::addChange(app, code);
     cli::addCalibrate(app, code);
     cli::addThumbnail(app, code);
     cli::addPages(app,

@@ -95,7 +95,8 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
         const char* flag;
         std::vector<std::string> scenes;
     };
-    const std::vector<Use> uses{{"--rocks", {"hangup", "pile"}},
+    const std::vector<Use> uses{{"--after-blast", {"hangup"}},
+                                {"--rocks", {"hangup", "pile"}},
                                 {"--rock-roughness", {"hangup", "pile"}},
                                 {"--rock-rounding", {"hangup", "pile"}},
                                 {"--rock-size", {"hangup", "pile"}},
@@ -138,6 +139,9 @@ CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
     const char* group = "Scene";
     SimulationSettings& s = simulate.settings;
+    command
+        .add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")
+        ->group(group);
     add(command, group, "--rocks", s.rocks, "Boulders in the arch or pile");
     add(command, group, "--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]");
     add(command, group, "--rock-rounding", s.rockRounding,
@@ -200,6 +204,7 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
     const char* general = "Options"; // where CLI11 puts those without a group
     addNumber(command, "--seed", s.seed, {0, 999999999999999}, "Seed of everything random");
+    add(command, general, "--repeat", s.repeat, "Which of several sweeps of the same scene: other noise, dust and dropouts");
     add(command, general, "--lines", s.lines, "Scan lines over the turn");
     add(command, general, "--turn", s.turnDeg, "How far the stepper turns [degrees]");
     add(command, general, "--beams", s.beams, "Beams over -5 to 185 degrees");

@@ -44,6 +44,8 @@ void setWord(SimulationSettings& s, const std::string& key, const std::string& t
         s.mixedPixels = on();
     else if (key == "echo-loss")
         s.echoLoss = on();
+    else if (key == "after-blast")
+        s.afterBlast = on();
     else if (key == "truth")
         s.truth = on();
     else

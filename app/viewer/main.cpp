@@ -36,6 +36,7 @@ struct Wanted {
     bool noSettings = false;
     std::string language;
     std::vector<std::string> pins; // "LINE,BEAM"
+    std::string compare;
     std::string screenshot;
     int screenshotLines = 1;
     double quitAfter = 0.0;
@@ -53,6 +54,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
         ->check(CLI::IsMember(languages));
     app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
+    app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one");
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
     cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
     cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
@@ -104,10 +106,19 @@ void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places
     });
 }
 
+void compareWhenShown(ui::MainWindow& window, const QString& before) {
+    auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, before, once] {
+        QObject::disconnect(*once);
+        window.comparing().compareWith(before);
+    });
+}
+
 // Once the first picture is shown and the cloud has come to rest, or at once when the scan was refused.
 void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines, bool live) {
     constexpr int kRestMs = 700;
     const auto write = [&window, path] {
+        while (!window.comparing().settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         const Result<Done> written = ui::savePng(window.screenshot(), QString::fromStdString(path));
         if (!written) cli::complain(written.error());
         QApplication::exit(written ? 0 : 1);
@@ -139,6 +150,7 @@ void quitInTime(const std::string& screenshot) {
 std::optional<Error> nameThatIsNone(const Wanted& wanted) {
     std::vector<std::string> names = wanted.files;
     names.push_back(wanted.screenshot);
+    names.push_back(wanted.compare);
     names.push_back(wanted.read.options.pose);
     names.push_back(wanted.read.options.calibration);
     for (const std::string& name : names) {
@@ -158,6 +170,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::vector<Pinne
     }
     window.show();
     if (!pins.empty()) pinWhenShown(window, pins);
+    if (!wanted.compare.empty()) compareWhenShown(window, QString::fromStdString(wanted.compare));
     if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines, !wanted.live.empty());
     if (wanted.quitAfter > 0)
         QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });

@@ -1,6 +1,10 @@
 // Sets of cells.
 #include "core/measure/cell_sets.h"
 
+#include "core/scan/cartesian.h"
+
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -76,6 +80,29 @@ CellSet allBut(const CellSet& set, std::size_t cells) {
             rest.push_back(k);
     }
     return rest;
+}
+
+CellSet cellsBeyond(const Scan& scan, double nearM, double farM) {
+    CellSet beyond;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const double rangeM = static_cast<double>(scan.rangeMm[k]) / 1000.0;
+        if (scan.state[k] == CellState::Valid && (rangeM < nearM || rangeM > farM)) beyond.push_back(static_cast<std::uint32_t>(k));
+    }
+    return beyond;
+}
+
+CellSet cellsOutsideBoxOf(const Scan& scan, const CellSet& set) {
+    const CartesianTables tables(scan);
+    Eigen::AlignedBox3d box;
+    for (const std::uint32_t k : set) {
+        if (k < scan.cells() && scan.state[k] == CellState::Valid) box.extend(tables.point(k));
+    }
+    CellSet outside;
+    if (box.isEmpty()) return outside;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid && !box.contains(tables.point(k))) outside.push_back(static_cast<std::uint32_t>(k));
+    }
+    return outside;
 }
 
 std::vector<CellRun> runsOf(const CellSet& set) {

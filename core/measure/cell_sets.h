@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/scan/scan.h"
 
 #include <Eigen/Core>
 
@@ -25,6 +26,12 @@ using CellSet = std::vector<std::uint32_t>;
 [[nodiscard]] CellSet without(const CellSet& a, const CellSet& b);
 /// Of `cells` cells all that are not in it.
 [[nodiscard]] CellSet allBut(const CellSet& set, std::size_t cells);
+
+/// Cells with a range below `nearM` or above `farM`, metres.
+[[nodiscard]] CellSet cellsBeyond(const Scan& scan, double nearM, double farM);
+/// Cells with a range that lie outside the smallest box along the axes of the scan's frame which holds those of `set`. Empty where none of
+/// these has a range.
+[[nodiscard]] CellSet cellsOutsideBoxOf(const Scan& scan, const CellSet& set);
 
 /// The same as pairs of first cell and number of cells that follow each other, as records hold it.
 struct CellRun {

@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/measure/surface_path.h"
 #include "core/rocks/rock_attributes.h"
 
 #include <Eigen/Geometry>
@@ -18,6 +19,8 @@ constexpr std::array<MeasureTraits, kMeasureKinds> kMeasures{{
     {MeasureKind::Vertical, "vertical", "Vertical Difference", 2},
     {MeasureKind::Angle, "angle", "Angle", 3},
     {MeasureKind::Spans, "spans", "Spans a × b", 4},
+    {MeasureKind::Path, "path", "Along the Surface", 2},
+    {MeasureKind::Throat, "throat", "Throat Width", 2},
 }};
 
 struct PickedEnd {
@@ -115,7 +118,18 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
     }
     const std::span<const PickedEnd> all(ends);
     switch (kind) {
+    case MeasureKind::Path: {
+        const auto path = surfacePath(scan, tables, noise, cells[0], cells[1]);
+        if (!path) return std::nullopt;
+        MeasuredLength length = distanceOf(all); // too near is too near, whatever the way
+        length.valueM = path->lengthM;
+        length.toleranceM = path->toleranceM;
+        measured.lengths = {length};
+        measured.leaps = path->leaps;
+        break;
+    }
     case MeasureKind::Distance:
+    case MeasureKind::Throat:
         measured.lengths = {distanceOf(all)};
         break;
     case MeasureKind::Vertical: {
@@ -156,6 +170,8 @@ std::string measureBasis(const MeasuredCells& measured) {
     }
     text += " m";
     if (measured.angleIsBelow) text += "; a side is below what is resolved there";
+    if (measured.leaps > 0)
+        text += "; " + std::to_string(measured.leaps) + (measured.leaps > 1 ? " jumps are" : " jump is") + " part of it";
     if (measured.upAssumed) text += "; no pose: up is the scanner's z";
     return text;
 }

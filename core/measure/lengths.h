@@ -18,8 +18,10 @@ enum class MeasureKind : std::uint8_t {
     Vertical, ///< how much higher the second lies than the first
     Angle,    ///< at the second of three
     Spans,    ///< a x b: between the first two, and between the other two
+    Path,     ///< along the surface, under the straight line of cells between two
+    Throat,   ///< the narrowest free way between two rims; its cells are those of narrowestBetween() (throat.h)
 };
-inline constexpr int kMeasureKinds = 4;
+inline constexpr int kMeasureKinds = 6;
 
 struct MeasureTraits {
     MeasureKind kind;
@@ -44,6 +46,7 @@ struct MeasuredCells {
     double angleDeg = 0.0;               ///< of Angle
     double angleToleranceDeg = 0.0;      ///< likewise, two standard deviations
     bool angleIsBelow = false;           ///< one of its sides is below what is resolved
+    int leaps = 0;                       ///< of Path: jumps and gaps that it goes over
     bool upAssumed = false;              ///< of Vertical: the scan has no pose, up is the scanner's z
     std::vector<double> rangesM;         ///< of its cells
 };

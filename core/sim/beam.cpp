@@ -101,7 +101,8 @@ double rangeSigmaM(double rangeM, double cosine) {
 }
 
 double measuredMm(const Echo& echo, std::size_t k, const SimulationSettings& settings) {
-    const auto chance = [&](Purpose purpose) { return uniformOf(hashOf(settings.seed, purpose, k)); };
+    const std::uint64_t seed = measurementSeed(settings);
+    const auto chance = [&](Purpose purpose) { return uniformOf(hashOf(seed, purpose, k)); };
     const double step = settings.rangeStepMm;
     double range = echo.rangeM;
     if (echo.signal <= 0.0 || chance(Purpose::Dropout) < settings.dropouts) return 0.0;
@@ -113,7 +114,7 @@ double measuredMm(const Echo& echo, std::size_t k, const SimulationSettings& set
         if (chance(Purpose::EchoLoss) < std::max(weak, grazing)) return 0.0;
     }
     const double sigma = settings.noise * rangeSigmaM(echo.rangeM, echo.cosine);
-    range += sigma * normalOf(hashOf(settings.seed, Purpose::Noise, k));
+    range += sigma * normalOf(hashOf(seed, Purpose::Noise, k));
     if (range > settings.maxRangeM) return 0.0;
     return std::max(1.0, std::round(1000.0 * range / step)) * step;
 }

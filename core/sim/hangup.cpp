@@ -44,7 +44,47 @@ void settle(Ball& ball, const Vault& vault, double hang) {
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t seed) {
+/// The large rock nearest the axis.
+std::size_t keystone(const std::vector<Ball>& balls) {
+    constexpr std::size_t kLarge = 5; // the first ones are the largest
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < std::min(kLarge, balls.size()); ++i) {
+        if (balls[i].centre.head<2>().norm() < balls[best].centre.head<2>().norm()) best = i;
+    }
+    return best;
+}
+
+/// A place on the muck where a rock that fell may lie; far below everything where none is found: it was drawn out.
+Eigen::Vector3d landing(const Bell& bell, std::uint64_t seed, double sizeM, Dice& dice) {
+    constexpr int kTries = 40;
+    for (int n = 0; n < kTries; ++n) {
+        const double x = dice.uniform(-4.0, 4.0);
+        const double y = dice.uniform(-4.5, 1.0);
+        const double height = muckHeight(bell, x, y, seed) + 0.25 * sizeM;
+        const bool nearScanner = std::hypot(x, y) < 1.6 + sizeM;
+        const bool onPole = y * y + height * height < (0.15 + 0.5 * sizeM) * x * x; // near the axis of a sweep it would show in every line
+        if (!nearScanner && !onPole && bell.share({x, y, height}) < 0.95) return {x, y, height};
+    }
+    return {0.0, 0.0, -60.0};
+}
+
+/// Moves what the blast moves.
+void blast(std::vector<Ball>& balls, const std::vector<double>& sizes, const Bell& bell, std::uint64_t seed) {
+    constexpr double kBrokenOutM = 1.8, kLoosenedM = 2.8;
+    if (balls.empty()) return;
+    const Eigen::Vector3d at = balls[keystone(balls)].centre;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Dice dice(seed, Purpose::Blast, i);
+        const double away = (balls[i].centre - at).norm();
+        const bool stays = dice.uniform() < 0.5;
+        if (away < kBrokenOutM)
+            balls[i].centre = stays ? landing(bell, mixed(seed), sizes[i], dice) : Eigen::Vector3d(0.0, 0.0, -60.0);
+        else if (away < kLoosenedM && !stays)
+            balls[i].centre.z() -= dice.uniform(0.05, 0.4);
+    }
+}
+
+void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t seed, bool afterBlast) {
     Dice places(seed, Purpose::Places);
     std::vector<double> sizes = rockSizes(rocks.count, seed);
     for (double& size : sizes) size *= rocks.size;
@@ -58,7 +98,8 @@ void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t
         return p;
     };
     const Confine confine = [&](std::size_t i, Ball& ball) { settle(ball, vault, hang[i]); };
-    const std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
+    std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
+    if (afterBlast) blast(balls, sizes, vault.bell, seed);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Dice shape(seed, Purpose::Shapes, i);
         addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rocks.rounding);
@@ -85,7 +126,7 @@ void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t
 
 } // namespace
 
-Scene hangupScene(std::uint64_t seed, const Rocks& rocks) {
+Scene hangupScene(std::uint64_t seed, const Rocks& rocks, bool afterBlast) {
     Dice dice(seed, Purpose::Bell);
     const Bell bell(mixed(seed));
     const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
@@ -98,7 +139,7 @@ Scene hangupScene(std::uint64_t seed, const Rocks& rocks) {
     Scene scene;
     addBell(scene, bell, {true, vault.chimneyM * 2.3, 1.3});
     addMuck(scene, bell, mixed(seed));
-    addArch(scene, vault, rocks, seed);
+    addArch(scene, vault, rocks, seed, afterBlast);
     addRubble(scene, bell, rocks, mixed(seed));
     return scene;
 }

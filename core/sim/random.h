@@ -29,7 +29,9 @@ enum class Purpose : std::uint64_t {
     Rubble,
     Slips,
     Status,
-    Holes
+    Holes,
+    Repeats,
+    Blast
 };
 
 constexpr std::uint64_t hashOf(std::uint64_t seed, Purpose purpose, std::uint64_t index) {

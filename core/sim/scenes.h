@@ -13,8 +13,9 @@ struct Rocks {
 };
 
 /// Rocks jammed wall to wall across the bell, seen from below; a chimney through them, the drift to one side (docs/method.md, "Simulator").
-/// A fifth more rocks than in the arch lie on the muck.
-[[nodiscard]] Scene hangupScene(std::uint64_t seed, const Rocks& rocks);
+/// A fifth more rocks than in the arch lie on the muck. `afterBlast`: at the keystone nearest the middle the arch is broken out, part of
+/// that lies on the muck, and rocks round the hole slid down; all others are where they were, and each rock keeps its number and shape.
+[[nodiscard]] Scene hangupScene(std::uint64_t seed, const Rocks& rocks, bool afterBlast = false);
 
 /// A muck slope of rocks against one wall, the scanner leaned towards it, the bell open above.
 [[nodiscard]] Scene pileScene(std::uint64_t seed, const Rocks& rocks);

@@ -46,6 +46,8 @@ Json treadsJson(const SimulationSettings& s) {
 Json settingsJson(const SimulationSettings& s) {
     Json json{{"scene", s.scene},
               {"seed", s.seed},
+              {"repeat", s.repeat},
+              {"after_blast", s.afterBlast},
               {"lines", s.lines},
               {"beams", s.beams},
               {"axis", s.axis == Axis::Sweep ? "sweep" : "spin"},

@@ -55,8 +55,9 @@ void assign(Member& member, double value) {
     [](const SimulationSettings& s) { return 1.0 * (get); }, [](SimulationSettings& s, double value) { assign(s.member, value); }
 #define EDGESCAN_NUMBER(member) EDGESCAN_SETTING(s.member, member)
 
-constexpr std::array<SimulationNumber, 32> kNumbers{{{"lines", {2, 100000}, EDGESCAN_NUMBER(lines)},
+constexpr std::array<SimulationNumber, 33> kNumbers{{{"lines", {2, 100000}, EDGESCAN_NUMBER(lines)},
                                                      {"beams", {2, 100000}, EDGESCAN_NUMBER(beams)},
+                                                     {"repeat", {0, 1000000}, EDGESCAN_NUMBER(repeat)},
                                                      {"rocks", {0, 3000}, EDGESCAN_NUMBER(rocks)},
                                                      {"rock-roughness", {0, 200}, EDGESCAN_NUMBER(rockRoughnessMm)},
                                                      {"rock-rounding", {0, 0.9}, EDGESCAN_NUMBER(rockRounding)},
@@ -100,6 +101,8 @@ std::optional<Error> refusal(const SimulationSettings& s) {
     if (s.truth && (s.assembly != AssemblyErrors{} || s.zeroJumpDeg != 0))
         return Error{"the truth is that of rays from one point, which an assembly with errors has not", "simulate",
                      "leave the truth or the errors of the assembly out"};
+    if (s.afterBlast && s.scene != "hangup")
+        return Error{"there is nothing to blast in the scene \"" + s.scene + "\"", "simulate", "use the scene hangup"};
     constexpr double kMostCells = 1e8;
     if (1.0 * s.lines * s.beams > kMostCells)
         return Error{"lines x beams is more than 100 million cells", "simulate", "use fewer lines or beams"};
@@ -108,7 +111,7 @@ std::optional<Error> refusal(const SimulationSettings& s) {
 
 Result<Scene> sceneOf(const SimulationSettings& settings) {
     const Rocks rocks{settings.rocks, settings.rockSize, settings.rockRounding};
-    if (settings.scene == "hangup") return hangupScene(settings.seed, rocks);
+    if (settings.scene == "hangup") return hangupScene(settings.seed, rocks, settings.afterBlast);
     if (settings.scene == "pile") return pileScene(settings.seed, rocks);
     if (settings.scene == "empty") return emptyScene(settings.seed);
     if (settings.scene == "wall") return wallScene({settings.distanceM, settings.hole, settings.holes, settings.holeM}, settings.seed);
@@ -143,9 +146,9 @@ PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nom
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) {
         if (s.assembly.turnDeg() != 0) polar.lineDeg[i] *= s.assembly.turnFactor();
         if (2 * i >= polar.lineDeg.size()) polar.lineDeg[i] += s.zeroJumpDeg;
-        polar.lineDeg[i] += s.lineJitterDeg * normalOf(hashOf(s.seed, Purpose::LineJitter, i));
+        polar.lineDeg[i] += s.lineJitterDeg * normalOf(hashOf(measurementSeed(s), Purpose::LineJitter, i));
         if (odd) polar.lineDeg[i] += s.interlaceDeg;
-        if (uniformOf(hashOf(s.seed, Purpose::Slips, i)) < s.slips) polar.lineDeg[i] -= s.turnDeg / s.lines;
+        if (uniformOf(hashOf(measurementSeed(s), Purpose::Slips, i)) < s.slips) polar.lineDeg[i] -= s.turnDeg / s.lines;
     }
     if (s.motorSkewDeg != 0.0) {
         for (int j = 0; j < s.beams; ++j) polar.lineSkewDeg.push_back(s.motorSkewDeg * j / (s.beams - 1));
@@ -203,7 +206,7 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Aim, 2>
         const auto range = static_cast<float>(measuredMm(echo, k, settings));
         out.scan.rangeMm[k] = range;
         out.scan.state[k] = range > 0.0F ? CellState::Valid : CellState::NoReturn;
-        if (uniformOf(hashOf(settings.seed, Purpose::Status, k)) < settings.statusCodes) {
+        if (uniformOf(hashOf(measurementSeed(settings), Purpose::Status, k)) < settings.statusCodes) {
             out.scan.rangeMm[k] = static_cast<float>(kStatusCode * settings.rangeStepMm);
             out.scan.state[k] = CellState::DeviceStatus;
         }
@@ -271,7 +274,7 @@ SimulationTruth emptyTruth(const SimulationSettings& s, const Scene& scene) {
 Result<Simulation> sweepOf(const SimulationSettings& settings, Scene scene, const SimulationProgress& progress) {
     Simulation out;
     const PolarGeometry nominal = nominalGeometry(settings);
-    out.scan.name = settings.scene + "-seed" + std::to_string(settings.seed);
+    out.scan.name = settings.scene + "-seed" + std::to_string(settings.seed) + (settings.afterBlast ? "-after" : "");
     out.scan.format = "simulated";
     out.scan.geometry = nominal;
     out.scan.unitMm = settings.rangeStepMm;
@@ -303,6 +306,11 @@ const std::vector<SimulationScene>& simulationScenes() {
         {"rescan", "a measured surface, given with --surface, over the scanner"},
     };
     return scenes;
+}
+
+std::uint64_t measurementSeed(const SimulationSettings& settings) {
+    if (settings.repeat == 0 && !settings.afterBlast) return settings.seed;
+    return hashOf(settings.seed, Purpose::Repeats, 2 * static_cast<std::uint64_t>(settings.repeat) + (settings.afterBlast ? 1 : 0));
 }
 
 double wallRoughnessMmOf(const SimulationSettings& settings) {

@@ -35,10 +35,12 @@ struct SimulationSettings {
     int lines = 1000;             ///< over the turn: steps of turnDeg / lines
     int beams = 1141;             ///< over -5..185 degrees, both ends included
     Axis axis = Axis::Sweep;
+    int repeat = 0;         ///< which of several sweeps of one scene: the same rocks, other noise, dust and dropouts
     double turnDeg = 180.0; ///< of the stepper; beyond 180 a spin sees surfaces twice
     DeviceProfile profile = DeviceProfile::HighResolution;
 
     // The scene.
+    bool afterBlast = false;      ///< of "hangup": the same bell after a blast at a keystone, with a noise of its own
     int rocks = 420;              ///< in the arch or pile; the scenes without rocks ignore it
     double rockRoughnessMm = 8.0; ///< standard deviation of the fractal relief
     double rockRounding = 0.0;    ///< radius of corners and ridges, as a share of the largest ball round a rock's middle that fits in it
@@ -106,6 +108,9 @@ struct Simulation {
 
 /// Called on the calling thread with the finished share, 0..1, never falling; false cancels.
 using SimulationProgress = std::function<bool(double fraction)>;
+
+/// What noise, dropouts and all else that differs from sweep to sweep is drawn from; the scene itself comes from the seed.
+[[nodiscard]] std::uint64_t measurementSeed(const SimulationSettings& settings);
 
 /// Scene names and what each shows.
 struct SimulationScene {

@@ -104,6 +104,13 @@ bool handedOver(WindowFixture& on, const Bell& bell) {
     return on.settled();
 }
 
+bool compared(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell)) return false;
+    QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+    return on.open(bell.after) &&
+           QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 60000);
+}
+
 bool live(WindowFixture& on, const Bell& bell) {
     const auto scan = openScan(bell.before);
     auto telegrams = scan ? telegramsOf(*scan) : Result<std::vector<ScanTelegram>>(scan.error());
@@ -128,8 +135,8 @@ struct Task {
     const char* name;
     bool (*act)(WindowFixture&, const Bell&);
 };
-constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},
-                        {"measure", measured}, {"live", live},  {"hand-over", handedOver}};
+constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},         {"measure", measured},
+                        {"compare", compared}, {"live", live},  {"hand-over", handedOver}};
 
 int makePictures(const QString& folder) {
     const test::TemporaryFolder made;
@@ -139,6 +146,7 @@ int makePictures(const QString& folder) {
     settings.beams = 685;
     const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string()};
     bool well = bool(saveScan(simulate(settings)->scan, bell.before));
+    settings.afterBlast = true;
     well = well && bool(saveScan(simulate(settings)->scan, bell.after));
     const QSize size = QGuiApplication::primaryScreen()->size();
     for (const Task& task : kTasks) {

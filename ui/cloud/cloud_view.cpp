@@ -103,8 +103,9 @@ void CloudView::setEdges(EdgeCells cells) {
     requestFrame();
 }
 
-void CloudView::setFaces(std::shared_ptr<const CellIndices> colours) {
-    if (colours == faces_) return;
+void CloudView::setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver edges) {
+    if (colours == faces_ && edges == edgesOver_) return;
+    edgesOver_ = edges;
     faces_ = std::move(colours);
     scene_->setFaces(faces_);
     restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // as for edges
@@ -163,7 +164,7 @@ void CloudView::applyColours() {
     look.pointSize = std::round(pointSize_ * devicePixelRatioF());
     look.edgeSize = std::round(edgeSizeFor(pointSize_) * devicePixelRatioF());
     look.halo = std::floor(devicePixelRatioF());
-    look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_);
+    look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_ || edgesOver_ == EdgesOver::Always);
     look.byClass = byClass_;
     scene_->setLook(look);
     requestFrame();

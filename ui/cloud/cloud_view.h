@@ -38,6 +38,7 @@ public:
     using CellIndices = std::vector<std::uint32_t>;
     enum class Camera { Reset, Keep };
     enum class Points { AsShown, All };
+    enum class EdgesOver { AsAsked, Always }; ///< edges over faces
 
     explicit CloudView(QWidget* parent = nullptr);
     ~CloudView() override;
@@ -55,7 +56,7 @@ public:
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
     /// A colour for each point, instead of the cloud's gray (CloudScene::setFaces). While there are some, edges are drawn only where
     /// setEdgesOverFaces() asks for them.
-    void setFaces(std::shared_ptr<const CellIndices> colours);
+    void setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver edges = EdgesOver::AsAsked);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& faces() const { return faces_; }
     void setEdgesOverFaces(bool on);
     /// Cells along an outline, drawn white; null: none.
@@ -104,6 +105,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const CellIndices>& selection() const { return selection_; }
     /// Cells that are not drawn and cannot be picked, 1 each; null: all are. Of another number of cells than the cloud: none is hidden.
     void setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidden);
+    [[nodiscard]] const std::shared_ptr<const std::vector<std::uint8_t>>& hidden() const { return hidden_; }
     /// How the points lie on the screen now, device pixels.
     [[nodiscard]] ScreenView screenView() const;
 
@@ -215,6 +217,7 @@ private:
     QPolygonF dragged_; // while something is being selected, widget pixels
     DragTool tool_ = DragTool::Move;
     bool edgesOverFaces_ = false;
+    EdgesOver edgesOver_ = EdgesOver::AsAsked;
 
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation

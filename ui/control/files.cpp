@@ -20,19 +20,6 @@
 namespace edgescan::ui {
 namespace {
 
-// "All supported" first, then one entry per kind.
-QString openFilters() {
-    QStringList all;
-    QStringList filters;
-    for (const Format& format : formats()) {
-        for (const char* extension : format.reads) all << QString("*") + extension;
-        filters << filterOf(format, format.reads);
-    }
-    filters.removeAll(QString());
-    all << "*.gz"; // any of them
-    return QObject::tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + QObject::tr("All files (*)");
-}
-
 /// The scans that lie beside it, by their names, itself among them; what others belong to a scan (records, settings) is passed over.
 QStringList scansBeside(const QString& path) {
     QStringList patterns;
@@ -92,13 +79,26 @@ void Files::open(const QStringList& paths, const ReadingOptions& options) {
     session_.open(paths.front(), options);
 }
 
-void Files::openDemo() {
+void Files::openDemo(bool afterBlast) {
     series_.clear();
     setOptions({});
-    session_.openDemo();
+    session_.openDemo(afterBlast);
 }
 
-void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), memory_.folder("scans"), openFilters())); }
+// "All supported" first, then one entry per kind.
+QString Files::filters() {
+    QStringList all;
+    QStringList filters;
+    for (const Format& format : formats()) {
+        for (const char* extension : format.reads) all << QString("*") + extension;
+        filters << filterOf(format, format.reads);
+    }
+    filters.removeAll(QString());
+    all << "*.gz"; // any of them
+    return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
+}
+
+void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), memory_.folder("scans"), filters())); }
 
 void Files::reload() {
     if (!path_.isEmpty()) session_.open(path_, options_);

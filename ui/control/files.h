@@ -22,7 +22,7 @@ public:
 
     /// Opens the first; the others follow with step().
     void open(const QStringList& paths, const ReadingOptions& options = {});
-    void openDemo();
+    void openDemo(bool afterBlast = false);
     void ask();
     void reload();
     void step(int files);
@@ -40,6 +40,8 @@ public:
     [[nodiscard]] const ReadingOptions& options() const { return options_; }
     /// " (2 of 3)" in a series, else empty.
     [[nodiscard]] QString placeInSeries() const;
+    /// Of a dialog that asks for a scan.
+    [[nodiscard]] static QString filters();
 
 signals:
     void straightened(bool on);

@@ -128,28 +128,69 @@ void LinkedViews::lookAtBox(const QRect& cells) {
 }
 
 void LinkedViews::show() {
+    if (flipped_) flipTo(nullptr);
     const std::shared_ptr<const Picture> last = std::exchange(shown_, session_.picture());
     const bool newScan = !last || last->detection->scan != shown_->detection->scan;
     if (!last || last->source.stream != shown_->source.stream)
         showNewScan();
     else if (newScan)
         showMoreLines(*last);
-    if (newScan || last->gray != shown_->gray) {
-        const bool asIs = levels_ == DisplayLevels{};
-        gray().setImage(asIs ? shown_->gray
-                             : std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
-    }
+    if (instead_ && (newScan || instead_->map->size() != shown_->edges->size())) instead_ = nullptr;
+    drawShown();
+}
+
+void LinkedViews::drawShown() {
+    const bool asIs = levels_ == DisplayLevels{};
+    gray().setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
     setOverlay(overlay_);
     showEdgeMap();
-    cloud_.setEdges(shown_->edgeCells);
+    showEdgesOfCloud();
     hover(hovered_, nullptr);
+}
+
+void LinkedViews::showEdgesOfCloud() {
+    const EdgesInstead* instead = insteadNow();
+    const EdgeColours& colours = instead != nullptr ? instead->colours : colours_;
+    if (cloud_.edgeColours() != colours) cloud_.setEdgeColours(colours);
+    if (cloud_.edgesByClass() != (instead != nullptr || byClass_)) cloud_.setEdgesByClass(!cloud_.edgesByClass());
+    if (shown_) cloud_.setEdges(instead != nullptr ? instead->cells : shown_->edgeCells);
+    if (instead != nullptr && instead->points) cloud_.setFaces(instead->points, CloudView::EdgesOver::Always);
+}
+
+void LinkedViews::setEdgesInstead(std::shared_ptr<const EdgesInstead> instead) {
+    if (instead && (!shown_ || instead->map->size() != shown_->edges->size())) return;
+    const bool facesWere = instead_ && instead_->points && cloud_.faces() == instead_->points;
+    instead_ = std::move(instead);
+    if (facesWere && !(instead_ && instead_->points)) cloud_.setFaces(nullptr);
+    if (!shown_ || flipped_) return;
+    setOverlay(overlay_);
+    showEdgeMap();
+    showEdgesOfCloud();
+}
+
+void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
+    if (!shown_ || flipped_ == other) return;
+    if (!flipped_) own_ = shown_;
+    flipped_ = std::move(other);
+    shown_ = flipped_ ? flipped_ : std::exchange(own_, nullptr);
+    // The cloud lets go of all that lay over the one before; what stands for cells holds for both.
+    const auto selection = cloud_.selection();
+    const auto hidden = cloud_.hidden();
+    if (cloud_.scan() != shown_->detection->scan) {
+        cloud_.setCloud(shown_->detection->scan, shown_->cloud, CloudView::Camera::Keep);
+        if (hidden) cloud_.setHidden(hidden);
+        cloud_.setSelection(selection);
+    } else if (flipped_) {
+        cloud_.setFaces(nullptr);
+    }
+    drawShown();
 }
 
 void LinkedViews::showEdgeMap() {
     if (!shown_) return;
+    if (insteadNow() != nullptr) return edges().setImage(instead_->map, Shrink::KeepBrightest);
     const bool coloured = byClass_ && shown_->detection->classes;
-    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, cloud_.edgeColours())) : shown_->edges,
-                     Shrink::KeepBrightest);
+    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, colours_)) : shown_->edges, Shrink::KeepBrightest);
 }
 
 void LinkedViews::showNewScan() {
@@ -246,23 +287,24 @@ void LinkedViews::setStale(const QString& why) {
 
 void LinkedViews::setOverlay(bool on) {
     overlay_ = on;
+    if (shown_ && insteadNow() != nullptr) return gray().setOverlay(instead_->overlay, 1.0);
     if (!on || !shown_) return gray().setOverlay(nullptr, 1.0);
-    const bool asMade = !byClass_ && cloud_.edgeColours() == kUsualColours;
-    gray().setOverlay(
-        asMade ? shown_->overlay
-               : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, cloud_.edgeColours(), byClass_, shown_->gray->height())),
-        1.0);
+    const bool asMade = !byClass_ && colours_ == kUsualColours;
+    gray().setOverlay(asMade ? shown_->overlay
+                             : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, colours_, byClass_, shown_->gray->height())),
+                      1.0);
 }
 
 void LinkedViews::setEdgesByClass(bool on) {
     byClass_ = on;
-    cloud_.setEdgesByClass(on);
+    showEdgesOfCloud();
     showEdgeMap();
     setOverlay(overlay_);
 }
 
 void LinkedViews::setEdgeColours(const EdgeColours& colours) {
-    cloud_.setEdgeColours(colours);
+    colours_ = colours;
+    showEdgesOfCloud();
     showEdgeMap();
     setOverlay(overlay_);
 }

@@ -24,6 +24,14 @@ struct CellMarks;
 /// What a click or a drag over a view means.
 enum class Tool { Pin, Measure, Box, Lasso };
 
+/// Drawn in place of the edges of the picture, on its grid.
+struct EdgesInstead {
+    EdgeCells cells; ///< by class, in these colours
+    EdgeColours colours;
+    std::shared_ptr<const QImage> map, overlay;               ///< of the edge map; over the range image
+    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: as they are
+};
+
 /// GUI thread only. Session and views must outlive it.
 class LinkedViews : public QObject {
     Q_OBJECT
@@ -57,6 +65,13 @@ public:
     void setStale(const QString& why);
     void setOverlay(bool on);
     void setEdgesByClass(bool on);
+    /// Until null is set, or the picture has another size.
+    void setEdgesInstead(std::shared_ptr<const EdgesInstead> instead);
+    [[nodiscard]] const std::shared_ptr<const EdgesInstead>& edgesInstead() const { return instead_; }
+    /// Shows another picture of the same number of lines and beams in all views, which stay where they are; null, or a new picture of the
+    /// session, ends it.
+    void flipTo(std::shared_ptr<const Picture> other);
+    [[nodiscard]] bool flipped() const { return flipped_ != nullptr; }
     void setEdgeColours(const EdgeColours& colours);
     /// Pixels as wide and high as the angles between beams and lines are; else square.
     void setTrueAngles(bool on);
@@ -93,6 +108,9 @@ private:
     void lookAtBox(const QRect& cells);
     void show();
     void showEdgeMap();
+    void showEdgesOfCloud();
+    void drawShown();
+    [[nodiscard]] const EdgesInstead* insteadNow() const { return flipped_ ? nullptr : instead_.get(); }
     void showNewScan();
     void showMoreLines(const Picture& last);
     void noteFit();
@@ -113,6 +131,9 @@ private:
     DisplayLevels levels_;
     bool overlay_ = false;
     bool byClass_ = false;
+    EdgeColours colours_ = kUsualColours;
+    std::shared_ptr<const EdgesInstead> instead_;
+    std::shared_ptr<const Picture> flipped_, own_; // what is shown for a while, and what comes back after it
     bool trueAngles_ = false;
 };
 

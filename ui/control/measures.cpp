@@ -1,6 +1,7 @@
 // The measuring tool.
 #include "ui/control/measures.h"
 
+#include "core/measure/throat.h"
 #include "ui/base/notice_bar.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/targets.h"
@@ -17,7 +18,9 @@ QString wordsFor(MeasureKind kind, std::size_t picked) {
                                    Measures::tr("click the end of the other side")};
     static const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                                    Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    const QStringList& all = kind == MeasureKind::Angle      ? angle
+    static const QStringList throat{Measures::tr("click the rim on one side"), Measures::tr("click the rim on the other side")};
+    const QStringList& all = kind == MeasureKind::Throat     ? throat
+                             : kind == MeasureKind::Angle    ? angle
                              : kind == MeasureKind::Spans    ? spans
                              : kind == MeasureKind::Vertical ? height
                                                              : two;
@@ -76,8 +79,23 @@ void Measures::pick(std::size_t cell) {
         return;
     }
     picked_.push_back(static_cast<std::uint32_t>(cell));
-    if (picked_.size() == traitsOf(*kind_).cells) targets_.keepMeasure({*kind_, std::exchange(picked_, {})});
+    if (picked_.size() == traitsOf(*kind_).cells) keepPicked();
     show();
+}
+
+void Measures::keepPicked() {
+    std::vector<std::uint32_t> cells = std::exchange(picked_, {});
+    if (kind_ == MeasureKind::Throat) {
+        const Scan& scan = *views_.shown()->detection->scan;
+        const auto ends = narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
+        if (!ends) {
+            notice_.showNotice(NoticeBar::Kind::Warning,
+                               tr("No free way was seen between these two rims: click cells on the two borders of an opening."));
+            return;
+        }
+        cells.assign(ends->begin(), ends->end());
+    }
+    targets_.keepMeasure({*kind_, std::move(cells)});
 }
 
 void Measures::show() {

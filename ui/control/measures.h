@@ -39,6 +39,7 @@ signals:
 
 private:
     void pick(std::size_t cell);
+    void keepPicked();
     void show();
 
     LinkedViews& views_;

@@ -9,6 +9,7 @@
 #include <QPolygonF>
 
 #include <memory>
+#include <optional>
 
 class QMenu;
 class QUndoStack;
@@ -36,6 +37,15 @@ public:
     /// Hides all but the selection.
     void isolateSelected();
     void showAll();
+    /// Also hides what lies nearer or farther, metres.
+    void hideBeyond(double nearM, double farM);
+    /// The same with the range of a cell as one of the two.
+    void hideFartherThan(std::optional<std::size_t> cell);
+    void hideNearerThan(std::optional<std::size_t> cell);
+    /// Asks for both.
+    void askRangeGate();
+    /// Also hides what lies outside the box that holds the selection, along the axes of the scan's frame.
+    void clipToSelected();
     /// All views come close to it.
     void zoomTo();
 
@@ -70,6 +80,8 @@ private:
     void show();
     void addToMenu(QMenu& menu, std::size_t cell);
     [[nodiscard]] bool needSelection();
+    void hideToo(const QString& what, const CellSet& cells);
+    [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 
     Session& session_;
     LinkedViews& views_;

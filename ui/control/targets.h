@@ -64,6 +64,8 @@ public:
 
     /// Lines between the cells of a measurement.
     [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind);
+    /// Marks of others, drawn like targets until others are given.
+    void showBeside(std::vector<TargetMark> marks);
 
 signals:
     /// There is something to look at in the panel.
@@ -106,6 +108,7 @@ private:
     QString key_; // of the scan that the notebook belongs to
     Notebook notebook_;
     std::map<QString, Notebook> others_; // of scans that were on the screen before
+    std::vector<TargetMark> beside_;
     MeasureMark draft_;
     QString source_;
     KnownTargets known_;

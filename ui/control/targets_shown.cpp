@@ -58,6 +58,7 @@ CellMarks Targets::marks() const {
                                   now != nullptr ? shownText(measureText(*now)) : QString("–")});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
+    marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
     return marks;
 }
 
@@ -94,6 +95,12 @@ void Targets::showCard() {
 void Targets::showDraft(const MeasureMark& draft) {
     draft_ = draft;
     views_.setMarks(marks());
+}
+
+void Targets::showBeside(std::vector<TargetMark> marks) {
+    if (beside_ == marks) return;
+    beside_ = std::move(marks);
+    views_.setMarks(this->marks());
 }
 
 void Targets::setSource(const QString& source) {

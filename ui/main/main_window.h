@@ -3,11 +3,13 @@
 
 #include "ui/base/plain_window.h"
 #include "ui/control/audit_trail.h"
+#include "ui/control/comparing.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/live.h"
+#include "ui/control/marked_edges.h"
 #include "ui/control/measures.h"
 #include "ui/control/rocks.h"
 #include "ui/control/scan_report.h"
@@ -26,6 +28,7 @@ class QSplitter;
 
 namespace edgescan::ui {
 
+class ChangeLegend;
 class DockRail;
 class EdgeLegend;
 class EdgesPanel;
@@ -62,6 +65,9 @@ public:
     [[nodiscard]] TargetsPanel& targetsPanel() { return *targetsPanel_; }
     [[nodiscard]] Measures& measures() { return measures_; }
     [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] Comparing& comparing() { return comparing_; }
+    [[nodiscard]] ChangeLegend& changeLegend() { return *changeLegend_; }
+    [[nodiscard]] MarkedEdges& markedEdges() { return markedEdges_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
     /// Where the picture comes from and of when: always in sight.
     [[nodiscard]] const StateBadge& origin() const { return *origin_; }
@@ -127,6 +133,7 @@ private:
     StatusLine* status_;
     WarningButton* warnings_;
     EdgeLegend* legend_;
+    ChangeLegend* changeLegend_;
     DockRail* rail_;
 
     // In the order in which they are told of a new picture.
@@ -140,6 +147,8 @@ private:
     Targets targets_;
     Measures measures_;
     Selection selection_;
+    Comparing comparing_;
+    MarkedEdges markedEdges_;
     ScanReport report_;
     AuditTrail audit_;
 

@@ -10,6 +10,7 @@
 #include "ui/language/languages.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
+#include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
 #include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
@@ -48,6 +49,7 @@ Command fileMenu(MainWindow& w) {
                                 command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
                                 recent,
                                 command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
+                                command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
                                 command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
                                 command("Re&load", "F5", [&w] { w.files().reload(); }),
                                 kLine,
@@ -241,7 +243,12 @@ Command edgesMenu(MainWindow& w) {
         "&Edges",
         {
             presets,
+            compareMenu(w),
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
+            command("This &Is an Edge", "Shift+E", [&w] { w.markedEdges().mark(w.views().marked(), true); }),
+            command("This Is &No Edge", "Shift+X", [&w] { w.markedEdges().mark(w.views().marked(), false); }),
+            command("Settings for These &Marks…", "", [&w] { w.markedEdges().propose(); }),
+            command("Clear the Mar&ks", "", [&w] { w.markedEdges().clear(); }),
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(builtInPresets().front()); }),
@@ -320,6 +327,8 @@ Command measureMenu(MainWindow& w) {
                                    measure("&Vertical", "V", MeasureKind::Vertical),
                                    measure("&Angle", "A", MeasureKind::Angle),
                                    measure("&Spans a × b", "Y", MeasureKind::Spans),
+                                   measure("Alon&g Surface", "Shift+U", MeasureKind::Path),
+                                   measure("&Throat Width", "Shift+Y", MeasureKind::Throat),
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,
@@ -330,6 +339,10 @@ Command measureMenu(MainWindow& w) {
                                    command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
                                    command("&Hide Selected", "Shift+I", [&selection] { selection.hideSelected(); }),
                                    command("Sho&w All", "Ctrl+I", [&selection] { selection.showAll(); }),
+                                   command("C&lip to Box round Selected", "", [&selection] { selection.clipToSelected(); }),
+                                   command("&Range Gate…", "Shift+G", [&selection] { selection.askRangeGate(); }),
+                                   command("Hide &Farther than This Cell", "", [&w] { w.selection().hideFartherThan(w.views().marked()); }),
+                                   command("Hide &Nearer than This Cell", "", [&w] { w.selection().hideNearerThan(w.views().marked()); }),
                                    command("&Zoom to Selected", "Z", [&selection] { selection.zoomTo(); }),
                                    command("Select &Nothing", "", [&selection] { selection.select({}); }),
                                    command("&Export Selected…", "", [&w] { w.exports().askSelected(); }),

@@ -14,32 +14,36 @@
 namespace edgescan::ui {
 namespace {
 
-QString cachedPath() {
+QString cachedPath(bool afterBlast) {
     // The version is in the name: a newer program draws its own bell.
-    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" + version() + ".json";
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" +
+           (afterBlast ? "after-" : "") + version() + ".json";
 }
 
 } // namespace
 
-Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress) {
-    const std::string path = cachedPath().toStdString();
-    if (QFile::exists(cachedPath())) {
+Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress, bool afterBlast) {
+    const std::string path = cachedPath(afterBlast).toStdString();
+    const char* name = afterBlast ? "demo draw-bell after the blast" : "demo draw-bell";
+    if (QFile::exists(cachedPath(afterBlast))) {
         ReadingOptions options;
         options.progress = progress;
         Result<Scan> cached = openScan(path, options);
         if (cached && cached->lines() == SimulationSettings{}.lines) {
-            cached->name = "demo draw-bell";
+            cached->name = name;
             return cached;
         }
     }
-    Result<Simulation> simulation = simulate({}, [&](double fraction) { return progress("casting beams", fraction); });
+    SimulationSettings settings;
+    settings.afterBlast = afterBlast;
+    Result<Simulation> simulation = simulate(settings, [&](double fraction) { return progress("casting beams", fraction); });
     if (!simulation) return simulation.error();
     // Without a cache the demo works all the same, only not as fast the next time.
-    QDir().mkpath(QFileInfo(cachedPath()).path());
+    QDir().mkpath(QFileInfo(cachedPath(afterBlast)).path());
     if (const auto saved = saveScan(simulation->scan, path); saved) {
         if (Result<Scan> reread = openScan(path); reread) simulation->scan = std::move(*reread);
     }
-    simulation->scan.name = "demo draw-bell";
+    simulation->scan.name = name;
     return std::move(simulation->scan);
 }
 

@@ -58,8 +58,9 @@ void Session::open(const QString& path, const ReadingOptions& options) {
     });
 }
 
-void Session::openDemo() {
-    startOpening(tr("Making the demo draw-bell"), QString(), [](const Progress& progress) { return demoScan(progress); });
+void Session::openDemo(bool afterBlast) {
+    startOpening(tr("Making the demo draw-bell"), QString(),
+                 [afterBlast](const Progress& progress) { return demoScan(progress, afterBlast); });
 }
 
 void Session::cancel() { wantedOpening_ = 0; }

@@ -32,7 +32,7 @@ public:
     /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
     void open(const QString& path, const ReadingOptions& options = {});
     /// The demo draw-bell: simulated once, then kept in the cache folder.
-    void openDemo();
+    void openDemo(bool afterBlast = false);
     /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
     void cancel();
     [[nodiscard]] bool opening() const { return opening_; }

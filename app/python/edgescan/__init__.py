@@ -212,12 +212,13 @@ def connect(address, *, record="", expected_lines=0, axis=None, first_line=None,
 
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
 def simulate(*, seed=1, scene="hangup", axis="sweep", profile="high", hole=None, surface=None, footprint=True, mixed_pixels=True,
-             echo_loss=True, truth=False, **numbers):
+             echo_loss=True, after_blast=False, truth=False, **numbers):
     """A synthetic draw-bell sweep of an LMS511: a Simulation with scan and, where asked for, truth. Same seed, same bytes.
 
     scene: hangup, pile, empty, wall, staircase or rescan. axis: mounting of the stepper, 'sweep' or 'spin'. profile: beam divergence 'high'
     (resolution, 4.6 mrad) or 'standard' (11 mrad). hole: 'none', 'round' or 'square' holes in the wall. surface: Scan of a surface seen from
-    above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off.
+    above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast:
+    the hang-up with some rocks gone and others fallen.
 
     >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
     (90, 96)
@@ -225,7 +226,8 @@ def simulate(*, seed=1, scene="hangup", axis="sweep", profile="high", hole=None,
     keys = {_name(row["key"]): row["key"] for row in _NUMBERS}
     _all_typed(numbers, _NUMBERS)
     words = {"scene": scene, "axis": axis, "profile": profile, "footprint": _typed(bool(footprint)),
-             "mixed-pixels": _typed(bool(mixed_pixels)), "echo-loss": _typed(bool(echo_loss)), "truth": _typed(bool(truth))}
+             "mixed-pixels": _typed(bool(mixed_pixels)), "echo-loss": _typed(bool(echo_loss)), "after-blast": _typed(bool(after_blast)),
+             "truth": _typed(bool(truth))}
     if hole is not None:
         words["hole"] = hole
     return _edgescan.simulate(seed, {keys[name]: float(value) for name, value in numbers.items() if value is not None}, words, surface)

@@ -1,5 +1,7 @@
 // Sets of cells against slow versions that anybody can read.
 #include "core/measure/cell_sets.h"
+#include "core/scan/cartesian.h"
+#include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +71,32 @@ TEST(CellSets, RunsAreTheSameCells) {
     EXPECT_EQ(runsOf({4, 5, 6, 9}), (Runs{{4, 3}, {9, 1}}));
     for (const Runs& wrong : {Runs{{4, 0}}, Runs{{4, 3}, {5, 1}}, Runs{{9, 2}}, Runs{{4294967295U, 2}}, Runs{{2, 4294967295U}}})
         EXPECT_TRUE(cellsOf(wrong, 10).empty());
+}
+
+TEST(CellSets, AGateAndABoxHoldBackWhatASlowVersionDoes) {
+    Scan scan = test::boxesScan(50, 70, 3, 0.1);
+    const CartesianTables tables(scan);
+    const CellSet gate = cellsBeyond(scan, 3.0, 5.0);
+    CellSet expected;
+    for (std::uint32_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid && (scan.rangeMm[k] < 3000.0F || scan.rangeMm[k] > 5000.0F)) expected.push_back(k);
+    }
+    EXPECT_EQ(gate, expected);
+    EXPECT_FALSE(gate.empty());
+    const CellSet corners{800, 805, 1100, 1700, 2303};
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
+    for (const std::uint32_t k : corners) {
+        if (scan.state[k] != CellState::Valid) continue;
+        low = low.cwiseMin(tables.point(k));
+        high = high.cwiseMax(tables.point(k));
+    }
+    const CellSet outside = cellsOutsideBoxOf(scan, corners);
+    for (std::uint32_t k = 0; k < scan.cells(); ++k) {
+        const Eigen::Vector3d p = tables.point(k);
+        const bool out = scan.state[k] == CellState::Valid && !((p.array() >= low.array()).all() && (p.array() <= high.array()).all());
+        EXPECT_EQ(std::ranges::binary_search(outside, k), out) << k;
+    }
+    EXPECT_TRUE(cellsOutsideBoxOf(scan, {}).empty());
 }
 
 } // namespace

@@ -1,0 +1,89 @@
+// edgescan-cli change: what changed between two scans of one place, before and after a blast.
+#include "app/cli/commands.h"
+#include "app/shared/json_output.h"
+#include "app/shared/options.h"
+#include "core/change/change_report.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
+#include "core/pictures/png.h"
+#include "core/repeat/placed_scan.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace edgescan::cli {
+namespace {
+
+struct ChangeFlags {
+    std::vector<std::string> files, poses;
+    std::string json, picture;
+    bool bySurfaces = false;
+    ReadFlags read;
+    MethodFlags method;
+};
+
+Result<std::shared_ptr<const Detection>> detected(const ChangeFlags& flags, const std::string& file) {
+    Result<Scan> scan = openAsAsked(file, readingOptions(flags.read));
+    if (!scan) return scan.error();
+    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
+    const Result<Settings> settings = settingsFor(flags.method, *scan);
+    if (!settings) return settings.error();
+    return detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
+}
+
+Result<LineUpWish> wishOf(const ChangeFlags& flags) {
+    LineUpWish wish;
+    wish.bySurfaces = flags.bySurfaces;
+    if (flags.poses.empty()) return wish;
+    const auto before = open3dtkPose(flags.poses[0]);
+    if (!before) return before.error();
+    const auto now = open3dtkPose(flags.poses[1]);
+    if (!now) return now.error();
+    wish.poses = std::array{*now, *before};
+    return wish;
+}
+
+Result<Done> change(const ChangeFlags& flags) {
+    const auto wish = wishOf(flags);
+    if (!wish) return wish.error();
+    const auto before = detected(flags, flags.files[0]);
+    if (!before) return before.error();
+    const auto now = detected(flags, flags.files[1]);
+    if (!now) return now.error();
+    const Scan& later = *(*now)->scan;
+    const auto found = sceneChange({(*now)->scan, (*now)->mask}, {(*before)->scan, (*before)->mask}, *wish);
+    if (!found) return found.error();
+    if (!flags.picture.empty()) {
+        if (const auto saved = savePngRgb(changePicture(later, *found), flags.picture); !saved) return saved.error();
+    }
+    if (flags.json != "-" && flags.picture != "-") say(changeText(later, *found));
+    if (flags.json.empty()) return Done{};
+    nlohmann::ordered_json report{{"before", flags.files[0]}, {"now", flags.files[1]}};
+    report.update(changeReport(later, *found));
+    return writeDocument(flags.json, document("change", report));
+}
+
+} // namespace
+
+void addChange(CLI::App& app, int& code) {
+    auto flags = std::make_shared<ChangeFlags>();
+    CLI::App& command =
+        *app.add_subcommand("change", "What changed between two scans of one place: edges gained and lost, surfaces nearer and farther");
+    command.add_option("FILE", flags->files, "The scan before, and the scan now")->required()->expected(2);
+    command.add_option("--poses", flags->poses, "Their .pose files of 3DTK, in the same order; else the places that the scans have")
+        ->expected(2);
+    command.add_flag("--by-surfaces", flags->bySurfaces, "Line them up by their surfaces, also where there are poses");
+    command.add_option("--json", flags->json, "All figures and regions; - is stdout, instead of the table");
+    command.add_option("--picture", flags->picture,
+                       "PNG on the grid of the scan now: gained, lost and kept edges, nearer and farther surfaces");
+    addMethodFlags(command, flags->method);
+    addReadFlags(command, flags->read);
+    command.callback([flags, &code] {
+        const Result<Done> result = change(*flags);
+        code = result ? kDone : kRefused;
+        if (!result) complain(result.error());
+    });
+}
+
+} // namespace edgescan::cli

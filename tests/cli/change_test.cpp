@@ -1,0 +1,61 @@
+// edgescan-cli change: what it tells of a bell before and after a blast, and what it refuses.
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace edgescan {
+namespace {
+
+using test::runCli;
+
+TEST(CliChange, TellsWhatABlastDid) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    const std::string size = " --lines 150 --beams 190";
+    ASSERT_EQ(runCli("simulate -o " + path("a.json") + size).code, 0);
+    ASSERT_EQ(runCli("simulate -o " + path("b.json") + size + " --after-blast").code, 0);
+    ASSERT_EQ(runCli("simulate -o " + path("again.json") + size + " --repeat 1").code, 0);
+    const auto run = runCli("change " + path("a.json") + " " + path("b.json") + " --json - --picture " + path("c.png"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto told = nlohmann::json::parse(run.out);
+    EXPECT_EQ(told["schema"], "edgescan-change/1");
+    EXPECT_EQ(told["lined_up_by"], "surfaces");
+    EXPECT_TRUE(told["out_of_spec"]);
+    EXPECT_GT(told["cells"]["farther"], 100);
+    EXPECT_GT(told["cells"]["nearer"], 100);
+    ASSERT_GE(told["regions"].size(), 2U);
+    EXPECT_GE(told["regions"][0]["area_m2"], told["regions"][1]["area_m2"]);
+    EXPECT_TRUE(std::filesystem::exists(path("c.png")));
+    const auto table = runCli("change " + path("a.json") + " " + path("b.json"));
+    EXPECT_NE(table.out.find("OUT OF SPEC"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("+ gained"), std::string::npos);
+    // Noise alone moves no surface.
+    const auto same = nlohmann::json::parse(runCli("change " + path("a.json") + " " + path("again.json") + " --json -").out);
+    EXPECT_EQ(same["regions"].size(), 0U);
+    EXPECT_LT(same["cells"]["farther"], told["cells"]["farther"].get<int>() / 10);
+    // Poses that are there are used.
+    std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
+    const auto posed =
+        runCli("change " + path("a.json") + " " + path("b.json") + " --poses " + path("a.pose") + " " + path("a.pose") + " --json -");
+    ASSERT_EQ(posed.code, 0) << posed.err;
+    EXPECT_EQ(nlohmann::json::parse(posed.out)["lined_up_by"], "poses");
+    EXPECT_FALSE(nlohmann::json::parse(posed.out)["out_of_spec"]);
+}
+
+TEST(CliChange, RefusesWhatItCannotCompare) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    ASSERT_EQ(runCli("simulate -o " + path("a.json") + " --lines 40 --beams 50").code, 0);
+    EXPECT_EQ(runCli("change " + path("a.json")).code, 2);
+    EXPECT_EQ(runCli("change " + path("a.json") + " /nowhere.json").code, 1);
+    const auto onto = runCli("change " + path("a.json") + " " + path("a.json") + " --picture " + path("a.json"));
+    EXPECT_EQ(onto.code, 1) << "an input is never written over";
+    EXPECT_EQ(runCli("simulate -o " + path("b.json") + " --scene wall --after-blast").code, 2);
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,280 @@
+// A/B in the real window, by real events: keep, turn, open the scan after the blast, flip all views with a key, gained and lost in colour
+// and numbers.
+#include "core/change/change_report.h"
+#include "core/change/scene_change.h"
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/change/change_legend.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QElapsedTimer>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ComparingTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string before_, after_, placed_, other_;
+
+    static bool known(WindowFixture& on) {
+        return on.settled() && QTest::qWaitFor(
+                                   [&] {
+                                       const Comparing& comparing = on.window.comparing();
+                                       return comparing.settled() && (!comparing.kept() || comparing.comparison() != nullptr);
+                                   },
+                                   30000);
+    }
+    static bool showWith(WindowFixture& on, const std::string& path) {
+        on.window.resize(1280, 800);
+        return on.showWith(path) && on.activate();
+    }
+    static QAction* action(WindowFixture& on, const QString& text) {
+        for (QAction* each : on.window.findChildren<QAction*>()) {
+            if (each->text().remove('&') == text) return each;
+        }
+        return nullptr;
+    }
+    static bool keepByKey(WindowFixture& on) {
+        QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+        return on.window.comparing().kept() == on.window.session().picture();
+    }
+    // Pixels of the edge map by colour.
+    static std::size_t painted(const ImageView& view, const QColor& colour) {
+        return static_cast<std::size_t>(countPixels(*view.image(), [&](QRgb pixel) { return pixel == colour.rgba(); }));
+    }
+    static std::size_t numberIn(const QString& text) { return QString(text).remove(',').toULong(); }
+
+private slots:
+    void initTestCase() {
+        SimulationSettings settings;
+        settings.lines = 200;
+        settings.beams = 260;
+        const auto save = [&](const Scan& scan, const char* name) {
+            const std::string path = (folder_ / name).string();
+            if (!saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
+            return path;
+        };
+        Scan before = simulate(settings)->scan;
+        before_ = save(before, "before.json");
+        before.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
+        placed_ = save(before, "placed.json");
+        settings.afterBlast = true;
+        after_ = save(simulate(settings)->scan, "after.json");
+        other_ = save(test::boxesScan(60, 80, 3, 0.02), "boxes.json");
+    }
+
+    void twoSettingsOfOneScanAreGainedLostAndKept() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        const Detection& a = *on.picture().detection;
+        const Grid<std::uint8_t> maskA = *a.mask;
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.window.changeLegend().isVisible());
+        QVERIFY(!on.window.views().edgesInstead());
+        Settings other = on.window.session().settings();
+        other.method = Method::Canny;
+        QVERIFY(on.use(other));
+        QVERIFY(known(on));
+        const Grid<std::uint8_t>& maskB = *on.picture().detection->mask;
+        std::size_t kept = 0, gained = 0, lost = 0;
+        const auto& state = on.picture().detection->scan->state;
+        for (std::size_t k = 0; k < maskA.size(); ++k) {
+            kept += maskA[k] != 0 && maskB[k] != 0 ? 1 : 0;
+            gained += maskA[k] == 0 && maskB[k] != 0 && state[k] == CellState::Valid ? 1 : 0;
+            lost += maskA[k] != 0 && maskB[k] == 0 && state[k] == CellState::Valid ? 1 : 0;
+        }
+        QVERIFY(kept > 0 && gained > 0 && lost > 0);
+        const ChangeLegend& legend = on.window.changeLegend();
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Kept)), kept);
+        QVERIFY(numberIn(legend.counted(ChangeRow::Gained)) >= gained);
+        QVERIFY(numberIn(legend.counted(ChangeRow::Lost)) >= lost);
+        QVERIFY(legend.row(ChangeRow::Gained)->text().startsWith("+"));
+        QVERIFY2(legend.howText().contains("one scan"), qPrintable(legend.howText()));
+        // No surface can change of one scan.
+        QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible());
+        // In the colours of the legend in the edge map, over the range image and in the cloud.
+        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
+        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Kept)), kept);
+        QVERIFY(on.window.views().gray().overlay() == on.window.views().edgesInstead()->overlay);
+        QVERIFY(on.window.views().cloud().edgeColours() == changeColours());
+        QVERIFY(on.window.views().cloud().edgesByClass());
+        QVERIFY2(!on.window.legend().isVisible(), "the legend of the edges tells of other colours");
+        // A row of the legend is a switch.
+        QTest::mouseClick(legend.row(ChangeRow::Kept), Qt::LeftButton, Qt::NoModifier,
+                          QPoint(8, legend.row(ChangeRow::Kept)->height() / 2));
+        QVERIFY(QTest::qWaitFor([&] { return painted(on.window.views().edges(), changeColour(ChangeRow::Kept)) == 0; }, 10000));
+        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
+        // Back at the settings of A nothing is left to tell; without A the picture is as ever.
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(!on.window.views().edgesInstead());
+        QVERIFY(on.window.legend().isVisible());
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(on.window.views().edgesInstead() != nullptr);
+        action(on, "Forget A")->trigger();
+        QVERIFY(!on.window.views().edgesInstead() && !on.window.changeLegend().isVisible() && on.window.legend().isVisible());
+        QVERIFY(on.window.views().edges().image() == on.picture().edges);
+        QVERIFY(!on.window.views().cloud().edgesByClass());
+    }
+
+    void aKeyFlipsImagesAndCloudTogetherWhileItIsHeld() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        const std::shared_ptr<const Picture> a = on.window.session().picture();
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        const std::shared_ptr<const Picture> b = on.window.session().picture();
+        LinkedViews& views = on.window.views();
+        CloudView& cloud = views.cloud();
+        // The operator looks at a place, with some cells hidden and some selected.
+        cloud.zoomToCells({20000, 20001, 20200});
+        on.window.selection().select({20000, 20001});
+        const CameraPose camera = cloud.camera();
+        const QPointF port = views.gray().viewPort()->toPixel(QPointF(3, 5), views.gray().size());
+        QTest::keyPress(&views.gray(), Qt::Key_Backslash);
+        QVERIFY(views.flipped());
+        QVERIFY(views.gray().image() == a->gray && views.edges().image() == a->edges);
+        QVERIFY(cloud.scan() == a->detection->scan);
+        QVERIFY2(on.window.changeLegend().titleText().contains("On the screen: A"), qPrintable(on.window.changeLegend().titleText()));
+        QVERIFY((cloud.camera().position + cloud.geometryOfCloud()->originM - camera.position - b->cloud->originM).norm() < 1e-9);
+        QCOMPARE(views.gray().viewPort()->toPixel(QPointF(3, 5), views.gray().size()), port);
+        QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
+        QTest::keyRelease(&views.gray(), Qt::Key_Backslash);
+        QVERIFY(!views.flipped());
+        QVERIFY(views.gray().image() == b->gray);
+        QVERIFY(cloud.scan() == b->detection->scan);
+        QVERIFY(views.edges().image() == views.edgesInstead()->map);
+        QVERIFY(cloud.faces() == views.edgesInstead()->points);
+        QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
+        QVERIFY((cloud.camera().position - camera.position).norm() < 1e-9);
+        // In a field that is typed into it is a character.
+        QVERIFY2(on.window.session().picture() == b, "flipping opens nothing");
+        // A new picture ends a flip that the key was not let go of.
+        QTest::keyPress(&views.gray(), Qt::Key_Backslash);
+        QVERIFY(views.flipped());
+        Settings other = on.window.session().settings();
+        other.method = Method::Canny;
+        QVERIFY(on.use(other));
+        QVERIFY(!views.flipped() && known(on));
+        QVERIFY(cloud.scan() == b->detection->scan);
+        QTest::keyRelease(&views.gray(), Qt::Key_Backslash);
+        // Another scan starts anew.
+        QVERIFY(on.open(before_));
+        QVERIFY(cloud.scan() == on.picture().detection->scan && !views.flipped());
+    }
+
+    void afterABlastWhatChangedIsToldInNumbersAndColour() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        const Comparison& comparison = *on.window.comparing().comparison();
+        const ChangeLegend& legend = on.window.changeLegend();
+        QVERIFY(comparison.change.ranges.nearer > 100 && comparison.change.ranges.farther > 100);
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Nearer)), comparison.change.ranges.nearer);
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Farther)), comparison.change.ranges.farther);
+        // Neither scan has a pose: it is said, here and above the views.
+        QVERIFY2(legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
+        QVERIFY2(on.window.notice().text().contains("without a pose"), qPrintable(on.window.notice().text()));
+        // The points that changed have a colour of their own, all others are dimmed; edges stay over them.
+        const auto& points = *on.window.views().cloud().faces();
+        const auto dimmed = static_cast<std::size_t>(std::ranges::count(points, 0xff545454U));
+        QCOMPARE(points.size() - dimmed, comparison.change.ranges.nearer + comparison.change.ranges.farther);
+        // The regions one by one, the largest first.
+        const CameraPose camera = on.window.views().cloud().camera();
+        const std::size_t nearer = comparison.change.ranges.nearer;
+        QTest::mouseClick(legend.next(), Qt::LeftButton);
+        QVERIFY2(legend.regionText().startsWith("region 1 of "), qPrintable(legend.regionText()));
+        QVERIFY(legend.regionText().contains("±"));
+        QVERIFY((on.window.views().cloud().camera().position - camera.position).norm() > 0.01);
+        QTest::keyClick(&on.window, Qt::Key_N, Qt::ShiftModifier);
+        QVERIFY2(legend.regionText().startsWith("region 2 of "), qPrintable(legend.regionText()));
+        // At this size both fit, and the picture of a slider keeps what is known of the surfaces.
+        QTRY_VERIFY(on.window.views().cloud().rect().contains(on.window.changeLegend().geometry()));
+        Settings other = on.window.session().settings();
+        other.method = Method::Canny;
+        QVERIFY(on.use(other));
+        QVERIFY(known(on));
+        QCOMPARE(on.window.comparing().comparison()->change.ranges.nearer, nearer);
+    }
+
+    void anEarlierFileIsReadBesideAndWhatDoesNotFitIsRefused() {
+        WindowFixture on;
+        QVERIFY(showWith(on, after_));
+        on.window.comparing().compareWith(QString::fromStdString(before_));
+        QVERIFY(known(on));
+        QVERIFY(on.window.comparing().comparison() != nullptr);
+        QVERIFY(QString::fromStdString(on.picture().detection->scan->path).endsWith("after.json"));
+        // Only one has a place: refused, and nothing is compared.
+        on.window.comparing().compareWith(QString::fromStdString(placed_));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled() && !on.window.comparing().kept(); }, 30000));
+        QVERIFY2(on.window.notice().text().contains("has none"), qPrintable(on.window.notice().text()));
+        QVERIFY(!on.window.views().edgesInstead() && !on.window.changeLegend().isVisible());
+        // Another place altogether, and a file that is not there.
+        on.window.comparing().compareWith(QString::fromStdString(other_));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled() && !on.window.comparing().kept(); }, 30000));
+        QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
+        on.window.comparing().compareWith("/nowhere/at/all.json");
+        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled(); }, 30000));
+        QVERIFY2(on.window.notice().text().contains("nowhere"), qPrintable(on.window.notice().text()));
+    }
+
+    void withoutAnythingKeptTheKeysSaySo() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+        QVERIFY2(on.window.notice().text().contains("open a scan first"), qPrintable(on.window.notice().text()));
+        QVERIFY(on.open(before_));
+        QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash);
+        QVERIFY2(on.window.notice().text().contains("Nothing is kept as A"), qPrintable(on.window.notice().text()));
+        QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
+        QVERIFY(!on.window.views().flipped());
+    }
+
+    // The full grid: one flip is a new cloud in the graphics memory, and still no wait.
+    void flippingTheFullGridIsQuick() {
+        WindowFixture on;
+        const auto save = [&](bool after) {
+            SimulationSettings settings;
+            settings.afterBlast = after;
+            settings.footprint = false;
+            const std::string path = (folder_ / (after ? "full-after.json" : "full.json")).string();
+            if (!saveScan(simulate(settings)->scan, path)) qFatal("%s cannot be written", path.c_str());
+            return path;
+        };
+        QVERIFY(showWith(on, save(false)));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(save(true)));
+        QVERIFY(known(on));
+        std::vector<qint64> times;
+        for (int n = 0; n < 7; ++n) {
+            QElapsedTimer timer;
+            timer.start();
+            const CloudView& cloud = on.window.views().cloud();
+            for (const auto press : {true, false}) { // each until the cloud is drawn
+                const int frames = cloud.framesDrawn();
+                press ? QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash)
+                      : QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
+                QCOMPARE(on.window.views().flipped(), press);
+                QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
+            }
+            times.push_back(timer.elapsed());
+        }
+        std::ranges::sort(times);
+        qInfo("there and back, %zu cells: median %lld ms, most %lld ms", on.picture().detection->scan->cells(),
+              static_cast<long long>(times[3]), static_cast<long long>(times.back()));
+        QVERIFY2(times[3] < 400, qPrintable(QString::number(times[3])));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ComparingTest>(argc, argv); }
+#include "comparing_test.moc"

@@ -1,0 +1,207 @@
+// "This is an edge, this is not" in the real window: marks by keys, proposals looked at and adopted; range gate, tape and throat.
+#include "core/measure/throat.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/dialogs/proposals_card.h"
+#include "ui/main/tool_bar.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTimer>
+
+#include <algorithm>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class MarkedEdgesTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bell_, slot_;
+
+    static bool showWith(WindowFixture& on, const std::string& path) {
+        on.window.resize(1400, 900);
+        return on.showWith(path) && on.activate();
+    }
+    static QAction* action(WindowFixture& on, const QString& text) {
+        for (QAction* each : on.window.findChildren<QAction*>()) {
+            if (each->text().remove('&') == text) return each;
+        }
+        return nullptr;
+    }
+    static void click(ImageView& view, int line, int beam) {
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier,
+                          view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint());
+    }
+    // Pinned by the controller, so that the cell is exact; the key does the rest.
+    static void markByKey(WindowFixture& on, std::size_t cell, Qt::Key key) {
+        on.window.views().pin(cell);
+        QTest::keyClick(&on.window, key, Qt::ShiftModifier);
+    }
+
+private slots:
+    void initTestCase() {
+        SimulationSettings settings;
+        settings.lines = 150;
+        settings.beams = 190;
+        bell_ = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, bell_)));
+        settings.scene = "wall";
+        settings.hole = WallHole::Square;
+        settings.holeM = 1.5;
+        settings.distanceM = 5.0;
+        settings.noise = 0.0;
+        settings.dropouts = settings.dust = 0.0;
+        settings.absorbingPatches = 0;
+        settings.lines = settings.beams = 400;
+        slot_ = (folder_ / "slot.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, slot_)));
+    }
+
+    void marksBecomeSettingsThatAgree() {
+        WindowFixture on;
+        QVERIFY(showWith(on, bell_));
+        Settings loose = on.window.session().settings();
+        loose.sensitivity = 0.4;
+        const Grid<std::uint8_t> usual = *on.picture().detection->mask;
+        QVERIFY(on.use(loose));
+        const Grid<std::uint8_t> more = *on.picture().detection->mask;
+        const auto near = [](const Grid<std::uint8_t>& mask, std::size_t k) {
+            const int line = static_cast<int>(k) / mask.beams, beam = static_cast<int>(k) % mask.beams;
+            for (int i = line - 2; i <= line + 2; ++i) {
+                for (int j = beam - 2; j <= beam + 2; ++j) {
+                    if (mask.contains(i, j) && mask.at(i, j) != 0) return true;
+                }
+            }
+            return false;
+        };
+        std::vector<std::size_t> wanted, unwanted;
+        for (std::size_t k = 5000; k < usual.size(); k += 37) {
+            if (wanted.size() < 3 && usual[k] != 0) wanted.push_back(k);
+            if (unwanted.size() < 2 && more[k] != 0 && !near(usual, k)) unwanted.push_back(k);
+        }
+        QVERIFY(wanted.size() == 3 && unwanted.size() == 2);
+        action(on, "Settings for These Marks…")->trigger();
+        QVERIFY2(on.window.notice().text().contains("Nothing is marked"), qPrintable(on.window.notice().text()));
+        for (const std::size_t k : wanted) markByKey(on, k, Qt::Key_E);
+        for (const std::size_t k : unwanted) markByKey(on, k, Qt::Key_X);
+        markByKey(on, wanted.front(), Qt::Key_X); // said wrongly, and put right
+        markByKey(on, wanted.front(), Qt::Key_E);
+        QCOMPARE(on.window.markedEdges().marks().wanted.size(), std::size_t{3});
+        QCOMPARE(on.window.markedEdges().marks().unwanted.size(), std::size_t{2});
+        // They hang on their cells in all views, told apart by sign and word.
+        const auto& tags = on.window.views().cloud().marks().targets;
+        QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
+        QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
+        action(on, "Settings for These Marks…")->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        ProposalsCard* card = on.window.markedEdges().card();
+        QVERIFY(card != nullptr && card->isVisible());
+        QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
+        QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
+        // A click previews; closing brings back what was set.
+        const auto choose = [&](int row) {
+            QTest::mouseClick(card->list()->viewport(), Qt::LeftButton, Qt::NoModifier,
+                              card->list()->visualItemRect(card->list()->item(row)).center());
+            return on.settled();
+        };
+        QVERIFY(choose(0));
+        QVERIFY(!(on.window.session().settings() == loose));
+        for (const std::size_t k : wanted) QVERIFY(near(*on.picture().detection->mask, k));
+        for (const std::size_t k : unwanted) QVERIFY(!near(*on.picture().detection->mask, k));
+        QVERIFY(choose(1));
+        QTest::keyClick(card, Qt::Key_Escape);
+        QVERIFY(on.settled());
+        QVERIFY(on.window.session().settings() == loose);
+        // Adopted it is one step of undo.
+        action(on, "Settings for These Marks…")->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled() && card->isVisible(); }, 60000));
+        QVERIFY(choose(0));
+        const Settings previewed = on.window.session().settings();
+        QTest::mouseClick(card->adopt(), Qt::LeftButton);
+        QVERIFY(on.settled() && on.window.session().settings() == previewed && !card->isVisible());
+        on.window.undoStack().undo();
+        QVERIFY(on.settled() && on.window.session().settings() == loose);
+        // Cells of another scan are none of this one.
+        QVERIFY(on.open(slot_));
+        QVERIFY(on.window.markedEdges().marks().empty());
+    }
+
+    void theRangeGateHidesInAllViewsAndCanBeTakenBack() {
+        WindowFixture on;
+        QVERIFY(showWith(on, bell_));
+        const Scan& scan = *on.picture().detection->scan;
+        const CellSet beyond = cellsBeyond(scan, 4.0, 6.0);
+        QVERIFY(beyond.size() > 100);
+        const auto edges = on.picture().detection->edges->size();
+        QTimer::singleShot(0, this, [] {
+            auto* dialog = QApplication::activeModalWidget();
+            dialog->findChild<QDoubleSpinBox*>("gate-near")->setValue(4.0);
+            dialog->findChild<QDoubleSpinBox*>("gate-far")->setValue(6.0);
+            QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        });
+        QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
+        QVERIFY(on.window.selection().hidden() == beyond);
+        for (const std::uint32_t k : beyond) QVERIFY(!on.window.views().cloud().geometryOfCloud()->drawable(k));
+        QVERIFY(on.window.views().gray().selection() != nullptr);
+        QVERIFY2(on.window.tools().shown().contains("hidden"), qPrintable(on.window.tools().shown()));
+        QCOMPARE(on.picture().detection->edges->size(), edges);
+        on.window.undoStack().undo();
+        QVERIFY(on.window.selection().hidden().empty());
+        // The box round what is selected.
+        const CellSet some{14000, 14010, 15900};
+        on.window.selection().select(some);
+        action(on, "Clip to Box round Selected")->trigger();
+        QVERIFY(on.window.selection().hidden() == cellsOutsideBoxOf(scan, some));
+        QVERIFY(!on.window.selection().hidden().empty());
+        QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(on.window.selection().hidden().empty());
+        on.window.views().pin(14000);
+        action(on, "Hide Farther than This Cell")->trigger();
+        QVERIFY(on.window.selection().hidden() == cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
+    }
+
+    void tapeAndThroatAreMeasuredByClicks() {
+        WindowFixture on;
+        QVERIFY(showWith(on, slot_));
+        const Scan& scan = *on.picture().detection->scan;
+        const int line = scan.lines() / 2;
+        int first = scan.beams() / 2, last = first; // of the hole, along the middle line
+        while (scan.state.at(line, first - 1) != CellState::Valid) --first;
+        while (scan.state.at(line, last + 1) != CellState::Valid) ++last;
+        QVERIFY(last > first);
+        on.window.views().gray().viewPort()->fitTo(
+            QRectF(first - 70, line - 60, last - first + 140, 120)); // so that a click meets its cell
+        QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
+        click(on.window.views().gray(), line, first - 3);
+        click(on.window.views().gray(), line, last + 3);
+        QVERIFY(
+            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }, 20000));
+        const KeptMeasure& throat = on.window.targets().notebook().measures.front();
+        QVERIFY(throat.kind == MeasureKind::Throat);
+        const auto told = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
+        const CartesianTables tables(scan);
+        const double spacing = (tables.point(line, first - 1) - tables.point(line, first - 2)).norm();
+        QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
+                 qPrintable(QString::number(told->lengths.front().valueM)));
+        QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
+        click(on.window.views().gray(), line, first - 60);
+        click(on.window.views().gray(), line, first - 10);
+        QVERIFY(
+            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }, 20000));
+        QVERIFY(on.window.targets().notebook().measures.back().kind == MeasureKind::Path);
+        // Between two cells of the plain wall there is no throat.
+        QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
+        click(on.window.views().gray(), line, first - 60);
+        click(on.window.views().gray(), line, first - 30);
+        QVERIFY2(on.window.notice().text().contains("No free way"), qPrintable(on.window.notice().text()));
+        QCOMPARE(on.window.targets().notebook().measures.size(), std::size_t{2});
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<MarkedEdgesTest>(argc, argv); }
+#include "marked_edges_test.moc"

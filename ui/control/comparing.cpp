@@ -1,0 +1,228 @@
+// Keeping, comparing, flipping.
+#include "ui/control/comparing.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/change/change_legend.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/control/files.h"
+#include "ui/control/linked_views.h"
+#include "ui/control/rocks.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+#include "ui/session/memory.h"
+#include "ui/session/session.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+namespace edgescan::ui {
+namespace {
+
+QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
+
+bool isTyping(const QWidget* widget) {
+    return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+}
+
+} // namespace
+
+Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, NoticeBar& notice, Memory& memory)
+    : session_(session), views_(views), legend_(legend), rocks_(rocks), notice_(notice), memory_(memory),
+      reader_(
+          this, [](const Reading& reading) { return earlierPicture(reading.path, reading.settings); },
+          [this](const Read& read) { takeRead(read); },
+          [this](const QString& what) {
+              takeRead(Error{what.toStdString(), "", "choose another scan"});
+          }),
+      comparer_(
+          this,
+          [this](const ComparisonAsked& asked) {
+              Answer answer{asked, compared(asked, last_.get())};
+              last_ = answer.made ? *answer.made : nullptr;
+              return answer;
+          },
+          [this](const Answer& answer) { take(answer); },
+          [this](const QString& what) {
+              working_ = false;
+              notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
+          }) {
+    connect(&session_, &Session::pictureReady, this, &Comparing::follow);
+    connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
+        rows_ = rows;
+        ask();
+    });
+    connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
+    connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
+    QApplication::instance()->installEventFilter(this);
+}
+
+void Comparing::keep() {
+    if (session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
+        return;
+    }
+    use(session_.picture());
+}
+
+void Comparing::forget() { use(nullptr); }
+
+void Comparing::use(std::shared_ptr<const Picture> kept) {
+    flip(false);
+    kept_ = std::move(kept);
+    comparison_ = nullptr;
+    show();
+    emit keptChanged(kept_ != nullptr);
+    ask();
+    showLegend();
+}
+
+void Comparing::compareWith(const QString& path) {
+    if (session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to compare with it yet: open the later scan first."));
+        return;
+    }
+    reading_ = true;
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
+    reader_.post({path, session_.settings()});
+}
+
+void Comparing::askScan() {
+    const QString path =
+        QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), memory_.folder("scans"), Files::filters());
+    if (!path.isEmpty()) compareWith(path);
+}
+
+void Comparing::takeRead(const Read& read) {
+    reading_ = false;
+    if (!read) return notice_.tell(read.error());
+    notice_.hide();
+    use(*read);
+}
+
+bool Comparing::comparable() const {
+    const std::shared_ptr<const Picture>& now = session_.picture();
+    return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
+}
+
+/// A new picture is on the screen: the views ended a flip by themselves.
+void Comparing::follow() {
+    emit flipped(false);
+    legend_.showFlipped(false);
+    if (!kept_) return;
+    const auto& now = session_.picture();
+    if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
+    if (!comparable()) comparison_ = nullptr;
+    show();
+    ask();
+    showLegend();
+}
+
+void Comparing::ask() {
+    if (!comparable()) return;
+    working_ = true;
+    comparer_.post({kept_, session_.picture(), rows_});
+}
+
+void Comparing::take(const Answer& answer) {
+    const bool wanted =
+        comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
+    if (!wanted) { // a newer question is under way, or there is nothing left to ask
+        working_ = working_ && comparable();
+        return;
+    }
+    working_ = false;
+    if (!answer.made) {
+        notice_.tell(answer.made.error());
+        kept_ = nullptr;
+        emit keptChanged(false);
+    } else {
+        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
+        comparison_ = *answer.made;
+        if (otherScans) {
+            region_ = 0;
+            for (const std::string& warning : comparison_->change.earlier.how.warnings)
+                notice_.showNotice(NoticeBar::Kind::Warning, shownText(warning));
+        }
+    }
+    show();
+    showLegend();
+}
+
+void Comparing::setDifferenceShown(bool on) {
+    shown_ = on;
+    show();
+}
+
+void Comparing::show() {
+    std::shared_ptr<EdgesInstead> instead;
+    if (comparison_ && shown_) {
+        instead = std::make_shared<EdgesInstead>();
+        *instead = {comparison_->edges, changeColours(), comparison_->map, comparison_->overlay,
+                    rocks_.shown() ? nullptr : comparison_->points};
+    }
+    const bool on = instead != nullptr;
+    views_.setEdgesInstead(std::move(instead));
+    emit differenceShown(on);
+}
+
+void Comparing::showLegend() {
+    legend_.setVisible(kept_ != nullptr);
+    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), working_);
+}
+
+void Comparing::flip(bool on) {
+    if (on == views_.flipped()) return;
+    if (on && !comparison_) {
+        notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
+                                                           : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
+        return;
+    }
+    views_.flipTo(on ? comparison_->before : nullptr);
+    legend_.showFlipped(on);
+    emit flipped(on);
+}
+
+void Comparing::nextRegion() {
+    if (!comparison_ || comparison_->change.regions.empty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("No surface came nearer or went farther: keep a scan as A and open another one."));
+        return;
+    }
+    const auto& regions = comparison_->change.regions;
+    const std::size_t n = region_ % regions.size();
+    region_ = n + 1;
+    const ChangedRegion& region = regions[n];
+    const auto& kinds = comparison_->change.ranges.cells;
+    std::vector<std::uint32_t> cells;
+    for (int line = region.firstLine; line <= region.lastLine; ++line) {
+        for (int beam = region.firstBeam; beam <= region.lastBeam; ++beam) {
+            if (kinds.at(line, beam) == kinds[region.cell]) cells.push_back(static_cast<std::uint32_t>(kinds.index(line, beam)));
+        }
+    }
+    const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
+    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-5, -5, 5, 5)));
+    views_.cloud().zoomToCells(cells);
+    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
+                           .arg(n + 1)
+                           .arg(regions.size())
+                           .arg(region.farther ? tr("farther") : tr("nearer"))
+                           .arg(region.byM, 0, 'f', 2)
+                           .arg(region.toleranceM, 0, 'f', 2)
+                           .arg(region.areaM2, 0, 'f', 2)
+                           .arg(region.rangeM, 0, 'f', 2));
+}
+
+bool Comparing::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ApplicationDeactivate && views_.flipped()) flip(false);
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() != Qt::Key_Backslash || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
+    if (static_cast<QWidget*>(watched)->window() != notice_.window()) return false;
+    if (!key->isAutoRepeat() && (event->type() == QEvent::KeyPress) != views_.flipped()) flip(event->type() == QEvent::KeyPress);
+    return true;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,89 @@
+// A/B: keeps a picture and compares what is on the screen with it; a key flips the two in all views together.
+#pragma once
+
+#include "ui/change/comparison.h"
+#include "ui/session/newest.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace edgescan::ui {
+
+class ChangeLegend;
+class LinkedViews;
+class Memory;
+class NoticeBar;
+class Rocks;
+class Session;
+
+/// GUI thread only. What it is given must outlive it.
+class Comparing : public QObject {
+    Q_OBJECT
+public:
+    Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, NoticeBar& notice, Memory& memory);
+
+    /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten.
+    void keep();
+    void forget();
+    [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
+    /// Another scan becomes A, with the settings on the screen. It is read on a thread of its own.
+    void compareWith(const QString& path);
+    void askScan();
+
+    /// Off: the edges in their own colours, A still a key away.
+    void setDifferenceShown(bool on);
+    /// A instead of what is on the screen, in all views; off again.
+    void flip(bool on);
+    /// Of A and what is on the screen; null until it is known, and where there is nothing to compare.
+    [[nodiscard]] const std::shared_ptr<const Comparison>& comparison() const { return comparison_; }
+    /// Nothing is being read or compared.
+    [[nodiscard]] bool settled() const { return !reading_ && !working_; }
+    /// All views come close to the next one, the largest first.
+    void nextRegion();
+
+    /// The key that flips while it is held.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void keptChanged(bool some);
+    void flipped(bool on);
+    /// The views show a difference, or none any more.
+    void differenceShown(bool on);
+
+private:
+    struct Reading {
+        QString path;
+        Settings settings;
+    };
+    using Read = Result<std::shared_ptr<const Picture>>;
+    struct Answer {
+        ComparisonAsked asked;
+        Result<std::shared_ptr<const Comparison>> made;
+    };
+    void follow();
+    void ask();
+    void take(const Answer& answer);
+    void takeRead(const Read& read);
+    void use(std::shared_ptr<const Picture> kept);
+    void show();
+    void showLegend();
+    [[nodiscard]] bool comparable() const;
+
+    Session& session_;
+    LinkedViews& views_;
+    ChangeLegend& legend_;
+    Rocks& rocks_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    std::shared_ptr<const Picture> kept_;
+    std::shared_ptr<const Comparison> comparison_;
+    ChangeRows rows_{true, true, true, true, true, true};
+    bool shown_ = true, working_ = false, reading_ = false;
+    std::size_t region_ = 0;
+    std::shared_ptr<const Comparison> last_; // comparing thread only
+    Newest<Reading, Read> reader_;
+    Newest<ComparisonAsked, Answer> comparer_; // last
+};
+
+} // namespace edgescan::ui

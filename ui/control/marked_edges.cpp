@@ -1,0 +1,130 @@
+// Marks, proposals, previews.
+#include "ui/control/marked_edges.h"
+
+#include "ui/base/cell_marks.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/control/linked_views.h"
+#include "ui/control/targets.h"
+#include "ui/dialogs/proposals_card.h"
+#include "ui/session/session.h"
+
+#include <QMenu>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+class AdoptedSettings : public QUndoCommand {
+public:
+    AdoptedSettings(Session& session, const Settings& after)
+        : QUndoCommand(MarkedEdges::tr("Settings for These Marks")), session_(session), before_(session.settings()), after_(after) {}
+
+    void undo() override { session_.setSettings(before_); }
+    void redo() override { session_.setSettings(after_); }
+
+private:
+    Session& session_;
+    Settings before_, after_;
+};
+
+} // namespace
+
+MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
+    : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
+      worker_(
+          this,
+          [](const Question& question) {
+              return Answer{question, edgeProposals(question.scan, question.settings, question.marks)};
+          },
+          [this](const Answer& answer) { tell(answer); },
+          [this](const QString& what) {
+              working_ = false;
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
+          }) {
+    connect(&session_, &Session::pictureReady, this, [this] {
+        if (std::exchange(stream_, session_.picture()->source.stream) != session_.picture()->source.stream) clear();
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
+        menu.addAction(tr("This is &no edge"), this, [this, cell] { mark(cell, false); });
+    });
+}
+
+void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
+    if (!cell) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then say whether an edge is there."));
+        return;
+    }
+    const auto k = static_cast<std::uint32_t>(*cell);
+    std::vector<std::uint32_t>& these = isEdge ? marks_.wanted : marks_.unwanted;
+    std::vector<std::uint32_t>& others = isEdge ? marks_.unwanted : marks_.wanted;
+    std::erase(others, k);
+    if (std::erase(these, k) == 0) these.push_back(k);
+    show();
+}
+
+void MarkedEdges::clear() {
+    marks_ = {};
+    proposals_.clear();
+    before_.reset();
+    if (card_ != nullptr) card_->hide();
+    show();
+}
+
+void MarkedEdges::show() {
+    std::vector<TargetMark> tags;
+    for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
+    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ no edge"), tr("✕"), false});
+    targets_.showBeside(std::move(tags));
+}
+
+void MarkedEdges::propose() {
+    if (marks_.empty() || session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none."));
+        return;
+    }
+    if (session_.picture()->source.growth.growing) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("The sweep is still growing: wait for its end, or hold it."));
+        return;
+    }
+    working_ = true;
+    worker_.post({session_.picture()->detection->scan, before_.value_or(session_.settings()), marks_});
+}
+
+void MarkedEdges::tell(const Answer& answer) {
+    working_ = false;
+    if (session_.picture()->detection->scan != answer.asked.scan) return;
+    if (card_ == nullptr) {
+        card_ = new ProposalsCard(notice_.window());
+        connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
+            if (!before_) before_ = session_.settings();
+            session_.setSettings(proposals_[static_cast<std::size_t>(row)].settings);
+        });
+        connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
+            const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
+            putBack(); // so that undo leads back to what was set before the preview
+            undo_.push(new AdoptedSettings(session_, adopted));
+            card_->hide();
+        });
+        connect(card_, &QDialog::rejected, this, &MarkedEdges::putBack);
+    }
+    putBack();
+    proposals_ = answer.proposals;
+    QStringList rows;
+    for (const EdgeProposal& proposal : proposals_) rows << shownText(proposalText(proposal, answer.asked.marks));
+    const auto fit = std::ranges::count_if(proposals_, &EdgeProposal::separates);
+    card_->tell(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
+                        : tr("No setting separates these marks. Those that get most of them right come first."),
+                rows);
+}
+
+void MarkedEdges::putBack() {
+    if (before_) session_.setSettings(*std::exchange(before_, std::nullopt));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,49 @@
+// The list of proposals.
+#include "ui/dialogs/proposals_card.h"
+
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace edgescan::ui {
+
+ProposalsCard::ProposalsCard(QWidget* parent) : QDialog(parent), verdict_(new QLabel), list_(new QListWidget), adopt_(nullptr) {
+    setObjectName("proposals");
+    setWindowTitle(tr("Settings for these marks"));
+    verdict_->setWordWrap(true);
+    verdict_->setTextFormat(Qt::PlainText);
+    list_->setObjectName("proposals-list");
+    list_->setMinimumWidth(520);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    adopt_ = buttons->addButton(tr("&Adopt"), QDialogButtonBox::ApplyRole);
+    adopt_->setEnabled(false);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(verdict_);
+    column->addWidget(new QLabel(tr("A click on a row shows it; Adopt keeps it, Close brings back what was set before.")));
+    column->addWidget(list_, 1);
+    column->addWidget(buttons);
+    connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+        adopt_->setEnabled(row >= 0);
+        if (row >= 0) emit previewWanted(row);
+    });
+    connect(adopt_, &QPushButton::clicked, this, [this] {
+        if (list_->currentRow() >= 0) emit adoptWanted(list_->currentRow());
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ProposalsCard::tell(const QString& verdict, const QStringList& rows) {
+    verdict_->setText(verdict);
+    list_->clear();
+    list_->addItems(rows);
+    list_->setCurrentRow(-1);
+    adopt_->setEnabled(false);
+    show();
+    raise();
+}
+
+QString ProposalsCard::verdict() const { return verdict_->text(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,48 @@
+// Commands and legend of A/B.
+#include "ui/main/compare_menu.h"
+
+#include "ui/change/change_legend.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/control/comparing.h"
+#include "ui/main/main_window.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+
+namespace edgescan::ui {
+
+Command compareMenu(MainWindow& w) {
+    Comparing& comparing = w.comparing();
+    const auto whileKept = [&comparing](QAction& action) {
+        action.setEnabled(false);
+        QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
+    };
+    const auto flipped = [&comparing, whileKept](QAction& action) {
+        whileKept(action);
+        QObject::connect(&comparing, &Comparing::flipped, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "Compare &A/B",
+        {
+            command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
+            command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            kLine,
+            linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
+            linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
+                   [](QAction& action) { action.setChecked(true); }),
+            linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
+            kLine,
+            linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
+        });
+}
+
+void addChangeLegend(MainWindow& w) {
+    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
+    over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    const auto follow = [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); };
+    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
+    QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
+}
+
+} // namespace edgescan::ui
