@@ -19,11 +19,39 @@
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
 <message><source>Replace</source><translation>Substituir</translation></message>
 <message><source>... and %1 lines more</source><translation>... e mais %1 linhas</translation></message>
+<message><source>+ gained</source><translation type="unfinished"></translation></message>
+<message><source>− lost</source><translation type="unfinished"></translation></message>
+<message><source>kept</source><translation type="unfinished"></translation></message>
+<message><source>? not seen in the other</source><translation type="unfinished"></translation></message>
+<message><source>surface nearer than in A</source><translation type="unfinished"></translation></message>
+<message><source>surface farther than in A</source><translation type="unfinished"></translation></message>
+<message><source>Next changed region</source><translation type="unfinished"></translation></message>
+<message><source>comparing …</source><translation type="unfinished"></translation></message>
+<message><source>nothing to compare with yet:
+turn a setting, or open another scan</source><translation type="unfinished"></translation></message>
+<message><source>▲ OUT OF SPEC</source><translation type="unfinished"></translation></message>
+<message><source>half of the cells differ by less than %1 mm
+a change is more than %2 mm at 5 m</source><translation type="unfinished"></translation></message>
+<message><source>On the screen: A, %1</source><translation type="unfinished"></translation></message>
+<message><source>A: %1
+hold \ to see it</source><translation type="unfinished"></translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
+<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation type="unfinished"></translation></message>
+<message><source>There is no picture to keep yet: open a scan first.</source><translation type="unfinished"></translation></message>
+<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation type="unfinished"></translation></message>
+<message><source>Reading %1 as A</source><translation type="unfinished"></translation></message>
+<message><source>Compare with an earlier scan</source><translation type="unfinished"></translation></message>
+<message><source>A and what is on the screen are the same, or are still being compared.</source><translation type="unfinished"></translation></message>
+<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation type="unfinished"></translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation type="unfinished"></translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5,
+visible %6 m², at %7 m</source><translation type="unfinished"></translation></message>
+<message><source>farther</source><translation type="unfinished"></translation></message>
+<message><source>nearer</source><translation type="unfinished"></translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>
@@ -68,6 +96,17 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>Settings for These Marks</source><translation type="unfinished"></translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation type="unfinished"></translation></message>
+<message><source>This &amp;is an edge</source><translation type="unfinished"></translation></message>
+<message><source>This is &amp;no edge</source><translation type="unfinished"></translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation type="unfinished"></translation></message>
+<message><source>✓ edge</source><translation type="unfinished"></translation></message>
+<message><source>✕ no edge</source><translation type="unfinished"></translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation type="unfinished"></translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation type="unfinished"></translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation type="unfinished"></translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation type="unfinished"></translation></message>
 <message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
 <message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
 <message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
@@ -79,7 +118,14 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
+<message><source>click the rim on one side</source><translation type="unfinished"></translation></message>
+<message><source>click the rim on the other side</source><translation type="unfinished"></translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation type="unfinished"></translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation type="unfinished"></translation></message>
+<message><source>Range Gate</source><translation type="unfinished"></translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation type="unfinished"></translation></message>
+<message><source>Clip to Box</source><translation type="unfinished"></translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>call of a rock</source><translation>classificação como rocha</translation></message>
@@ -194,6 +240,13 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
+<message><source>Settings for these marks</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Adopt</source><translation type="unfinished"></translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation type="unfinished"></translation></message>
+<message><source>Range gate</source><translation type="unfinished"></translation></message>
+<message><source>Draw cells from</source><translation type="unfinished"></translation></message>
+<message><source>to</source><translation type="unfinished"></translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation type="unfinished"></translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
@@ -241,6 +294,13 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>Compare &amp;A/B</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Keep This as A</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Compare with Scan…</source><translation type="unfinished"></translation></message>
+<message><source>Show &amp;A</source><translation type="unfinished"></translation></message>
+<message><source>Show What &amp;Changed</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Next Changed Region</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Forget A</source><translation type="unfinished"></translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
@@ -256,6 +316,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir funil de extração de &amp;demonstração</translation></message>
+<message><source>Open Demo after the &amp;Blast</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
@@ -324,6 +385,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Save…</source><translation>&amp;Salvar…</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordas</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
+<message><source>This &amp;Is an Edge</source><translation type="unfinished"></translation></message>
+<message><source>This Is &amp;No Edge</source><translation type="unfinished"></translation></message>
+<message><source>Settings for These &amp;Marks…</source><translation type="unfinished"></translation></message>
+<message><source>Clear the Mar&amp;ks</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
@@ -346,12 +411,18 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
+<message><source>Alon&amp;g Surface</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Throat Width</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>C&amp;lip to Box round Selected</source><translation type="unfinished"></translation></message>
+<message><source>&amp;Range Gate…</source><translation type="unfinished"></translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation type="unfinished"></translation></message>
+<message><source>Hide &amp;Nearer than This Cell</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
@@ -372,6 +443,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation type="unfinished"></translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -395,6 +468,7 @@ Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation type="unfinished"></translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
@@ -421,6 +495,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
+<message><source> · %1 filled</source><translation type="unfinished"></translation></message>
 <message><source>settings: %1</source><translation>ajustes: %1</translation></message>
 <message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
@@ -578,7 +653,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks); and, which is no edge of a rock, where the data end.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas); e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -589,6 +664,10 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
+<message><source>Fill gaps</source><translation type="unfinished"></translation></message>
+<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation type="unfinished"></translation></message>
+<message><source>Edges in gaps</source><translation type="unfinished"></translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation type="unfinished"></translation></message>
 <message><source>Lower threshold</source><translation>Limiar inferior</translation></message>
 <message><source>levels</source><translation>níveis</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Uma célula com gradiente acima deste é uma borda: com Canny se uma cadeia de tais células leva a uma forte, com os detectores de um limiar sempre.</translation></message>
@@ -620,6 +699,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
+<message><source>outline before a void</source><translation type="unfinished"></translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -673,9 +753,12 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem em VIEWPOINT</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
+<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation type="unfinished"></translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>
+<message><source>Along the Surface</source><translation type="unfinished"></translation></message>
+<message><source>Throat Width</source><translation type="unfinished"></translation></message>
 </context>
 </TS>
