@@ -19,39 +19,43 @@
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
 <message><source>Replace</source><translation>Reemplazar</translation></message>
 <message><source>... and %1 lines more</source><translation>... y %1 líneas más</translation></message>
-<message><source>+ gained</source><translation type="unfinished"></translation></message>
-<message><source>− lost</source><translation type="unfinished"></translation></message>
-<message><source>kept</source><translation type="unfinished"></translation></message>
-<message><source>? not seen in the other</source><translation type="unfinished"></translation></message>
-<message><source>surface nearer than in A</source><translation type="unfinished"></translation></message>
-<message><source>surface farther than in A</source><translation type="unfinished"></translation></message>
-<message><source>Next changed region</source><translation type="unfinished"></translation></message>
-<message><source>comparing …</source><translation type="unfinished"></translation></message>
+<message><source>+ gained</source><translation>+ ganados</translation></message>
+<message><source>− lost</source><translation>− perdidos</translation></message>
+<message><source>kept</source><translation>conservados</translation></message>
+<message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
+<message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
+<message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
+<message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation type="unfinished"></translation></message>
-<message><source>▲ OUT OF SPEC</source><translation type="unfinished"></translation></message>
+turn a setting, or open another scan</source><translation>nada con qué comparar todavía:
+cambie un ajuste o abra otro escaneo</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
 <message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>On the screen: A, %1</source><translation type="unfinished"></translation></message>
+a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
+un cambio es mayor que %2 mm a 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1
-hold \ to see it</source><translation type="unfinished"></translation></message>
+hold \ to see it</source><translation>A: %1
+mantenga \ para verla</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
-<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>There is no picture to keep yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Reading %1 as A</source><translation type="unfinished"></translation></message>
-<message><source>Compare with an earlier scan</source><translation type="unfinished"></translation></message>
-<message><source>A and what is on the screen are the same, or are still being compared.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation type="unfinished"></translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation type="unfinished"></translation></message>
+<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
+<message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
+<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
+<message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
+<message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
+<message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
+<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation type="unfinished"></translation></message>
-<message><source>farther</source><translation type="unfinished"></translation></message>
-<message><source>nearer</source><translation type="unfinished"></translation></message>
+visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5,
+visible %6 m², a %7 m</translation></message>
+<message><source>farther</source><translation>más lejos</translation></message>
+<message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>
@@ -96,17 +100,17 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
-<message><source>Settings for These Marks</source><translation type="unfinished"></translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation type="unfinished"></translation></message>
-<message><source>This &amp;is an edge</source><translation type="unfinished"></translation></message>
-<message><source>This is &amp;no edge</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation type="unfinished"></translation></message>
-<message><source>✓ edge</source><translation type="unfinished"></translation></message>
-<message><source>✕ no edge</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation type="unfinished"></translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation type="unfinished"></translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
+<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
+<message><source>✓ edge</source><translation>✓ borde</translation></message>
+<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
 <message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
 <message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
 <message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
@@ -118,14 +122,14 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the rim on one side</source><translation type="unfinished"></translation></message>
-<message><source>click the rim on the other side</source><translation type="unfinished"></translation></message>
+<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
+<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation type="unfinished"></translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation type="unfinished"></translation></message>
-<message><source>Range Gate</source><translation type="unfinished"></translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation type="unfinished"></translation></message>
-<message><source>Clip to Box</source><translation type="unfinished"></translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>call of a rock</source><translation>clasificación como roca</translation></message>
@@ -240,13 +244,13 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
-<message><source>Settings for these marks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Adopt</source><translation type="unfinished"></translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation type="unfinished"></translation></message>
-<message><source>Range gate</source><translation type="unfinished"></translation></message>
-<message><source>Draw cells from</source><translation type="unfinished"></translation></message>
-<message><source>to</source><translation type="unfinished"></translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
+<message><source>Range gate</source><translation>Ventana de distancia</translation></message>
+<message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
+<message><source>to</source><translation>hasta</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas las demás se ocultan en todas las vistas. Bordes, cuentas y exportaciones quedan como están.</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
@@ -294,13 +298,13 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
-<message><source>Compare &amp;A/B</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep This as A</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Compare with Scan…</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;A</source><translation type="unfinished"></translation></message>
-<message><source>Show What &amp;Changed</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Changed Region</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Forget A</source><translation type="unfinished"></translation></message>
+<message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
+<message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
+<message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
+<message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
+<message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
+<message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
@@ -316,7 +320,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir embudo de extracción de &amp;demostración</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation type="unfinished"></translation></message>
+<message><source>Open Demo after the &amp;Blast</source><translation>Abrir la demo tras la &amp;tronadura</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar al escáner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recar&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
@@ -385,10 +389,10 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Save…</source><translation>&amp;Guardar…</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
-<message><source>This &amp;Is an Edge</source><translation type="unfinished"></translation></message>
-<message><source>This Is &amp;No Edge</source><translation type="unfinished"></translation></message>
-<message><source>Settings for These &amp;Marks…</source><translation type="unfinished"></translation></message>
-<message><source>Clear the Mar&amp;ks</source><translation type="unfinished"></translation></message>
+<message><source>This &amp;Is an Edge</source><translation>Esto &amp;es un borde</translation></message>
+<message><source>This Is &amp;No Edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
+<message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
@@ -411,18 +415,18 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Alon&amp;g Surface</source><translation>Por la &amp;superficie</translation></message>
+<message><source>&amp;Throat Width</source><translation>Ancho de &amp;garganta</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Gate…</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation type="unfinished"></translation></message>
+<message><source>C&amp;lip to Box round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
+<message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar lo que está más &amp;lejos que esta celda</translation></message>
+<message><source>Hide &amp;Nearer than This Cell</source><translation>Ocultar lo que está más c&amp;erca que esta celda</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
@@ -443,8 +447,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation type="unfinished"></translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation type="unfinished"></translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
@@ -468,7 +472,7 @@ Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation type="unfinished"></translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
@@ -495,7 +499,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
-<message><source> · %1 filled</source><translation type="unfinished"></translation></message>
+<message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
 <message><source>settings: %1</source><translation>ajustes: %1</translation></message>
 <message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
@@ -653,7 +657,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
@@ -664,10 +668,10 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
-<message><source>Fill gaps</source><translation type="unfinished"></translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation type="unfinished"></translation></message>
-<message><source>Edges in gaps</source><translation type="unfinished"></translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation type="unfinished"></translation></message>
+<message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
+<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
+<message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
 <message><source>Lower threshold</source><translation>Umbral inferior</translation></message>
 <message><source>levels</source><translation>niveles</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Una celda con un gradiente superior a este es un borde: con Canny si una cadena de tales celdas lleva a una fuerte, con los detectores de un umbral siempre.</translation></message>
@@ -699,7 +703,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>cóncavo</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
-<message><source>outline before a void</source><translation type="unfinished"></translation></message>
+<message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
@@ -753,12 +757,12 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en VIEWPOINT</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
-<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation type="unfinished"></translation></message>
+<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY y CSV: también las celdas rellenadas y no medidas, que el campo filled_sd_mm marca</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>
-<message><source>Along the Surface</source><translation type="unfinished"></translation></message>
-<message><source>Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Along the Surface</source><translation>Por la superficie</translation></message>
+<message><source>Throat Width</source><translation>Ancho de garganta</translation></message>
 </context>
 </TS>

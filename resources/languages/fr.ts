@@ -19,39 +19,43 @@
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
 <message><source>Replace</source><translation>Remplacer</translation></message>
 <message><source>... and %1 lines more</source><translation>... et %1 lignes de plus</translation></message>
-<message><source>+ gained</source><translation type="unfinished"></translation></message>
-<message><source>− lost</source><translation type="unfinished"></translation></message>
-<message><source>kept</source><translation type="unfinished"></translation></message>
-<message><source>? not seen in the other</source><translation type="unfinished"></translation></message>
-<message><source>surface nearer than in A</source><translation type="unfinished"></translation></message>
-<message><source>surface farther than in A</source><translation type="unfinished"></translation></message>
-<message><source>Next changed region</source><translation type="unfinished"></translation></message>
-<message><source>comparing …</source><translation type="unfinished"></translation></message>
+<message><source>+ gained</source><translation>+ gagnées</translation></message>
+<message><source>− lost</source><translation>− perdues</translation></message>
+<message><source>kept</source><translation>conservées</translation></message>
+<message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
+<message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
+<message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
+<message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation type="unfinished"></translation></message>
-<message><source>▲ OUT OF SPEC</source><translation type="unfinished"></translation></message>
+turn a setting, or open another scan</source><translation>rien encore à comparer :
+tournez un réglage, ou ouvrez un autre scan</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
 <message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>On the screen: A, %1</source><translation type="unfinished"></translation></message>
+a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
+un changement dépasse %2 mm à 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1
-hold \ to see it</source><translation type="unfinished"></translation></message>
+hold \ to see it</source><translation>A : %1
+tenez \ pour la voir</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
-<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>There is no picture to keep yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Reading %1 as A</source><translation type="unfinished"></translation></message>
-<message><source>Compare with an earlier scan</source><translation type="unfinished"></translation></message>
-<message><source>A and what is on the screen are the same, or are still being compared.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation type="unfinished"></translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation type="unfinished"></translation></message>
+<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
+<message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
+<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
+<message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
+<message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
+<message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
+<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation type="unfinished"></translation></message>
-<message><source>farther</source><translation type="unfinished"></translation></message>
-<message><source>nearer</source><translation type="unfinished"></translation></message>
+visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5,
+visible %6 m², à %7 m</translation></message>
+<message><source>farther</source><translation>plus loin</translation></message>
+<message><source>nearer</source><translation>plus proche</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>
@@ -96,17 +100,17 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
-<message><source>Settings for These Marks</source><translation type="unfinished"></translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation type="unfinished"></translation></message>
-<message><source>This &amp;is an edge</source><translation type="unfinished"></translation></message>
-<message><source>This is &amp;no edge</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation type="unfinished"></translation></message>
-<message><source>✓ edge</source><translation type="unfinished"></translation></message>
-<message><source>✕ no edge</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation type="unfinished"></translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation type="unfinished"></translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
+<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
+<message><source>✓ edge</source><translation>✓ arête</translation></message>
+<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
 <message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
 <message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
 <message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
@@ -118,14 +122,14 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the rim on one side</source><translation type="unfinished"></translation></message>
-<message><source>click the rim on the other side</source><translation type="unfinished"></translation></message>
+<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
+<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation type="unfinished"></translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation type="unfinished"></translation></message>
-<message><source>Range Gate</source><translation type="unfinished"></translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation type="unfinished"></translation></message>
-<message><source>Clip to Box</source><translation type="unfinished"></translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
+<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>call of a rock</source><translation>classement comme bloc</translation></message>
@@ -240,13 +244,13 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
-<message><source>Settings for these marks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Adopt</source><translation type="unfinished"></translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation type="unfinished"></translation></message>
-<message><source>Range gate</source><translation type="unfinished"></translation></message>
-<message><source>Draw cells from</source><translation type="unfinished"></translation></message>
-<message><source>to</source><translation type="unfinished"></translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
+<message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
+<message><source>to</source><translation>à</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Toutes les autres sont masquées dans toutes les vues. Arêtes, nombres et exports restent tels quels.</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
@@ -294,13 +298,13 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
-<message><source>Compare &amp;A/B</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep This as A</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Compare with Scan…</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;A</source><translation type="unfinished"></translation></message>
-<message><source>Show What &amp;Changed</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Changed Region</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Forget A</source><translation type="unfinished"></translation></message>
+<message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
+<message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
+<message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
+<message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
+<message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
+<message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
+<message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
@@ -316,7 +320,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Ouvrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Ouvrir l'entonnoir de soutirage de &amp;démonstration</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation type="unfinished"></translation></message>
+<message><source>Open Demo after the &amp;Blast</source><translation>Ouvrir la démo après le &amp;tir</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Connecter au scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Rechar&amp;ger</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exporter</translation></message>
@@ -385,10 +389,10 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Save…</source><translation>&amp;Enregistrer…</translation></message>
 <message><source>&amp;Edges</source><translation>A&amp;rêtes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Verrouiller haut = 3 × bas</translation></message>
-<message><source>This &amp;Is an Edge</source><translation type="unfinished"></translation></message>
-<message><source>This Is &amp;No Edge</source><translation type="unfinished"></translation></message>
-<message><source>Settings for These &amp;Marks…</source><translation type="unfinished"></translation></message>
-<message><source>Clear the Mar&amp;ks</source><translation type="unfinished"></translation></message>
+<message><source>This &amp;Is an Edge</source><translation>Ceci &amp;est une arête</translation></message>
+<message><source>This Is &amp;No Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>
+<message><source>Clear the Mar&amp;ks</source><translation>Effacer les mar&amp;ques</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
@@ -411,18 +415,18 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
 <message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Alon&amp;g Surface</source><translation>Le long de la &amp;surface</translation></message>
+<message><source>&amp;Throat Width</source><translation>Largeur du &amp;goulot</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
 <message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Gate…</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation type="unfinished"></translation></message>
+<message><source>C&amp;lip to Box round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
+<message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Masquer ce qui est plus &amp;loin que cette cellule</translation></message>
+<message><source>Hide &amp;Nearer than This Cell</source><translation>Masquer ce qui est plus &amp;proche que cette cellule</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
@@ -443,8 +447,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation type="unfinished"></translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation type="unfinished"></translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
@@ -468,7 +472,7 @@ Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation type="unfinished"></translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
@@ -495,7 +499,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
-<message><source> · %1 filled</source><translation type="unfinished"></translation></message>
+<message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
 <message><source>settings: %1</source><translation>réglages : %1</translation></message>
 <message><source>settings: %1, %2 changed</source><translation>réglages : %1, %2 modifié(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
@@ -653,7 +657,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), et le côté proche d'un vide derrière lequel il y a quelque chose de plus loin ; et, ce qui n'est pas l'arête d'un bloc, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
 <message><source>% of high</source><translation>% du haut</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Les cellules plus faibles, de cette force, sont des arêtes là où elles en prolongent une forte.</translation></message>
@@ -664,10 +668,10 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
-<message><source>Fill gaps</source><translation type="unfinished"></translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation type="unfinished"></translation></message>
-<message><source>Edges in gaps</source><translation type="unfinished"></translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation type="unfinished"></translation></message>
+<message><source>Fill gaps</source><translation>Combler les vides</translation></message>
+<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
+<message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>Les cellules remplies participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
 <message><source>Lower threshold</source><translation>Seuil bas</translation></message>
 <message><source>levels</source><translation>niveaux</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Une cellule dont le gradient est supérieur à ceci est une arête : avec Canny si une chaîne de telles cellules mène à une cellule forte, avec les détecteurs à un seuil toujours.</translation></message>
@@ -699,7 +703,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>convex</source><translation>convexe</translation></message>
 <message><source>concave</source><translation>concave</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
-<message><source>outline before a void</source><translation type="unfinished"></translation></message>
+<message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
@@ -753,12 +757,12 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans VIEWPOINT</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
-<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation type="unfinished"></translation></message>
+<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules remplies et non mesurées, que le champ filled_sd_mm marque</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>
-<message><source>Along the Surface</source><translation type="unfinished"></translation></message>
-<message><source>Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Along the Surface</source><translation>Le long de la surface</translation></message>
+<message><source>Throat Width</source><translation>Largeur du goulot</translation></message>
 </context>
 </TS>

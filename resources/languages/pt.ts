@@ -19,39 +19,43 @@
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
 <message><source>Replace</source><translation>Substituir</translation></message>
 <message><source>... and %1 lines more</source><translation>... e mais %1 linhas</translation></message>
-<message><source>+ gained</source><translation type="unfinished"></translation></message>
-<message><source>− lost</source><translation type="unfinished"></translation></message>
-<message><source>kept</source><translation type="unfinished"></translation></message>
-<message><source>? not seen in the other</source><translation type="unfinished"></translation></message>
-<message><source>surface nearer than in A</source><translation type="unfinished"></translation></message>
-<message><source>surface farther than in A</source><translation type="unfinished"></translation></message>
-<message><source>Next changed region</source><translation type="unfinished"></translation></message>
-<message><source>comparing …</source><translation type="unfinished"></translation></message>
+<message><source>+ gained</source><translation>+ ganhas</translation></message>
+<message><source>− lost</source><translation>− perdidas</translation></message>
+<message><source>kept</source><translation>mantidas</translation></message>
+<message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
+<message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
+<message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
+<message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation type="unfinished"></translation></message>
-<message><source>▲ OUT OF SPEC</source><translation type="unfinished"></translation></message>
+turn a setting, or open another scan</source><translation>nada ainda para comparar:
+mude um ajuste ou abra outra varredura</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
 <message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation type="unfinished"></translation></message>
-<message><source>On the screen: A, %1</source><translation type="unfinished"></translation></message>
+a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
+uma mudança é maior que %2 mm a 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1
-hold \ to see it</source><translation type="unfinished"></translation></message>
+hold \ to see it</source><translation>A: %1
+segure \ para vê-la</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
-<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation type="unfinished"></translation></message>
-<message><source>There is no picture to keep yet: open a scan first.</source><translation type="unfinished"></translation></message>
-<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation type="unfinished"></translation></message>
-<message><source>Reading %1 as A</source><translation type="unfinished"></translation></message>
-<message><source>Compare with an earlier scan</source><translation type="unfinished"></translation></message>
-<message><source>A and what is on the screen are the same, or are still being compared.</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation type="unfinished"></translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation type="unfinished"></translation></message>
+<message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
+<message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
+<message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
+<message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
+<message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
+<message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
+<message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation type="unfinished"></translation></message>
-<message><source>farther</source><translation type="unfinished"></translation></message>
-<message><source>nearer</source><translation type="unfinished"></translation></message>
+visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5,
+visível %6 m², a %7 m</translation></message>
+<message><source>farther</source><translation>mais longe</translation></message>
+<message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>
@@ -96,17 +100,17 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
-<message><source>Settings for These Marks</source><translation type="unfinished"></translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation type="unfinished"></translation></message>
-<message><source>This &amp;is an edge</source><translation type="unfinished"></translation></message>
-<message><source>This is &amp;no edge</source><translation type="unfinished"></translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation type="unfinished"></translation></message>
-<message><source>✓ edge</source><translation type="unfinished"></translation></message>
-<message><source>✕ no edge</source><translation type="unfinished"></translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation type="unfinished"></translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation type="unfinished"></translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation type="unfinished"></translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
+<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
+<message><source>✓ edge</source><translation>✓ borda</translation></message>
+<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
 <message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
 <message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
 <message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
@@ -118,14 +122,14 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the rim on one side</source><translation type="unfinished"></translation></message>
-<message><source>click the rim on the other side</source><translation type="unfinished"></translation></message>
+<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
+<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation type="unfinished"></translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation type="unfinished"></translation></message>
-<message><source>Range Gate</source><translation type="unfinished"></translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation type="unfinished"></translation></message>
-<message><source>Clip to Box</source><translation type="unfinished"></translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>Range Gate</source><translation>Janela de distância</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>call of a rock</source><translation>classificação como rocha</translation></message>
@@ -240,13 +244,13 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
-<message><source>Settings for these marks</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Adopt</source><translation type="unfinished"></translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation type="unfinished"></translation></message>
-<message><source>Range gate</source><translation type="unfinished"></translation></message>
-<message><source>Draw cells from</source><translation type="unfinished"></translation></message>
-<message><source>to</source><translation type="unfinished"></translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation type="unfinished"></translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
+<message><source>Range gate</source><translation>Janela de distância</translation></message>
+<message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
+<message><source>to</source><translation>até</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas as outras são ocultadas em todas as vistas. Bordas, contagens e exportações ficam como estão.</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
@@ -294,13 +298,13 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
-<message><source>Compare &amp;A/B</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Keep This as A</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Compare with Scan…</source><translation type="unfinished"></translation></message>
-<message><source>Show &amp;A</source><translation type="unfinished"></translation></message>
-<message><source>Show What &amp;Changed</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Next Changed Region</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Forget A</source><translation type="unfinished"></translation></message>
+<message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
+<message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
+<message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
+<message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
+<message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
+<message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
@@ -316,7 +320,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir funil de extração de &amp;demonstração</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation type="unfinished"></translation></message>
+<message><source>Open Demo after the &amp;Blast</source><translation>Abrir a demo depois do &amp;desmonte</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
@@ -385,10 +389,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Save…</source><translation>&amp;Salvar…</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordas</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
-<message><source>This &amp;Is an Edge</source><translation type="unfinished"></translation></message>
-<message><source>This Is &amp;No Edge</source><translation type="unfinished"></translation></message>
-<message><source>Settings for These &amp;Marks…</source><translation type="unfinished"></translation></message>
-<message><source>Clear the Mar&amp;ks</source><translation type="unfinished"></translation></message>
+<message><source>This &amp;Is an Edge</source><translation>Isto &amp;é uma borda</translation></message>
+<message><source>This Is &amp;No Edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
+<message><source>Clear the Mar&amp;ks</source><translation>Limpar as mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
@@ -411,18 +415,18 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Alon&amp;g Surface</source><translation>Ao longo da &amp;superfície</translation></message>
+<message><source>&amp;Throat Width</source><translation>Largura da &amp;garganta</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation type="unfinished"></translation></message>
-<message><source>&amp;Range Gate…</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation type="unfinished"></translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation type="unfinished"></translation></message>
+<message><source>C&amp;lip to Box round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
+<message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar o que está mais &amp;longe que esta célula</translation></message>
+<message><source>Hide &amp;Nearer than This Cell</source><translation>Ocultar o que está mais &amp;perto que esta célula</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
@@ -443,8 +447,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation type="unfinished"></translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation type="unfinished"></translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -468,7 +472,7 @@ Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation type="unfinished"></translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
@@ -495,7 +499,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
-<message><source> · %1 filled</source><translation type="unfinished"></translation></message>
+<message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
 <message><source>settings: %1</source><translation>ajustes: %1</translation></message>
 <message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
@@ -653,7 +657,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation type="unfinished"></translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), e o lado próximo de um vazio com algo mais longe atrás; e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -664,10 +668,10 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
-<message><source>Fill gaps</source><translation type="unfinished"></translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation type="unfinished"></translation></message>
-<message><source>Edges in gaps</source><translation type="unfinished"></translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation type="unfinished"></translation></message>
+<message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
+<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
+<message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>As células preenchidas participam da busca de bordas, e podem ser bordas que ninguém mediu.</translation></message>
 <message><source>Lower threshold</source><translation>Limiar inferior</translation></message>
 <message><source>levels</source><translation>níveis</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Uma célula com gradiente acima deste é uma borda: com Canny se uma cadeia de tais células leva a uma forte, com os detectores de um limiar sempre.</translation></message>
@@ -699,7 +703,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
-<message><source>outline before a void</source><translation type="unfinished"></translation></message>
+<message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -753,12 +757,12 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem em VIEWPOINT</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
-<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation type="unfinished"></translation></message>
+<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY e CSV: também as células preenchidas e não medidas, que o campo filled_sd_mm marca</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>
-<message><source>Along the Surface</source><translation type="unfinished"></translation></message>
-<message><source>Throat Width</source><translation type="unfinished"></translation></message>
+<message><source>Along the Surface</source><translation>Ao longo da superfície</translation></message>
+<message><source>Throat Width</source><translation>Largura da garganta</translation></message>
 </context>
 </TS>
