@@ -62,7 +62,9 @@ TEST(MarkedEdges, ProposalsDoWhatTheySay) {
     EXPECT_TRUE(proposals.front().separates());
     for (std::size_t n = 1; n < proposals.size(); ++n) {
         EXPECT_GE(proposals[n - 1].separates(), proposals[n].separates());
-        if (proposals[n - 1].separates() && proposals[n].separates()) EXPECT_GE(proposals[n - 1].margin, proposals[n].margin);
+        if (proposals[n - 1].separates() && proposals[n].separates()) {
+            EXPECT_GE(proposals[n - 1].margin, proposals[n].margin);
+        }
     }
     const auto ours = std::ranges::find(proposals, Method::EdgeScanPlus, [](const EdgeProposal& p) { return p.settings.method; });
     EXPECT_TRUE(ours->separates());
