@@ -125,9 +125,9 @@ TEST_P(EveryGrayLoop, NoCellsGiveNoCells) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Instructions, EveryGrayLoop, testing::Range<std::size_t>(0, allGrayLoops().size()),
-                         [](const testing::TestParamInfo<std::size_t>& info) {
+                         [](const testing::TestParamInfo<std::size_t>& tested) {
                              std::string name;
-                             for (const char c : std::string(allGrayLoops()[info.param].instructions)) {
+                             for (const char c : std::string(allGrayLoops()[tested.param].instructions)) {
                                  if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
                              }
                              return name;
