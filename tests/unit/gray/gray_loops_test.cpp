@@ -25,7 +25,8 @@ Grid<std::uint8_t> anyPicture(std::mt19937& random) {
     const int beams = 1 + static_cast<int>(random() % (isWide ? 300U : random() % 3 == 0 ? 5U : 90U));
     Grid<std::uint8_t> picture(lines, beams);
     const unsigned noise = 1U << (random() % 9U);
-    const unsigned tall = 1 + random() % 9U, broad = 1 + random() % 12U, slope = random() % 7U, steps = random() % 256U;
+    const auto below = [&random](unsigned count) { return static_cast<unsigned>(random() % count); };
+    const unsigned tall = 1 + below(9), broad = 1 + below(12), slope = below(7), steps = below(256);
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j) {
             const auto line = static_cast<unsigned>(i), beam = static_cast<unsigned>(j);
@@ -87,11 +88,12 @@ TEST_P(EveryGrayLoop, LevelsAreThoseOfDoubles) {
     std::size_t middles = 0;
     for (int n = 0; n < 600; ++n) {
         const int cells = 1 + static_cast<int>(random() % 1500U);
-        const LinearLevels to = linearLevels({static_cast<double>(random() % 3000U) / 7, 3000.0 + random() % 40000U / 8.0, false});
+        const LinearLevels to =
+            linearLevels({static_cast<double>(random() % 3000U) / 7, 3000.0 + static_cast<double>(random() % 40000U) / 8, false});
         Grid<float> ranges(1, cells);
         Grid<CellState> states(1, cells, CellState::Valid);
         for (std::size_t k = 0; k < ranges.size(); ++k) {
-            const auto middle = static_cast<float>((random() % 300U + 0.5) / to.factor);
+            const auto middle = static_cast<float>((static_cast<double>(random() % 300U) + 0.5) / to.factor);
             const std::array<float, 6> any{static_cast<float>(random() % 60000U),
                                            static_cast<float>(random() % 60000U) / 13,
                                            middle,
@@ -123,9 +125,9 @@ TEST_P(EveryGrayLoop, NoCellsGiveNoCells) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Instructions, EveryGrayLoop, testing::Range<std::size_t>(0, allGrayLoops().size()),
-                         [](const testing::TestParamInfo<std::size_t>& info) {
+                         [](const testing::TestParamInfo<std::size_t>& tested) {
                              std::string name;
-                             for (const char c : std::string(allGrayLoops()[info.param].instructions)) {
+                             for (const char c : std::string(allGrayLoops()[tested.param].instructions)) {
                                  if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
                              }
                              return name;

@@ -136,7 +136,7 @@ TEST(ThresholdMap, SortedCellsGiveTheSameEdges) {
         ThresholdMap map{Grid<double>(lines, beams, -1.0)};
         for (double& highest : map.highest.cells) {
             if (static_cast<int>(random() % static_cast<unsigned>(share)) != 0) continue;
-            const unsigned value = random() % static_cast<unsigned>(values);
+            const auto value = static_cast<unsigned>(random() % static_cast<unsigned>(values));
             highest = value == 1 ? std::numeric_limits<double>::infinity() : value / 3.0;
         }
         const SweptEdges swept(map);
