@@ -179,7 +179,11 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     const Grid<Support>& support = surface.inverse.support;
     const auto grid = [&support] { return Grid<float>(support.lines, support.beams); };
     if (cracks != nullptr) *cracks = {grid(), grid(), grid(), grid(), grid()};
-    DepthResponses result{grid(), grid(), limits.noise, static_cast<double>(limits.jumpMm), borderCells(support),
+    DepthResponses result{grid(),
+                          grid(),
+                          limits.noise,
+                          static_cast<double>(limits.jumpMm),
+                          borderCells(support),
                           silhouetteCells(surface.inverse, surface.steps, limits)};
     inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {
         respond(surface, limits, {first, last}, result, cracks);

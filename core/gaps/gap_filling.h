@@ -36,8 +36,8 @@ struct GapFilling {
 
 /// Gaps (8 neighbours) of up to `longest` + 2 cells one way and four times that the other, not at the border of the grid and without cells
 /// that somebody masked or gated, are filled: by a plane in inverse range where all around lies on one, else cell by cell along the way
-/// whose ends differ less, if they differ by less than 80 mm + 2 % of the range. All others stay gaps. `longest` below 1: nothing is filled.
-/// `noise` is that of the measured cells. Needs angles, or points, for the uncertainty. The same on every machine.
+/// whose ends differ less, if they differ by less than 80 mm + 2 % of the range. All others stay gaps. `longest` below 1: nothing is
+/// filled. `noise` is that of the measured cells. Needs angles, or points, for the uncertainty. The same on every machine.
 [[nodiscard]] GapFilling fillGaps(const Scan& scan, const RangeNoise& noise, int longest);
 
 /// The same with the noise measured in the scan.

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kFewestCells = 7;
 constexpr int kRounds = 3;
-constexpr double kReach = 3;           // medians, made standard deviations
-constexpr double kSdPerMedian = 1.48;  // of a normal distribution
-constexpr double kLeastSpread = 1e-9;  // determinant over the product of the diagonal
+constexpr double kReach = 3;          // medians, made standard deviations
+constexpr double kSdPerMedian = 1.48; // of a normal distribution
+constexpr double kLeastSpread = 1e-9; // determinant over the product of the diagonal
 
 struct Sums {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, u = 0, ux = 0, uy = 0;

@@ -17,8 +17,8 @@ struct RingCell {
 /// u = u0 + alongBeams * beams + alongLines * lines.
 struct PlaneInU {
     double u0 = 0, alongBeams = 0, alongLines = 0;
-    double sdU = 0;       ///< of the cells with weight from the plane, 1/m
-    double weighed = 0;   ///< share of the cells that have weight
+    double sdU = 0;                  ///< of the cells with weight from the plane, 1/m
+    double weighed = 0;              ///< share of the cells that have weight
     std::array<double, 6> inverse{}; ///< of the sum of weights times place times place: 00, 01, 02, 11, 12, 22
 
     [[nodiscard]] double at(double beams, double lines) const { return u0 + alongBeams * beams + alongLines * lines; }

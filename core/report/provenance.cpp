@@ -11,6 +11,7 @@
 #include "core/io/save_scan.h"
 #include "core/pictures/png.h"
 #include "core/points/description.h"
+#include "core/points/source.h"
 #include "core/report/record_parts.h"
 #include "core/report/rock_files.h"
 #include "core/scan/range_picture.h"
@@ -18,7 +19,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <span>
 #include <system_error>
@@ -90,8 +90,7 @@ Result<Done> checkFilled(ExportContent content, const Detection& detection, cons
     if (!detection.filled)
         return Error{"no gap was filled that could be written", path.string(),
                      "give --fill and how many cells, or leave --with-filled out"};
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = Source::lowerCase(path.extension());
     if (extension == ".pcd" || extension == ".ply" || extension == ".csv") return Done{};
     return Error{"this format has no room for the mark of filled cells", path.string(),
                  "choose .pcd, .ply or .csv, or leave --with-filled out"};

@@ -12,7 +12,8 @@ constexpr unsigned kDetector = kReadsGray | kReadsKernel;
 
 constexpr std::array kMethods{
     MethodTraits{Method::EdgeScanPlus, "edgescan+", "EdgeScan+", kReadsSurface | kReadsCreases | kReadsClasses, 0},
-    MethodTraits{Method::Outlines, "outlines", "Rock outlines", kReadsSurface | kReadsCreases, kClassJump | kClassConcave | kClassSilhouette},
+    MethodTraits{Method::Outlines, "outlines", "Rock outlines", kReadsSurface | kReadsCreases,
+                 kClassJump | kClassConcave | kClassSilhouette},
     MethodTraits{Method::Jumps, "jumps", "Jumps", kReadsSurface, kClassJump | kClassSilhouette},
     MethodTraits{Method::Canny, "canny", "Canny (thesis)", kReadsGray | kGradient, 0},
     MethodTraits{Method::LogRange, "log-range", "Canny on log range", kReadsRangeStep | kGradient, 0},

@@ -313,7 +313,7 @@ private slots:
         const auto press = [&](QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2}); };
         press(legend.classSwitch(1));
         QVERIFY(on.settled());
-        QCOMPARE(on.window.session().settings().classes, static_cast<int>(kClassJump | kClassConcave));
+        QCOMPARE(on.window.session().settings().classes, static_cast<int>(kClassJump | kClassConcave | kClassSilhouette));
         QVERIFY(!legend.classSwitch(1)->isChecked());
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
