@@ -100,6 +100,8 @@ Result<PointTable> readTextPoints(const Source& source) {
             table.intensity.push_back(*intensity < row.size() ? static_cast<float>(row[*intensity])
                                                               : std::numeric_limits<float>::quiet_NaN());
         }
+        if (const auto filled = named[ColumnRole::FilledSdMm])
+            table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
         if (named.hasCell()) {
             table.line.push_back(indexOf(value(ColumnRole::Line)));
             table.beam.push_back(indexOf(value(ColumnRole::Beam)));

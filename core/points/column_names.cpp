@@ -76,6 +76,7 @@ constexpr std::array<KnownName, 68> kNames{{
     {"scannery", Role::ScannerY},
     {"scannerz", Role::ScannerZ},
     {"hoehe", Role::Z},
+    {"filledsdmm", Role::FilledSdMm},
     {"intensity", Role::Intensity},
     {"scalarintensity", Role::Intensity}, // as CloudCompare names it in PLY
     {"reflectance", Role::Intensity},

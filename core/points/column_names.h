@@ -11,8 +11,8 @@
 
 namespace edgescan {
 
-enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity };
-inline constexpr std::size_t kColumnRoles = 11;
+enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity, FilledSdMm };
+inline constexpr std::size_t kColumnRoles = 12;
 
 /// Which column has which role; empty where none has.
 struct NamedColumns {

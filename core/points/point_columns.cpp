@@ -29,6 +29,7 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
                        {},
                        {},
                        field(ColumnRole::Intensity),
+                       field(ColumnRole::FilledSdMm),
                        {},
                        named.unitMm};
     if (named.hasCell()) {
@@ -48,6 +49,7 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
     if (fields.rangeMm) table.rangeMm.resize(points);
     if (fields.state) table.state.resize(points);
     if (fields.intensity) table.intensity.resize(points);
+    if (fields.filledSdMm) table.filledSdMm.resize(points);
     if (fields.line) table.line.resize(points);
     if (fields.beam) table.beam.resize(points);
     if (!fields.scanner.empty()) table.scannerPoints.resize(points);
@@ -66,6 +68,8 @@ bool readRecords(PointTable& table, const PointFields& fields, std::size_t point
         if (fields.rangeMm) read(*fields.rangeMm, [&](std::size_t n, double value) { table.rangeMm[n] = static_cast<float>(value); });
         if (fields.state) read(*fields.state, [&](std::size_t n, double value) { table.state[n] = stateByte(value); });
         if (fields.intensity) read(*fields.intensity, [&](std::size_t n, double value) { table.intensity[n] = static_cast<float>(value); });
+        if (fields.filledSdMm)
+            read(*fields.filledSdMm, [&](std::size_t n, double value) { table.filledSdMm[n] = static_cast<float>(value); });
         if (fields.line) read(*fields.line, [&](std::size_t n, double value) { table.line[n] = indexOf(value); });
         if (fields.beam) read(*fields.beam, [&](std::size_t n, double value) { table.beam[n] = indexOf(value); });
         if (first % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(first) / static_cast<double>(points)))
@@ -106,6 +110,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
         if (fields.intensity) table.intensity.push_back(static_cast<float>(row[fields.intensity->column]));
+        if (fields.filledSdMm) table.filledSdMm.push_back(static_cast<float>(row[fields.filledSdMm->column]));
         if (fields.line) table.line.push_back(indexOf(row[fields.line->column]));
         if (fields.beam) table.beam.push_back(indexOf(row[fields.beam->column]));
         if (const auto& s = fields.scanner; !s.empty())

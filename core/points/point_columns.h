@@ -24,11 +24,11 @@ struct RecordField {
     std::size_t stride = 0;
 };
 
-/// Fields x y z by any of their usual names, line and beam where both are present, intensity, and our own range_mm, state and scanner_x
-/// scanner_y scanner_z.
+/// Fields x y z by any of their usual names, line and beam where both are present, intensity, and our own range_mm, state, filled_sd_mm and
+/// scanner_x scanner_y scanner_z.
 struct PointFields {
     RecordField x, y, z;
-    std::optional<RecordField> rangeMm, state, line, beam, intensity;
+    std::optional<RecordField> rangeMm, state, line, beam, intensity, filledSdMm;
     std::vector<RecordField> scanner; ///< three or none
     std::optional<double> unitMm;     ///< where the names of x y z say it
 };

@@ -5,6 +5,7 @@
 #include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/sim/simulate.h"
+#include "tests/support/bytes.h"
 #include "tests/support/scans.h"
 
 #include <Eigen/Dense>
@@ -185,6 +186,16 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
     EXPECT_EQ(record["filled"]["cells"], 6 * 7);
     EXPECT_EQ(record["filled"]["in_export"], true);
     EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *detection, "cloud.xyz", "", options));
+    EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *detection, "cloud.foxglove.mcap", "", options));
+    // Opened again they are what they were: measured by nobody.
+    for (const char* extension : {".csv", ".pcd", ".ply"}) {
+        const auto files = exportFiles(ExportContent::FullCloud, *detection, std::string("cloud") + extension, "", options);
+        ASSERT_TRUE(files) << files.error().sentence();
+        const auto back = test::readBytes(files->front().bytes, extension);
+        ASSERT_TRUE(back) << back.error().sentence();
+        EXPECT_EQ(countCells(*back)[0], countCells(*detection->scan)[0]) << extension;
+        EXPECT_TRUE(std::ranges::any_of(back->warnings, [](const std::string& w) { return w.starts_with("42 points were filled"); }));
+    }
     const auto without = detectEdges(detection->scan, Settings{});
     EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *without, "cloud.csv", "", options));
 }
