@@ -45,6 +45,8 @@ Result<LineUpWish> wishOf(const ChangeFlags& flags) {
 }
 
 Result<Done> change(const ChangeFlags& flags) {
+    if (!flags.json.empty() && flags.json == flags.picture)
+        return Error{"two results cannot have one file", flags.json, "give each a name of its own"};
     const auto wish = wishOf(flags);
     if (!wish) return wish.error();
     const auto before = detected(flags, flags.files[0]);

@@ -68,11 +68,14 @@ std::string changeText(const Scan& later, const SceneChange& change) {
     for (const std::string& warning : change.earlier.how.warnings) text += warning + "\n";
     text += "edges: " + counted("+ gained", change.edges.gained) + ", " + counted("- lost", change.edges.lost) + ", " +
             counted("kept", change.edges.kept) + ", " + counted("not seen by the other", change.edges.unseen);
+    if (change.earlier.edgesLeftOut > 0)
+        text += "\n" + counted("edge cells of the earlier scan lie where the later one did not look, or behind what it saw",
+                               change.earlier.edgesLeftOut);
     if (change.earlier.how.by == LinedUpBy::OneScan) return text;
     const RangeChanges& ranges = change.ranges;
     text += "\ncells: " + counted("nearer", ranges.nearer) + ", " + counted("farther", ranges.farther) + ", " +
-            counted("same", ranges.same) + ", " + counted("no return now", ranges.noReturnNow) + ", " +
-            counted("no return before", ranges.noReturnBefore);
+            counted("same", ranges.same) + ", " + counted("no range now", ranges.noReturnNow) + ", " +
+            counted("no range before", ranges.noReturnBefore);
     text += "\nhalf of the cells differ by less than " + fixedText(change.differMm, 1) + " mm";
     text += "\na change is more than " + fixedText(kChangeSigmas, 0) +
             " standard deviations: " + fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " +
@@ -91,18 +94,21 @@ Json changeReport(const Scan& later, const SceneChange& change) {
     if (how.surfaces)
         surfaces = {
             {"pairs", how.surfaces->pairs}, {"residual_m", how.surfaces->residualM}, {"residual_before_m", how.surfaces->residualBeforeM}};
-    Json report{
-        {"lined_up_by", ways[static_cast<std::size_t>(how.by)]},
-        {"same_cells", how.sameCells},
-        {"surfaces", std::move(surfaces)},
-        {"out_of_spec", how.outOfSpec},
-        {"warnings", how.warnings},
-        {"edges",
-         {{"gained", change.edges.gained}, {"lost", change.edges.lost}, {"kept", change.edges.kept}, {"unseen", change.edges.unseen}}},
-        {"cells", nullptr},
-        {"median_difference_mm", nullptr},
-        {"change_limit_mm", nullptr},
-        {"regions", Json::array()}};
+    Json report{{"lined_up_by", ways[static_cast<std::size_t>(how.by)]},
+                {"same_cells", how.sameCells},
+                {"surfaces", std::move(surfaces)},
+                {"out_of_spec", how.outOfSpec},
+                {"warnings", how.warnings},
+                {"edges",
+                 {{"gained", change.edges.gained},
+                  {"lost", change.edges.lost},
+                  {"kept", change.edges.kept},
+                  {"unseen", change.edges.unseen},
+                  {"left_out", change.earlier.edgesLeftOut}}},
+                {"cells", nullptr},
+                {"median_difference_mm", nullptr},
+                {"change_limit_mm", nullptr},
+                {"regions", Json::array()}};
     if (how.by == LinedUpBy::OneScan) return report;
     const RangeChanges& ranges = change.ranges;
     report["cells"] = {{"nearer", ranges.nearer},

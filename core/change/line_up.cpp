@@ -109,12 +109,15 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
         float rangeMm;
     };
     std::vector<Fallen> edgeCells;
-    std::size_t hits = 0;
+    std::size_t hits = 0, edgesLeftOut = 0;
     for (std::size_t k = 0; k < pair.earlier.pointsM.size(); ++k) {
         const Eigen::Vector3d ray = pair.earlier.pointsM[k] - pair.later.sensorM;
         if (!ray.allFinite() || ray.isZero(0.0)) continue;
         const auto cell = index.nearest(ray.normalized());
-        if (!cell || (pair.directions[*cell] - ray.normalized()).norm() > most) continue;
+        if (!cell || (pair.directions[*cell] - ray.normalized()).norm() > most) {
+            edgesLeftOut += edges[k] != 0 ? 1 : 0;
+            continue;
+        }
         const auto range = static_cast<float>(1000.0 * ray.norm());
         ++hits;
         if (edges[k] != 0) edgeCells.push_back({static_cast<std::uint32_t>(k), *cell, range});
@@ -127,9 +130,12 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
                      "choose two scans of one place, with poses that say so"};
     auto mask = std::make_shared<Grid<std::uint8_t>>(later.lines(), later.beams());
     for (const Fallen& edge : edgeCells) {
-        if (static_cast<double>(edge.rangeMm) <= kSameEdge * static_cast<double>(scan->rangeMm[edge.to])) (*mask)[edge.to] = 255;
+        if (static_cast<double>(edge.rangeMm) <= kSameEdge * static_cast<double>(scan->rangeMm[edge.to]))
+            (*mask)[edge.to] = 255;
+        else
+            ++edgesLeftOut;
     }
-    return EarlierOnGrid{std::move(scan), std::move(mask), {}};
+    return EarlierOnGrid{std::move(scan), std::move(mask), {}, edgesLeftOut};
 }
 
 Result<LinedUpBy> waysOf(const Scan& later, const Scan& earlier, const LineUpWish& wish) {
@@ -182,6 +188,11 @@ Result<EarlierOnGrid> onGridOf(const std::shared_ptr<const Scan>& later, const s
                           (wish.poses && (*wish.poses)[0] == (*wish.poses)[1]);
     how.sameCells = sameGrid(*later, *earlier) && onePlace && (!bySurfaces || off < kSameCellSteps);
     judge(how, bySurfaces ? 0.0 : off);
+    if (bySurfaces && *by == LinedUpBy::Poses && off > kSameCellSteps) {
+        how.outOfSpec = true;
+        how.warnings.push_back("OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by " +
+                               fixedText(off, 1) + " cells.");
+    }
     if (how.sameCells) return EarlierOnGrid{earlier, edges, std::move(how)};
     if (bySurfaces) pair.earlier = corrected(std::move(pair.earlier), aligned->correction);
     Result<EarlierOnGrid> on = moved(pair, *edges);

@@ -42,6 +42,7 @@ struct EarlierOnGrid {
     std::shared_ptr<const Scan> scan;                ///< lines x beams of the later one; ranges in mm from its sensor
     std::shared_ptr<const Grid<std::uint8_t>> edges; ///< 255 = edge of the earlier scan
     LinedUp how;
+    std::size_t edgesLeftOut = 0; ///< edge cells of the earlier scan that no cell of the later one stands for
 };
 
 /// `edges`: of the earlier scan, not 0 = edge. Scans without a place are lined up by their surfaces, which is OUT OF SPEC and said

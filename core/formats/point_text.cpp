@@ -33,7 +33,8 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
-        const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)];
+        const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
+                                  &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::FilledSdMm)];
         if (column && !mayBeMissing) columns.needed = std::max(columns.needed, *column + 1);
     }
     return columns;

@@ -38,6 +38,7 @@ Result<Scan> readAs(const Format& format, const Source& source) {
     if (format.points != nullptr && (format.read == nullptr || isGridBeside(source))) {
         auto table = format.points(source);
         if (!table) return table.error();
+        takeFilledOut(*table);
         if (auto scan = scanOfGridBeside(*table, source)) return std::move(*scan);
         if (format.read == nullptr) return scanFromPoints(std::move(*table), source);
         remarks = std::move(table->remarks);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNearPicked = 0.25;       // of the distance of the two cells
 constexpr double kRimStep = 2.0;           // times what is resolved: what lies so much farther is behind the opening
-constexpr std::size_t kMostRimCells = 300; // of each side; more are thinned
+constexpr std::size_t kMostRimCells = 600; // of each side; of more, evenly chosen ones
 constexpr int kMostTried = 4000;           // shortest pairs; where none of them is free nothing is told
 
 struct RimCell {
@@ -42,9 +42,11 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
     // Grows ring by ring until a whole ring holds nothing within reach.
     for (int ring = 0; ring < std::max(scan.lines(), scan.beams()); ++ring) {
         bool any = false;
-        for (int i = line - ring; i <= line + ring; ++i) {
+        for (int i = std::max(0, line - ring); i <= std::min(scan.lines() - 1, line + ring); ++i) {
             const bool whole = i == line - ring || i == line + ring;
-            for (int j = beam - ring; j <= beam + ring; j += whole || ring == 0 ? 1 : 2 * ring) {
+            const int from = whole ? std::max(0, beam - ring) : beam - ring;
+            const int last = whole ? std::min(scan.beams() - 1, beam + ring) : beam + ring;
+            for (int j = from; j <= last; j += whole || ring == 0 ? 1 : 2 * ring) {
                 if (!scan.rangeMm.contains(i, j) || scan.state.at(i, j) != CellState::Valid) continue;
                 const Eigen::Vector3d p = tables.point(i, j);
                 if (!((p - at).norm() <= reachM)) continue;

@@ -15,7 +15,7 @@ struct KnownName {
 using Role = ColumnRole;
 
 // A role's usual name first. Lower case, letters and digits only.
-constexpr std::array<KnownName, 68> kNames{{
+constexpr std::array<KnownName, 69> kNames{{
     {"x", Role::X},
     {"easting", Role::X},
     {"eastings", Role::X},

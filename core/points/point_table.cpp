@@ -371,23 +371,6 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     return projectedScan(table, source, grid.error());
 }
 
-/// Cells that an export of ours had filled were measured by nobody, and are none here either.
-void takeFilledOut(PointTable& table) {
-    if (table.filledSdMm.size() != table.points.size()) return;
-    std::size_t filled = 0;
-    for (std::size_t n = 0; n < table.points.size(); ++n) {
-        if (!(table.filledSdMm[n] > 0)) continue;
-        ++filled;
-        table.points[n].setConstant(std::numeric_limits<double>::quiet_NaN());
-        if (n < table.rangeMm.size()) table.rangeMm[n] = 0;
-        if (n < table.state.size() && table.state[n] == static_cast<std::uint8_t>(CellState::Valid))
-            table.state[n] = static_cast<std::uint8_t>(CellState::NoReturn);
-    }
-    if (filled > 0)
-        table.remarks.push_back(std::to_string(filled) +
-                                " points were filled and not measured, as filled_sd_mm says: they were taken as no return.");
-}
-
 } // namespace
 
 bool addToDescription(std::string_view comment, std::string& description) {
@@ -405,6 +388,23 @@ std::optional<std::string> leftOutSentence(const Scan& scan) {
     if (scan.pointsLeftOut == 0) return std::nullopt;
     return std::to_string(scan.pointsLeftOut) + " of the " + std::to_string(scan.pointsRead) +
            " points of the file have no cell of their own.";
+}
+
+void takeFilledOut(PointTable& table) {
+    if (table.filledSdMm.size() != table.points.size()) return;
+    std::size_t filled = 0;
+    for (std::size_t n = 0; n < table.points.size(); ++n) {
+        if (!(table.filledSdMm[n] > 0)) continue;
+        ++filled;
+        table.points[n].setConstant(std::numeric_limits<double>::quiet_NaN());
+        if (n < table.rangeMm.size()) table.rangeMm[n] = 0;
+        if (n < table.state.size() && table.state[n] == static_cast<std::uint8_t>(CellState::Valid))
+            table.state[n] = static_cast<std::uint8_t>(CellState::NoReturn);
+    }
+    if (filled > 0)
+        table.remarks.push_back(std::to_string(filled) +
+                                " points were filled and not measured, as filled_sd_mm says: they were taken as no return.");
+    table.filledSdMm.clear(); // told once
 }
 
 Result<Scan> scanFromPoints(PointTable table, const Source& source) {

@@ -46,6 +46,9 @@ struct PointTable {
     std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
 };
 
+/// Cells that an export of ours had filled were measured by nobody: they become no returns, and that is told.
+void takeFilledOut(PointTable& table);
+
 /// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised, or else
 /// the one the points are projected onto. Error: neither, in numbers; a description that does not fit.
 Result<Scan> scanFromPoints(PointTable table, const Source& source);

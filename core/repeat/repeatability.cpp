@@ -67,7 +67,7 @@ std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& 
     return edgesAt(map, highest[edges]);
 }
 
-/// The thinned mask of the highest threshold whose thinned mask has so many cells; empty when none has as many.
+/// The thinned mask of a threshold, found by halving, whose thinned mask has so many cells; empty when none has as many.
 std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedScan& placed, const Settings& settings) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
     std::vector<double> highest;
@@ -77,13 +77,16 @@ std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedSc
     std::ranges::sort(highest, std::greater<>());
     highest.erase(std::unique(highest.begin(), highest.end()), highest.end());
     const auto at = [&](std::size_t n) { return thinned(edgesAt(map, highest[n])); };
-    std::size_t tooFew = 0, enough = highest.size();
-    while (tooFew + 1 < enough) {
-        const std::size_t middle = tooFew + (enough - tooFew) / 2;
-        (edgesIn(at(middle)) < places ? tooFew : enough) = middle;
+    std::size_t first = 0, end = highest.size();
+    while (first < end) {
+        const std::size_t middle = first + (end - first) / 2;
+        if (edgesIn(at(middle)) < places)
+            first = middle + 1;
+        else
+            end = middle;
     }
-    if (places == 0 || enough == highest.size()) return std::nullopt;
-    return at(enough);
+    if (places == 0 || first == highest.size()) return std::nullopt;
+    return at(first);
 }
 
 } // namespace

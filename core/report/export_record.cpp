@@ -212,6 +212,11 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
         if (detection.filled) {
             record["filled"] = filledReport(*detection.filled);
             record["filled"]["in_export"] = options.choices.filled && isCloud(content);
+            const auto onFilled =
+                std::ranges::count_if(detection.filled->cells, [&](const auto& c) { return (*detection.mask)[c.cell] != 0; });
+            if (isCloud(content) && !options.choices.filled && onFilled > 0)
+                warnings.push_back(std::to_string(onFilled) +
+                                   " edge cells lie on filled ranges and are not in this file; --with-filled writes them.");
         }
         if (isOfRocks(content)) record["rocks"] = rocksRecord(*options.rocks);
     }

@@ -91,7 +91,7 @@ Result<Done> checkFilled(ExportContent content, const Detection& detection, cons
         return Error{"no gap was filled that could be written", path.string(),
                      "give --fill and how many cells, or leave --with-filled out"};
     const std::string extension = Source::lowerCase(path.extension());
-    if (extension == ".pcd" || extension == ".ply" || extension == ".csv") return Done{};
+    if (path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv") return Done{};
     return Error{"this format has no room for the mark of filled cells", path.string(),
                  "choose .pcd, .ply or .csv, or leave --with-filled out"};
 }

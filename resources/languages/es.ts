@@ -415,18 +415,18 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation>Por la &amp;superficie</translation></message>
-<message><source>&amp;Throat Width</source><translation>Ancho de &amp;garganta</translation></message>
+<message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
 <message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar lo que está más &amp;lejos que esta celda</translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation>Ocultar lo que está más c&amp;erca que esta celda</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>

@@ -415,18 +415,18 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
 <message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation>Le long de la &amp;surface</translation></message>
-<message><source>&amp;Throat Width</source><translation>Largeur du &amp;goulot</translation></message>
+<message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
 <message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
 <message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
 <message><source>Hide &amp;Farther than This Cell</source><translation>Masquer ce qui est plus &amp;loin que cette cellule</translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation>Masquer ce qui est plus &amp;proche que cette cellule</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>

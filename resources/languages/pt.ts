@@ -415,18 +415,18 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
-<message><source>Alon&amp;g Surface</source><translation>Ao longo da &amp;superfície</translation></message>
-<message><source>&amp;Throat Width</source><translation>Largura da &amp;garganta</translation></message>
+<message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
-<message><source>C&amp;lip to Box round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
 <message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar o que está mais &amp;longe que esta célula</translation></message>
-<message><source>Hide &amp;Nearer than This Cell</source><translation>Ocultar o que está mais &amp;perto que esta célula</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>

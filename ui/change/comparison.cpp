@@ -115,7 +115,7 @@ std::shared_ptr<const Picture> beforeOf(const ComparisonAsked& asked, const Earl
         if ((*earlier.edges)[k] != 0) edges.push_back(static_cast<std::uint32_t>(k));
     }
     moved->edges = std::make_shared<const std::vector<std::uint32_t>>(std::move(edges));
-    return makePicture(moved, asked.before->source, asked.before->asked, makeCloudGeometry(*earlier.scan), nullptr);
+    return makePicture(moved, {asked.before->source.stream, {}}, asked.before->asked, makeCloudGeometry(*earlier.scan), nullptr);
 }
 
 bool sameScans(const ComparisonAsked& asked, const Comparison& last) {

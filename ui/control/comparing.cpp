@@ -48,6 +48,9 @@ Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeL
           [this](const Answer& answer) { take(answer); },
           [this](const QString& what) {
               working_ = false;
+              comparison_ = nullptr;
+              show();
+              showLegend();
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
     connect(&session_, &Session::pictureReady, this, &Comparing::follow);
@@ -122,30 +125,27 @@ void Comparing::follow() {
 }
 
 void Comparing::ask() {
-    if (!comparable()) return;
-    working_ = true;
+    working_ = comparable();
+    if (!working_) return;
     comparer_.post({kept_, session_.picture(), rows_});
 }
 
 void Comparing::take(const Answer& answer) {
     const bool wanted =
         comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
-    if (!wanted) { // a newer question is under way, or there is nothing left to ask
-        working_ = working_ && comparable();
-        return;
-    }
+    if (!wanted) return; // a newer question is under way, or there is nothing left to ask
     working_ = false;
     if (!answer.made) {
         notice_.tell(answer.made.error());
-        kept_ = nullptr;
-        emit keptChanged(false);
+        comparison_ = nullptr; // A stays: the next scan may fit
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
         comparison_ = *answer.made;
         if (otherScans) {
             region_ = 0;
-            for (const std::string& warning : comparison_->change.earlier.how.warnings)
-                notice_.showNotice(NoticeBar::Kind::Warning, shownText(warning));
+            QStringList warnings;
+            for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << shownText(warning);
+            if (!warnings.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, warnings.join('\n'));
         }
     }
     show();
@@ -177,11 +177,13 @@ void Comparing::showLegend() {
 void Comparing::flip(bool on) {
     if (on == views_.flipped()) return;
     if (on && !comparison_) {
+        emit flipped(false); // the entry of the menu has checked itself
         notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
                                                            : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
+    rocks_.redraw();
     legend_.showFlipped(on);
     emit flipped(on);
 }
@@ -216,11 +218,18 @@ void Comparing::nextRegion() {
 }
 
 bool Comparing::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ApplicationDeactivate && views_.flipped()) flip(false);
+    const bool leaves = event->type() == QEvent::WindowDeactivate && watched == notice_.window();
+    if ((event->type() == QEvent::ApplicationDeactivate || (leaves && heldCode_ != 0)) && views_.flipped()) {
+        heldCode_ = 0;
+        flip(false);
+    }
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() != Qt::Key_Backslash || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
+    // Where the key needs AltGr its release may come under another name.
+    const bool isHeld = event->type() == QEvent::KeyRelease && heldCode_ != 0 && key->nativeScanCode() == heldCode_;
+    if ((key->key() != Qt::Key_Backslash && !isHeld) || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
     if (static_cast<QWidget*>(watched)->window() != notice_.window()) return false;
+    if (!key->isAutoRepeat()) heldCode_ = event->type() == QEvent::KeyPress ? key->nativeScanCode() : 0;
     if (!key->isAutoRepeat() && (event->type() == QEvent::KeyPress) != views_.flipped()) flip(event->type() == QEvent::KeyPress);
     return true;
 }

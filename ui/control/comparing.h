@@ -81,6 +81,7 @@ private:
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true, working_ = false, reading_ = false;
     std::size_t region_ = 0;
+    quint32 heldCode_ = 0;                   ///< of the key that flips, while it is held
     std::shared_ptr<const Comparison> last_; // comparing thread only
     Newest<Reading, Read> reader_;
     Newest<ComparisonAsked, Answer> comparer_; // last

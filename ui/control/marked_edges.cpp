@@ -37,8 +37,8 @@ MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets,
     : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
       worker_(
           this,
-          [](const Question& question) {
-              return Answer{question, edgeProposals(question.scan, question.settings, question.marks)};
+          [this](const Question& question) {
+              return Answer{question, edgeProposals(question.scan, question.settings, question.marks, [this] { return !ending_; })};
           },
           [this](const Answer& answer) { tell(answer); },
           [this](const QString& what) {
@@ -69,8 +69,8 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
 
 void MarkedEdges::clear() {
     marks_ = {};
+    putBack();
     proposals_.clear();
-    before_.reset();
     if (card_ != nullptr) card_->hide();
     show();
 }
@@ -98,12 +98,13 @@ void MarkedEdges::propose() {
 
 void MarkedEdges::tell(const Answer& answer) {
     working_ = false;
-    if (session_.picture()->detection->scan != answer.asked.scan) return;
+    if (marks_.empty() || session_.picture()->detection->scan != answer.asked.scan) return;
     if (card_ == nullptr) {
         card_ = new ProposalsCard(notice_.window());
         connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
-            if (!before_) before_ = session_.settings();
-            session_.setSettings(proposals_[static_cast<std::size_t>(row)].settings);
+            if (!before_ || session_.settings() != previewed_) before_ = session_.settings();
+            previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
+            session_.setSettings(previewed_);
         });
         connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
             const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
@@ -124,7 +125,8 @@ void MarkedEdges::tell(const Answer& answer) {
 }
 
 void MarkedEdges::putBack() {
-    if (before_) session_.setSettings(*std::exchange(before_, std::nullopt));
+    const auto before = std::exchange(before_, std::nullopt);
+    if (before && session_.settings() == previewed_) session_.setSettings(*before); // what was turned since is the user's
 }
 
 } // namespace edgescan::ui

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -29,6 +30,7 @@ public:
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// Works out on a thread of its own which settings agree, and shows them.
+    ~MarkedEdges() override { ending_ = true; }
     void propose();
     [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
     [[nodiscard]] bool settled() const { return !working_; }
@@ -58,6 +60,8 @@ private:
     std::uint64_t stream_ = 0; // that the marks belong to
     std::vector<EdgeProposal> proposals_;
     std::optional<Settings> before_; // while a proposal is previewed
+    Settings previewed_;
+    std::atomic<bool> ending_{false};
     ProposalsCard* card_ = nullptr;
     bool working_ = false;
     Newest<Question, Answer> worker_; // last

@@ -174,17 +174,18 @@ void Rocks::show() {
 
 void Rocks::showFaces() {
     const bool stale = picture_ && ofAnotherPicture();
+    const bool away = views_.flipped(); // another picture is shown for a moment: these are not its rocks
     const QString told = !on_ || !session_.picture() ? QString()
                                                      : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
                                                            (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
-        view->setFaces(picture_ ? picture_->faces : nullptr, stale);
+        view->setFaces(picture_ && !away ? picture_->faces : nullptr, stale);
         view->setTitle(told);
     }
     CloudView& cloud = views_.cloud();
     cloud.setCaption(told);
     const std::size_t cells = cloud.geometryOfCloud() ? cloud.geometryOfCloud()->cells() : 0;
-    if (!picture_ || picture_->labels.beams != cloud.geometryOfCloud()->beams) {
+    if (!picture_ || away || picture_->labels.beams != cloud.geometryOfCloud()->beams) {
         cloud.setFaces(nullptr);
     } else if (picture_->points->size() == cells) {
         cloud.setFaces(picture_->points);

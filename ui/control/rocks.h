@@ -84,6 +84,11 @@ public:
     /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls). What is on the screen, while it is not behind().
     void exportTo(const QString& path);
 
+    /// All over the views anew: they showed another picture for a moment.
+    void redraw() {
+        if (on_) show();
+    }
+
 signals:
     void shownChanged(bool on);
     /// Views, table and card show picture() now.

@@ -38,7 +38,7 @@ void ProposalsCard::tell(const QString& verdict, const QStringList& rows) {
     verdict_->setText(verdict);
     list_->clear();
     list_->addItems(rows);
-    list_->setCurrentRow(-1);
+    list_->setCurrentIndex(QModelIndex()); // after setCurrentRow(-1) the focus would choose the first
     adopt_->setEnabled(false);
     show();
     raise();

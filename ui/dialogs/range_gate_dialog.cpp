@@ -35,6 +35,7 @@ std::optional<RangeGate> askForRangeGate(QWidget* parent, double nearM, double f
     form->addRow(QObject::tr("Draw cells from"), from);
     form->addRow(QObject::tr("to"), to);
     form->addRow(new QLabel(QObject::tr("All others are hidden in all views. Edges, counts and exports stay as they are.")));
+    to->setMinimum(from->value());
     QObject::connect(from, QOverload<double>::of(&QDoubleSpinBox::valueChanged), to, [to](double value) { to->setMinimum(value); });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);

@@ -6,6 +6,7 @@
 #include "core/report/provenance.h"
 #include "core/sim/simulate.h"
 #include "tests/support/bytes.h"
+#include "tests/support/point_lists.h"
 #include "tests/support/scans.h"
 
 #include <Eigen/Dense>
@@ -194,7 +195,16 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
         const auto back = test::readBytes(files->front().bytes, extension);
         ASSERT_TRUE(back) << back.error().sentence();
         EXPECT_EQ(countCells(*back)[0], countCells(*detection->scan)[0]) << extension;
-        EXPECT_TRUE(std::ranges::any_of(back->warnings, [](const std::string& w) { return w.starts_with("42 points were filled"); }));
+        const auto isTold = [](const std::string& w) { return w.starts_with("42 points were filled"); };
+        EXPECT_EQ(std::ranges::count_if(back->warnings, isTold), 1);
+        // Beside its record, which holds the grid, too.
+        const test::Folder folder;
+        const auto path = folder / (std::string("cloud") + extension);
+        ASSERT_TRUE(exportWithProvenance(ExportContent::FullCloud, *detection, path, options));
+        const auto beside = openScan(path);
+        ASSERT_TRUE(beside) << beside.error().sentence();
+        EXPECT_EQ(beside->state, detection->scan->state) << extension;
+        EXPECT_EQ(std::ranges::count_if(beside->warnings, isTold), 1);
     }
     const auto without = detectEdges(detection->scan, Settings{});
     EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *without, "cloud.csv", "", options));
