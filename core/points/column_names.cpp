@@ -76,7 +76,7 @@ constexpr std::array<KnownName, 69> kNames{{
     {"scannery", Role::ScannerY},
     {"scannerz", Role::ScannerZ},
     {"hoehe", Role::Z},
-    {"filledsdmm", Role::FilledSdMm},
+    {"filledsd", Role::FilledSdMm}, // filled_sd_mm without its unit
     {"intensity", Role::Intensity},
     {"scalarintensity", Role::Intensity}, // as CloudCompare names it in PLY
     {"reflectance", Role::Intensity},

@@ -154,7 +154,9 @@ int makePictures(const QString& folder) {
         WindowFixture on;
         on.window.resize(size);
         const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
-        well = on.show() && task.act(on, bell) && on.window.screenshot().convertToFormat(QImage::Format_RGB32).save(path);
+        well = on.show() && task.act(on, bell);
+        for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+        well = well && on.window.screenshot().convertToFormat(QImage::Format_RGB32).save(path);
         std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
     }
     return well ? 0 : 1;

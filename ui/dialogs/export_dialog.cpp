@@ -115,6 +115,7 @@ QGroupBox* ExportDialog::writingBox() {
         words->setMinimumWidth(360);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
+        if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // where nothing was filled
         const int row = grid->rowCount();
         grid->addWidget(mark, row, 0, Qt::AlignTop);
         grid->addWidget(words, row, 1);
