@@ -80,12 +80,13 @@ std::string surveyPage(const std::string& title, const std::vector<std::string>&
     }
     const std::string some =
         each == 1 ? "" : "<p class=\"note\">Pictures of every " + std::to_string(each) + "th scan, so that the page stays small.</p>\n";
-    const std::string body = "<main>\n<h1>" + htmlText(title) + "</h1>\n<p id=\"summary\"></p>\n" + some +
-                             "<div id=\"tools\"></div>\n<div id=\"sheet\"></div>\n<div class=\"wide\"><table id=\"table\"></table></div>\n"
-                             "<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint each; sizes are of what is visible.</p>\n"
-                             "<noscript>This page needs scripts; the same rows are in results.csv.</noscript>\n</main>\n"
-                             "<script id=\"data\" type=\"application/json\">" +
-                             data + "]</script>\n";
+    const std::string body =
+        "<main>\n<h1>" + htmlText(title) + "</h1>\n<p id=\"summary\"></p>\n" + some +
+        "<div id=\"tools\"></div>\n<div id=\"sheet\"></div>\n<div class=\"wide\"><table id=\"table\"></table></div>\n"
+        "<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint each; sizes are of what is visible.</p>\n"
+        "<noscript>This page needs scripts; the same rows are in results.csv.</noscript>\n</main>\n"
+        "<script id=\"data\" type=\"application/json\">" +
+        data + "]</script>\n";
     return htmlPage(title, body, surveyScript());
 }
 
