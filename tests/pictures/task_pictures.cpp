@@ -20,6 +20,7 @@ namespace {
 
 struct Bell {
     std::string before, after;
+    mutable std::unique_ptr<EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
 struct Done {
@@ -118,14 +119,15 @@ bool live(WindowFixture& on, const Bell& bell) {
     EmulatedScannerSettings fast;
     fast.linesPerSecond = 100;
     fast.faults.loseEvery = 83;
-    const auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), fast);
-    if (!scanner) return false;
+    auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), fast);
+    if (!made) return false;
+    bell.scanner = std::move(*made);
     SweepSettings sweep;
     sweep.expectedLines = scan->lines();
     sweep.degPerLine = 180.0 / scan->lines();
     sweep.firstLineDeg = -90;
     sweep.axis = Axis::Sweep;
-    on.window.live().connectTo("127.0.0.1", (*scanner)->port(), sweep);
+    on.window.live().connectTo("127.0.0.1", bell.scanner->port(), sweep);
     return QTest::qWaitFor(
         [&] { return on.window.session().picture() && on.window.session().picture()->detection->scan->lines() > scan->lines() / 2; },
         60000);
