@@ -20,6 +20,7 @@ Format e57Format();
 Format dxfFormat();
 Format ptxFormat();
 Format objFormat();
+Format surpacFormat();
 Format rangePictureFormat();
 Format scan3dFormat();
 Format foxgloveFormat();
@@ -33,10 +34,10 @@ namespace {
 /// In this order they are asked whether they recognise a content, and stand in dialogs.
 const std::vector<Format>& rows() {
     static const std::vector<Format> all{
-        rawGridFormat(),       numpyFormat(),       numpyArchiveFormat(),  fileThatIsNoScan(), pcdFormat(),      plyFormat(),
-        pointListFormat(),     rangeTableFormat(),  pointTableFormat(),    lasFormat(),        e57Format(),      dxfFormat(),
-        ptxFormat(),           objFormat(),         rangePictureFormat(),  scan3dFormat(),     foxgloveFormat(), recordingFormat(),
-        packetCaptureFormat(), colaCaptureFormat(), fileOfAnotherProgram()};
+        rawGridFormat(),   numpyFormat(),         numpyArchiveFormat(), fileThatIsNoScan(),    pcdFormat(),    plyFormat(),
+        pointListFormat(), rangeTableFormat(),    pointTableFormat(),   lasFormat(),           e57Format(),    dxfFormat(),
+        ptxFormat(),       objFormat(),           surpacFormat(),       rangePictureFormat(),  scan3dFormat(), foxgloveFormat(),
+        recordingFormat(), packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
     return all;
 }
 

@@ -23,27 +23,6 @@ bool isObjWord(std::string_view word) {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
-/// Decimals and digits of one printed number, as far as precision needs them.
-void countDigits(std::string_view word, PrintedDigits& digits) {
-    int decimals = 0;
-    int significant = 0;
-    int whole = 0;
-    bool point = false;
-    for (const char c : word) {
-        if (c == 'e' || c == 'E') {
-            digits.powers = true;
-            break;
-        }
-        if (c == '.') point = true;
-        if (c < '0' || c > '9') continue;
-        ++(point ? decimals : whole);
-        if (significant > 0 || c != '0') ++significant;
-    }
-    digits.decimals = std::max(digits.decimals, decimals);
-    digits.significant = std::max(digits.significant, significant);
-    digits.whole = std::max(digits.whole, whole);
-}
-
 std::optional<double> numberIn(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0;

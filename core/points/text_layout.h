@@ -60,6 +60,8 @@ struct PrintedDigits {
     /// 3 decimals whatever the size, or 6 digits whatever the size?
     [[nodiscard]] bool fixedDecimals() const { return !powers && decimals + whole <= significant; }
 };
+/// Adds one printed number to what is known of them.
+void countDigits(std::string_view word, PrintedDigits& digits);
 
 /// Rows of numbers one after the other. An empty cell, "nan" and what tables write for nothing ("NA", "null") are NaN.
 class RowReader {

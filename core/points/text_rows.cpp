@@ -1,5 +1,6 @@
 // Reads rows of numbers with std::from_chars: the point is always '.', whatever the locale.
 #include "core/points/text_layout.h"
+#include "core/points/text_words.h"
 
 #include <algorithm>
 #include <array>
@@ -120,9 +121,12 @@ bool RowReader::readCell(std::vector<double>& numbers) {
     } else {
         parsed = numberFrom(from, rowEnd_, value);
     }
+    if (parsed.ec != std::errc::invalid_argument && parsed.ptr < rowEnd_ && (*parsed.ptr == 'D' || *parsed.ptr == 'd'))
+        parsed = numberWithFortranExponent(from, rowEnd_, value);
     if (parsed.ec == std::errc::result_out_of_range) {
         const std::string_view word(from, static_cast<std::size_t>(parsed.ptr - from));
-        const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+        const std::size_t power = word.find_first_of("eEdD");
+        const bool tiny = power != std::string_view::npos && power + 1 < word.size() && word[power + 1] == '-';
         value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
     }
     const char* end = parsed.ptr;
@@ -165,7 +169,7 @@ void RowReader::countDigits(const char* from, const char* to) {
     int decimals = 0;
     int whole = 0;
     bool afterPoint = false;
-    for (; from < to && *from != 'e' && *from != 'E'; ++from) {
+    for (; from < to && std::string_view("eEdD").find(*from) == std::string_view::npos; ++from) {
         if (*from == '.' || *from == ',') {
             afterPoint = true;
         } else if (*from >= '0' && *from <= '9') {

@@ -60,7 +60,10 @@ bool isNumber(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return problem != std::errc::invalid_argument && (end == word.data() + word.size() || *end == '#');
+    if (problem == std::errc::invalid_argument) return false;
+    const char* const wordEnd = word.data() + word.size();
+    if (end == wordEnd || *end == '#') return true;
+    return (*end == 'D' || *end == 'd') && numberWithFortranExponent(word.data(), wordEnd, value).ptr == wordEnd;
 }
 
 std::vector<std::string_view> wordsIn(std::string_view line) {
@@ -73,6 +76,35 @@ std::vector<std::string_view> wordsIn(std::string_view line) {
         if (at > from) words.push_back(line.substr(from, at - from));
     }
     return words;
+}
+
+void countDigits(std::string_view word, PrintedDigits& digits) {
+    int decimals = 0;
+    int significant = 0;
+    int whole = 0;
+    bool point = false;
+    for (const char c : word) {
+        if (c == 'e' || c == 'E') {
+            digits.powers = true;
+            break;
+        }
+        if (c == '.') point = true;
+        if (c < '0' || c > '9') continue;
+        ++(point ? decimals : whole);
+        if (significant > 0 || c != '0') ++significant;
+    }
+    digits.decimals = std::max(digits.decimals, decimals);
+    digits.significant = std::max(digits.significant, significant);
+    digits.whole = std::max(digits.whole, whole);
+}
+
+std::from_chars_result numberWithFortranExponent(const char* from, const char* to, double& value) {
+    constexpr std::size_t kLongest = 64;
+    std::array<char, kLongest> copy{};
+    const auto length = std::min(static_cast<std::size_t>(to - from), kLongest);
+    const auto* const end = std::transform(from, from + length, copy.begin(), [](char c) { return c == 'D' || c == 'd' ? 'e' : c; });
+    const auto [parsed, problem] = std::from_chars(copy.data(), end, value);
+    return {from + (parsed - copy.data()), problem};
 }
 
 bool isRowOfNumbers(std::string_view line) {

@@ -3,6 +3,7 @@
 
 #include "core/points/text_layout.h"
 
+#include <charconv>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace edgescan {
 
 /// A number as from_chars reads it, with a sign and with what old Microsoft programs append.
 [[nodiscard]] bool isNumber(std::string_view word);
+
+/// As std::from_chars, where the exponent is written as Fortran does: 1.5D+03. Not for hexadecimal numbers, which no table has.
+std::from_chars_result numberWithFortranExponent(const char* from, const char* to, double& value);
 
 /// Words between any of blank, comma, semicolon.
 [[nodiscard]] std::vector<std::string_view> wordsIn(std::string_view line);

@@ -257,6 +257,10 @@ inline std::vector<CostlyKind> costlyKinds() {
          }},
         {"las", ".las", "one point over and over",
          [](std::size_t b) { return smallLas(std::vector<Eigen::Vector3d>(b / 20, Eigen::Vector3d(1, 2, 3))); }},
+        {"surpac", ".str", "ends of strings",
+         [](std::size_t b) { return "a,b,,\n0, 0, 0, 0\n1, 1, 2, 3\n" + repeated("0, 0, 0, 0\n", b) + "0, 0, 0, 0, END\n"; }},
+        {"surpac", ".str", "one point over and over",
+         [](std::size_t b) { return "a,b,,\n0, 0, 0, 0\n" + repeated("1,2,3,4\n", b) + "0, 0, 0, 0, END\n"; }},
         {"ptx", ".ptx", "many scans", text("1\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0\n")},
         {"ptx", ".ptx", "one long column",
          [](std::size_t b) {

@@ -148,6 +148,10 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     seeds.push_back({"las", ".las", smallLas(listOf(scan, {}))});
     seeds.push_back({"text", ".3d", textOf(listOf(scan, {.perMetre = 100}), {})});
     seeds.push_back({"text", ".pts", std::to_string(scan.cells()) + "\n" + textOf(listOf(scan, {}), {})});
+    std::string strings = "bell,21-Nov-26,,\n0, 0.000, 0.000, 0.000\n";
+    for (const auto& p : listOf(scan, {}))
+        strings += "1, " + numberText("%.4f", p[1]) + ", " + numberText("%.4f", p[0]) + ", " + numberText("%.4f", p[2]) + ",\n";
+    seeds.push_back({"surpac", ".str", strings + "0, 0.000, 0.000, 0.000,\n0, 0.000, 0.000, 0.000, END\n"});
     std::string cloud;
     for (int n = 0; n < 300; ++n)
         cloud += numberText("%.3f", 3 + n % 7 * 0.1) + " " + numberText("%.3f", n * 0.013 - 2) + " " +

@@ -54,7 +54,7 @@ TEST(Seeds, EveryReaderHasSmallOnesThatOpen) {
         holdsSoundly(seed.bytes, seed);
     }
     EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "foxglove", "las", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
-                                              "range_csv", "raw_grid", "text"}));
+                                              "range_csv", "raw_grid", "surpac", "text"}));
 }
 
 TEST(Seeds, CutAnywhereTheyAreASoundScanOrOneSentence) {
