@@ -76,7 +76,9 @@ TEST(CliOutputs, XyzIsNumbersAndCsvAHeaderAndNumbers) {
                     continue;
                 }
                 EXPECT_EQ(row.find_first_not_of("0123456789.-+e ,"), std::string::npos) << row;
-                if (extension == "xyz") EXPECT_EQ(std::count(row.begin(), row.end(), ' '), 2) << row;
+                if (extension == "xyz") {
+                    EXPECT_EQ(std::count(row.begin(), row.end(), ' '), 2) << row;
+                }
             }
             EXPECT_EQ(rows, valid + (extension == "csv" ? 1 : 0)) << line;
         }

@@ -24,7 +24,7 @@ Scan randomScan(std::mt19937& random) {
     const int lines = kSizes[random() % kSizes.size()];
     const int beams = kSizes[random() % kSizes.size()];
     const double dropouts = std::array<double, 4>{0.0, 0.02, 0.2, 0.7}[random() % 4];
-    const Scan boxes = test::boxesScan(lines, beams, random(), dropouts);
+    const Scan boxes = test::boxesScan(lines, beams, static_cast<unsigned>(random()), dropouts);
     const double slant = static_cast<double>(random() % 400) * 0.01;
     // The spot of the beam covers three cells where they are near.
     const double scale = std::array<double, 3>{1.0, 0.3, 0.1}[random() % 3];

@@ -148,7 +148,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
     std::normal_distribution<double> noise(0.0, 5.0);
     for (const bool post : {false, true}) {
         const Scan wall = test::makeScan(200, 320, [&](int i, int j) {
-            const double dust = random() % 400 == 0 ? 50.0 + random() % 100 : 0.0;
+            const double dust = random() % 400 == 0 ? 50.0 + static_cast<double>(random() % 100) : 0.0;
             const bool atPost = post && (j == 160 || j == 161);
             return test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random)) + (i % 2 == 0 ? dust : -dust) -
                    (atPost ? 300.0 : 0.0);

@@ -17,8 +17,8 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 std::vector<LeafBorder> randomBorders(std::mt19937& random, std::uint32_t leaves, int values) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, LeafBorder> borders;
     for (std::uint32_t n = 0; n < 3 * leaves; ++n) {
-        const std::uint32_t a = 1 + random() % leaves;
-        const std::uint32_t b = 1 + random() % leaves;
+        const std::uint32_t a = 1 + static_cast<std::uint32_t>(random()) % leaves;
+        const std::uint32_t b = 1 + static_cast<std::uint32_t>(random()) % leaves;
         if (a >= b) continue;
         LeafBorder border{a, b, 0, 0, 0, 0, 0};
         border.cracks = 1 + random() % 4;
@@ -75,7 +75,7 @@ void expectSame(const MergeTree& one, const MergeTree& other) {
 TEST(MergeTree, EqualsTheSlowOneAlsoWithManyTies) {
     std::mt19937 random(7);
     for (int round = 0; round < 60; ++round) {
-        const std::uint32_t leaves = 2 + random() % 40;
+        const std::uint32_t leaves = 2 + static_cast<std::uint32_t>(random()) % 40;
         const std::vector<LeafBorder> borders = randomBorders(random, leaves, round % 2 == 0 ? 5 : 2000);
         expectSame(mergeTree(leaves, borders), slowTree(leaves, borders, {}));
     }
@@ -84,7 +84,7 @@ TEST(MergeTree, EqualsTheSlowOneAlsoWithManyTies) {
 TEST(MergeTree, PairsAreJoinedFirstAndKeptApartForGood) {
     std::mt19937 random(11);
     for (int round = 0; round < 60; ++round) {
-        const std::uint32_t leaves = 8 + random() % 30;
+        const std::uint32_t leaves = 8 + static_cast<std::uint32_t>(random()) % 30;
         const std::vector<LeafBorder> borders = randomBorders(random, leaves, 50);
         // Leaves 1 and 2 with some others to be apart from, and joins among the rest: no contradiction.
         const std::vector<LeafPair> pairs{{1, 2, false}, {3, 4, true}, {1, 3, false}, {5, 6, true}};

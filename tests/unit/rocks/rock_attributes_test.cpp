@@ -206,7 +206,7 @@ TEST(RockOutlines, EncloseTheCellsOfTheirLabelAndNoOthers) {
     std::mt19937 random(9);
     for (int round = 0; round < 20; ++round) {
         Grid<std::uint32_t> labels(12, 15);
-        for (std::uint32_t& label : labels.cells) label = random() % (round % 3 == 0 ? 2 : 4);
+        for (std::uint32_t& label : labels.cells) label = static_cast<std::uint32_t>(random()) % (round % 3 == 0 ? 2U : 4U);
         const auto outlines = outlinesOf(labels, 3);
         ASSERT_EQ(outlines.size(), 4U);
         EXPECT_TRUE(outlines[0].empty());
