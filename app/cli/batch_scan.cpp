@@ -169,7 +169,7 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Det
     options.rocks = rocks;
     if (wanted.extension == ".html") {
         const PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
-        return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, rocks.get()));
+        return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
     }
     if (!wanted.content)
         return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", detectReport(detection, loadMs)));

@@ -3,6 +3,7 @@
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
@@ -17,7 +18,7 @@ namespace edgescan::cli {
 namespace {
 
 struct ReportCommand {
-    std::string file, out, operatorName, role;
+    std::string file, out, operatorName, role, targets, before;
     bool withRocks = false;
     RockFlags rocks;
     ReadFlags read;
@@ -29,9 +30,25 @@ std::string commandOf(const ReportCommand& report) {
     for (const std::string& flags : {typedFlags(report.method), readingFlags(report.read.options),
                                      report.withRocks ? std::string("--rocks") : std::string(), typedFlags(report.rocks)})
         command += flags.empty() ? "" : " " + flags;
+    if (!report.targets.empty()) command += " --targets " + shellQuoted(report.targets);
+    if (!report.before.empty()) command += " --before " + shellQuoted(report.before);
     if (!report.operatorName.empty()) command += " --operator " + shellQuoted(report.operatorName);
     if (!report.role.empty()) command += " --role " + shellQuoted(report.role);
     return command;
+}
+
+Result<Notebook> notebookOf(const ReportCommand& report, const Scan& scan) {
+    const auto bytes = readInput(report.targets);
+    if (!bytes) return bytes.error();
+    return notebookFromText(textOf(*bytes), notebookScan(scan), report.targets);
+}
+
+Result<SceneChange> changeSince(const ReportCommand& report, const Detection& now) {
+    Result<Scan> before = openAsAsked(report.before, readingOptions(report.read));
+    if (!before) return before.error();
+    if (auto enough = checkMemoryFor(Work::Compare, *before); !enough) return enough.error();
+    const auto earlier = detectEdges(std::make_shared<const Scan>(std::move(*before)), now.settings);
+    return sceneChange({now.scan, now.mask}, {earlier->scan, earlier->mask});
 }
 
 Result<Done> make(const ReportCommand& report) {
@@ -47,7 +64,20 @@ Result<Done> make(const ReportCommand& report) {
     std::optional<RockStudy> rocks;
     if (report.withRocks) rocks = studyRocks(rockInputs(*detection), *preset->settings, preset->edits);
     const PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow())};
-    const std::string page = scanPage(*detection, words, rocks ? &*rocks : nullptr);
+    PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
+    std::optional<Notebook> notebook;
+    if (!report.targets.empty()) {
+        auto read = notebookOf(report, *detection->scan);
+        if (!read) return read.error();
+        notes.notebook = &notebook.emplace(std::move(*read));
+    }
+    std::optional<SceneChange> change;
+    if (!report.before.empty()) {
+        auto found = changeSince(report, *detection);
+        if (!found) return found.error();
+        notes.change = &change.emplace(std::move(*found));
+    }
+    const std::string page = scanPage(*detection, words, notes);
     return writeWholeFile(report.out, page);
 }
 
@@ -79,6 +109,8 @@ void addReport(CLI::App& app, int& code) {
     command.add_option("-o,--output", report->out, "New file: .html; - is stdout")->required();
     command.add_option("--operator", report->operatorName, "Who makes the report");
     command.add_option("--role", report->role, "As what");
+    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/targets.md)");
+    command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
     command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + kRockCaveat)->group("Rocks");
     addRockFlags(command, report->rocks, true);
     addMethodFlags(command, report->method);

@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/georef/placed_points.h"
 #include "core/page/html.h"
+#include "core/page/notes_section.h"
 #include "core/page/rock_section.h"
 #include "core/page/scan_pictures.h"
 #include "core/points/edge_colours.h"
@@ -89,7 +90,7 @@ std::string factsOf(const Detection& detection, const Json& record, const PageWo
 std::string warningsOf(const Json& record) {
     std::string html = "<h2>Warnings</h2>\n";
     const Json& warnings = record["warnings"];
-    if (warnings.empty()) return html + "<p>None was raised when the file was read.</p>\n";
+    if (warnings.empty()) return html + "<p>None was raised when this file was read.</p>\n";
     for (std::size_t i = 0; i < std::min(warnings.size(), kMostWarnings); ++i)
         html +=
             "<p class=\"warning\">&#9888; " + htmlText(printable(warnings[i].is_string() ? warnings[i].get<std::string>() : "")) + "</p>\n";
@@ -230,7 +231,8 @@ std::string dataOf(const Detection& detection, const ViewPoints& view, const Roc
 
 } // namespace
 
-std::string scanPage(const Detection& detection, const PageWords& words, const RockStudy* rocks) {
+std::string scanPage(const Detection& detection, const PageWords& words, const PageNotes& notes) {
+    const RockStudy* const rocks = notes.rocks;
     const Scan& scan = *detection.scan;
     ExportOptions options;
     options.operatorName = words.operatorName;
@@ -245,8 +247,11 @@ std::string scanPage(const Detection& detection, const PageWords& words, const R
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
     body += warningsOf(record) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
-            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) + completenessOf(scan, record) +
-            settingsOf(detection) + againOf(detection, record, words) + "</main>\n" + dataOf(detection, view, rocks);
+            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook)) +
+            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) +
+            (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
+            completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +
+            dataOf(detection, view, rocks);
     return htmlPage(title, body, reportScript());
 }
 

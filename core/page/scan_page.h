@@ -1,6 +1,8 @@
 // The report of a scan: one page that says what was measured, what was found and how it is made again (docs/report.md).
 #pragma once
 
+#include "core/change/scene_change.h"
+#include "core/measure/notebook.h"
 #include "core/method/detection.h"
 #include "core/rocks/rock_study.h"
 
@@ -12,8 +14,8 @@ namespace edgescan {
 inline constexpr std::size_t kMostPagePoints = 60'000, kMostPageEdges = 40'000;
 /// Most pixels along a side of the gray and the edge picture; larger ones are made smaller.
 inline constexpr int kMostPagePixels = 1200;
-/// No report is larger, whatever the scan; with rocks it may be as much larger.
-inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 12'000'000;
+/// No report is larger, whatever the scan; with rocks, and with a change, it may be as much larger.
+inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 12'000'000, kMostChangeBytes = 7'000'000;
 
 struct PageWords {
     std::string command; ///< that makes the report again
@@ -21,7 +23,15 @@ struct PageWords {
     std::string madeUtc;
 };
 
-/// The whole page; `rocks` (may be null) are of the same detection. All of its text that comes from files is escaped.
-[[nodiscard]] std::string scanPage(const Detection& detection, const PageWords& words, const RockStudy* rocks = nullptr);
+/// What was worked out on the scan besides its edges; all of the same detection. Null: left out.
+struct PageNotes {
+    const RockStudy* rocks = nullptr;
+    const Notebook* notebook = nullptr;
+    const SceneChange* change = nullptr;
+    std::string earlier; ///< of a change: which scan it is compared with
+};
+
+/// The whole page. All of its text that comes from files is escaped.
+[[nodiscard]] std::string scanPage(const Detection& detection, const PageWords& words, const PageNotes& notes = {});
 
 } // namespace edgescan

@@ -1,6 +1,9 @@
 // The report of a scan: one file that needs no other, in which text of files stays text, and that works in a real browser.
 #include "core/io/open_scan.h"
 #include "core/io/save_scan.h"
+#include "core/measure/cell_target.h"
+#include "core/measure/notebook.h"
+#include "core/method/pipeline.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
@@ -9,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <fstream>
 #include <regex>
 
 namespace edgescan {
@@ -53,6 +57,49 @@ TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
     EXPECT_EQ(runCli("report " + scan.string() + " -o " + scan.string()).code, 1); // never over the input
     EXPECT_EQ(runCli("report " + (folder / "none.pcd").string() + " -o " + (folder / "n.html").string()).code, 1);
     EXPECT_FALSE(fs::exists(folder / "n.html"));
+}
+
+TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
+    const test::TemporaryFolder folder;
+    const fs::path now = folder / "now.pcd", before = folder / "before.pcd", page = folder / "s.html", targets = folder / "t.json";
+    Scan scan = test::boxesScan(60, 90, 4, 0.0);
+    ASSERT_TRUE(saveScan(scan, now));
+    for (int line = 20; line < 30; ++line) {
+        for (int beam = 30; beam < 45; ++beam) scan.rangeMm.at(line, beam) += 900.0F;
+    }
+    ASSERT_TRUE(saveScan(scan, before));
+    const auto opened = openScan(now);
+    ASSERT_TRUE(opened);
+    Notebook notebook;
+    notebook.targets.push_back({.number = 3,
+                                .name = "<b>key & stone",
+                                .cell = 25 * 90 + 40,
+                                .pinnedUtc = "2026-11-21T08:00:00Z",
+                                .asPinned = {{"distance", "5.1 m"}}});
+    notebook.measures.push_back({MeasureKind::Distance, {10 * 90 + 20, 40 * 90 + 70}});
+    std::ofstream(targets) << notebookText(notebook, notebookScan(*opened));
+    const std::string flags =
+        "report " + now.string() + " -o " + page.string() + " --targets " + targets.string() + " --before " + before.string();
+    const auto run = runCli(flags);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string text = fileText(page);
+    const auto detection = detectEdges(std::make_shared<const Scan>(*opened), Settings{});
+    const auto measured = measureCells(*opened, noiseOf(*detection), MeasureKind::Distance, notebook.measures[0].cells);
+    ASSERT_TRUE(measured);
+    const auto change = runCli("change " + before.string() + " " + now.string());
+    ASSERT_EQ(change.code, 0) << change.err;
+    const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
+    for (const std::string& told :
+         {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"), measureText(*measured),
+          std::string("Before and after"), std::string("OUT OF SPEC"), largest})
+        EXPECT_NE(text.find(told), std::string::npos) << told;
+    EXPECT_EQ(text.find("<b>key"), std::string::npos);
+    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
+    // Targets of another scan, and a place that is not there.
+    EXPECT_EQ(runCli("report " + before.string() + " -o " + (folder / "x.html").string() + " --targets " + targets.string()).code, 1);
+    EXPECT_EQ(runCli("report " + now.string() + " -o " + (folder / "x.html").string() + " --before " + (folder / "none.pcd").string()).code,
+              1);
+    EXPECT_FALSE(fs::exists(folder / "x.html"));
 }
 
 TEST(CliReport, TextOfFilesAndNamesStaysText) {

@@ -9,8 +9,10 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
+#include "ui/control/comparing.h"
 #include "ui/control/files.h"
 #include "ui/control/rocks.h"
+#include "ui/control/targets.h"
 #include "ui/session/in_background.h"
 #include "ui/session/memory.h"
 
@@ -19,8 +21,9 @@
 
 namespace edgescan::ui {
 
-ScanReport::ScanReport(Session& session, const Files& files, const Rocks& rocks, NoticeBar& notice, Memory& memory)
-    : session_(session), files_(files), rocks_(rocks), notice_(notice), memory_(memory) {}
+ScanReport::ScanReport(Session& session, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
+                       NoticeBar& notice, Memory& memory)
+    : session_(session), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), memory_(memory) {}
 
 void ScanReport::ask() {
     if (!session_.picture()) {
@@ -44,6 +47,12 @@ std::string ScanReport::commandFor(const Detection& detection, const QString& pa
                           shellQuoted(path.toStdString());
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
+    if (!targets_.notebook().empty() && !targets_.keptIn().isEmpty())
+        command += " --targets " + shellQuoted(targets_.keptIn().toStdString());
+    if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
+        const std::string& before = compared->asked.before->detection->scan->path;
+        if (!before.empty()) command += " --before " + shellQuoted(QFileInfo(exactText(before)).absoluteFilePath().toStdString());
+    }
     if (!rocks_.shown()) return command;
     command += " --rocks";
     if (!rocks_.keptIn().empty()) return command + " --edits " + shellQuoted(rocks_.keptIn());
@@ -59,13 +68,21 @@ void ScanReport::writeTo(const QString& path) {
     }
     const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
     const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : session_.picture()->detection;
+    std::shared_ptr<const Comparison> compared = comparing_.comparison();
+    if (compared && compared->asked.now != session_.picture()) compared = nullptr; // of the picture before
     const PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
     memory_.keepFolder("exports", path);
     ++working_;
     inBackground(
         this,
-        [this, detection, rocks, words, path]() -> std::function<void()> {
-            const auto written = writeWholeFile(path.toStdString(), scanPage(*detection, words, rocks ? &rocks->study : nullptr));
+        [this, detection, rocks, words, path, notebook = targets_.notebook(), compared]() -> std::function<void()> {
+            PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
+            if (compared) {
+                const Detection& before = *compared->asked.before->detection;
+                notes.change = &compared->change;
+                notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
+            }
+            const auto written = writeWholeFile(path.toStdString(), scanPage(*detection, words, notes));
             return [this, written, path] {
                 if (!written) return notice_.tell(written.error());
                 notice_.tellSaved(path, tr("a page for any browser"));

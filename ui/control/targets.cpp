@@ -217,6 +217,10 @@ void Targets::keep() {
     if (session_.picture()) store_.save(notebook_, notebookScan(*session_.picture()->detection->scan));
 }
 
+QString Targets::keptIn() const {
+    return session_.picture() ? store_.pathOf(notebookScan(*session_.picture()->detection->scan)) : QString();
+}
+
 void Targets::ask() {
     if (session_.picture()) worker_.post({session_.picture(), notebook_});
 }

@@ -40,6 +40,8 @@ public:
     Targets(Session& session, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     [[nodiscard]] const Notebook& notebook() const { return notebook_; }
+    /// The file that the notebook is kept in; empty: none.
+    [[nodiscard]] QString keptIn() const;
     /// The target whose card is shown; null: none.
     [[nodiscard]] const PinnedTarget* active() const;
     /// What the cards say is of the picture on the screen and of all in the notebook.

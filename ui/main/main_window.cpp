@@ -82,7 +82,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
       selection_(session_, views_, rocks_, *notice_, undo_), comparing_(session_, views_, rocks_, *changeLegend_, *notice_, memory),
-      markedEdges_(session_, views_, targets_, undo_, *notice_), report_(session_, files_, rocks_, *notice_, memory),
+      markedEdges_(session_, views_, targets_, undo_, *notice_), report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory),
       audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
