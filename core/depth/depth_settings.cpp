@@ -32,4 +32,9 @@ const char* edgeClassName(DepthEdge kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+const char* edgeClassLabel(DepthEdge kind) {
+    static constexpr const char* kLabels[]{"none", "jump", "convex", "concave", "data border", "outline before a void"};
+    return kLabels[static_cast<std::size_t>(kind)];
+}
+
 } // namespace edgescan

@@ -11,5 +11,7 @@ namespace edgescan {
 
 /// "jump", "convex", "concave", "border", "silhouette"; "none".
 [[nodiscard]] const char* edgeClassName(DepthEdge kind);
+/// As people read it, and the switches say it: "data border", "outline before a void".
+[[nodiscard]] const char* edgeClassLabel(DepthEdge kind);
 
 } // namespace edgescan

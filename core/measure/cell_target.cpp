@@ -21,7 +21,8 @@ std::optional<double> strengthAt(const Detection& detection, const Probe& probe)
     if (!detection.responses) return std::nullopt;
     const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
     const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
-    if (probe.kind == DepthEdge::Border) return std::nullopt; // there the data end: nothing was measured
+    // There the data end, or what lies behind a void tells: no response of the cell's own does.
+    if (probe.kind == DepthEdge::Border || probe.kind == DepthEdge::Silhouette) return std::nullopt;
     if (probe.kind == DepthEdge::Jump) return jump;
     return probe.kind == DepthEdge::None ? std::max(jump, fold) : fold;
 }

@@ -22,7 +22,10 @@ QString shownText(const std::string& text) {
 QString shownText(const QString& text) { return shownText(text.toStdString()); }
 
 QString shownName(const QString& name, int mostCharacters) {
-    return QString::fromStdString(printable(name.toStdString(), static_cast<std::size_t>(mostCharacters)));
+    const QString whole = QString::fromStdString(printable(name.toStdString()));
+    if (whole.size() <= mostCharacters) return whole;
+    const int head = mostCharacters * 2 / 3;
+    return whole.left(head).trimmed() + QStringLiteral("…") + whole.right(mostCharacters - head - 1).trimmed();
 }
 
 QString exactText(const std::string& text) { return QString::fromStdString(text); }

@@ -12,7 +12,7 @@ namespace edgescan::ui {
 [[nodiscard]] QString shownText(const std::string& text);
 [[nodiscard]] QString shownText(const QString& text);
 
-/// The same on one line, where there is room for about so many characters.
+/// The same on one line, where there is room for so many characters: of a longer name the middle is left out (…).
 [[nodiscard]] QString shownName(const QString& name, int mostCharacters = 120);
 
 /// For paths, settings and the clipboard: as it is.

@@ -34,16 +34,30 @@ Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& 
 }
 
 void Explanation::explain(std::size_t cell) {
-    if (const std::shared_ptr<const Picture> picture = views_.shown()) worker_.post({picture, cell});
+    const std::shared_ptr<const Picture> picture = views_.shown();
+    if (!picture) return;
+    openCard();
+    card_->tell(tr("Working out why …"));
+    worker_.post({picture, cell});
+}
+
+void Explanation::openCard() {
+    if (card_ == nullptr) {
+        card_ = new WhyCard(notice_.window());
+        connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
+    }
+}
+
+bool Explanation::closeCard() {
+    if (card_ == nullptr || !card_->isVisible()) return false;
+    card_->reject();
+    return true;
 }
 
 void Explanation::tell(const Answer& answer) {
     const auto& [picture, given] = answer;
     const Why& why = *given;
-    if (card_ == nullptr) {
-        card_ = new WhyCard(notice_.window());
-        connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
-    }
+    openCard();
     QString text = shownText(whyText(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");

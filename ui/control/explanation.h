@@ -25,6 +25,8 @@ public:
     /// The cell that is pointed at or was clicked.
     void explainMarked();
     void forgetTrail();
+    /// False: it was not open.
+    bool closeCard();
     /// Null before the first question.
     [[nodiscard]] const WhyCard* card() const { return card_; }
 
@@ -37,6 +39,7 @@ private:
         std::shared_ptr<const Picture> picture;
         std::shared_ptr<const Why> why;
     };
+    void openCard();
     void tell(const Answer& answer);
     void showTrail(const Why& why);
 

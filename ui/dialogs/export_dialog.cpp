@@ -3,6 +3,7 @@
 
 #include "core/georef/placed_points.h"
 #include "core/io/save_scan.h"
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
 #include <QButtonGroup>
@@ -10,16 +11,21 @@
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QGroupBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kMargins = 64; // px, the title of the window included
 
 // Thousands apart, the same in every locale.
 QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
@@ -31,7 +37,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
       selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
-    auto* column = new QVBoxLayout(this);
+    auto* questions = new QWidget; // on a low screen they scroll; what is squeezed cannot be read
+    auto* column = new QVBoxLayout(questions);
     column->addWidget(contentBox());
     coordinatesGroup_ = coordinatesBox();
     column->addWidget(coordinatesGroup_);
@@ -47,9 +54,16 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
     attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
     attached_->setVisible(hidden > 0);
     column->addWidget(attached_);
+    column->addStretch(1);
     count_->setObjectName("count");
-    column->addWidget(count_);
-    column->addWidget(buttons_);
+    auto* whole = new QVBoxLayout(this);
+    QScrollArea* area = scrolled(*questions);
+    whole->addWidget(area, 1);
+    whole->addWidget(count_);
+    whole->addWidget(buttons_);
+    const int wide = area->minimumWidth() + kMargins;
+    resize(QSize(wide, column->heightForWidth(wide) + count_->sizeHint().height() + buttons_->sizeHint().height() + kMargins)
+               .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
     buttons_->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -112,7 +126,7 @@ QGroupBox* ExportDialog::writingBox() {
         mark->setObjectName(choice.key);
         auto* words = new QLabel(QObject::tr(choice.help));
         words->setWordWrap(true);
-        words->setMinimumWidth(360);
+        words->setMinimumWidth(520);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
         if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // where nothing was filled

@@ -6,6 +6,11 @@
 #include <QVBoxLayout>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
+
+} // namespace
 
 WhyCard::WhyCard(QWidget* parent) : QDialog(parent) {
     setObjectName("why-card");
@@ -25,6 +30,10 @@ WhyCard::WhyCard(QWidget* parent) : QDialog(parent) {
 void WhyCard::tell(const QString& text) {
     text_->setText(text);
     adjustSize();
+    if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the cell that it speaks of
+        const QRect window = parentWidget()->frameGeometry();
+        move(window.right() - width() - kFromRight, window.top() + kFromTop);
+    }
     show();
     raise();
 }

@@ -289,7 +289,7 @@ void MainWindow::remember() {
 
 void MainWindow::restoreLayout() {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
-    resize(usualWindow(screen.adjusted(0, 0, 0, -style()->pixelMetric(QStyle::PM_TitleBarHeight) / 2)));
+    resize(usualWindow(screen.adjusted(0, 0, 0, -style()->pixelMetric(QStyle::PM_TitleBarHeight))));
     restoreGeometry(memory_.bytes("window/geometry"));
     restoreState(memory_.bytes("window/state"));
     images_->restoreState(memory_.bytes("window/images"));
@@ -303,7 +303,8 @@ void MainWindow::restoreLayout() {
         if (each->availableGeometry().intersects(geometry())) at = each;
     }
     const QRect room = at != nullptr ? at->availableGeometry() : screen;
-    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room.size()));
+    if (!isMaximized() && !isFullScreen())
+        resize(size().boundedTo(room.size() - QSize(0, style()->pixelMetric(QStyle::PM_TitleBarHeight))));
     if (at == nullptr) move(room.topLeft());
 }
 
@@ -402,6 +403,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 // Of what a tool has begun the last bit, then the tool; then what is pinned.
 void MainWindow::escape() {
+    if (explanation_.closeCard()) return;
     if (measures_.kind()) {
         if (!measures_.takeBack()) measures_.stop();
     } else if (views_.tool() != Tool::Pin) {

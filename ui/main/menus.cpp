@@ -289,6 +289,7 @@ Command rocksMenu(MainWindow& w) {
                        tool("Draw Region of &Interest", "G", RockTool::Region),
                        command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
                        kLine,
+                       {.made = w.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
                        command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
                    });
 }

@@ -54,7 +54,7 @@ ProbeWords probeWords(const Probe& probe) {
     if (probe.state == CellState::Valid)
         words.place +=
             QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
-    const QString kind = probe.kind == DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edgeClassName(probe.kind)));
+    const QString kind = probe.kind == DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edgeClassLabel(probe.kind)));
     words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
     words.cell = QObject::tr("line %1  beam %2").arg(probe.line).arg(probe.beam);
     if (!std::isnan(probe.beamDeg)) words.cell += QObject::tr("  at %1° / %2°").arg(number(probe.lineDeg, 3), number(probe.beamDeg, 3));

@@ -74,7 +74,7 @@ TargetRow cellRow(const CellTarget& target) {
 TargetRow edgeRow(const CellTarget& target) {
     QString value = !target.probe.edge                     ? QObject::tr("none")
                     : target.probe.kind == DepthEdge::None ? QObject::tr("yes")
-                                                           : QObject::tr(edgeClassName(target.probe.kind));
+                                                           : QObject::tr(edgeClassLabel(target.probe.kind));
     if (target.strength) value += QObject::tr(", strength %1").arg(fixed(*target.strength, 2));
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
