@@ -10,21 +10,22 @@ namespace edgescan {
 namespace {
 
 constexpr int kPasses = 4;
-constexpr int kWindow = 3;          // cells on each side that a plane is fitted to
+constexpr int kWindow = 4;          // cells on each side that a plane is fitted to
 constexpr int kReach = kWindow + 1; // cells on each side that a choice depends on
 constexpr double kRidge = 0.5;      // added to the spreads, so that few cells on a line tilt nothing
 constexpr int kFewestForPlane = 6;
 constexpr double kFarOff = 30.0; // standard deviations; beyond, more hardly counts
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
-constexpr double kFitsOpen = 20.0; // standard deviations within which an open cell is taken
+constexpr float kAcrossEdge = 0.5F; // how little a neighbour counts behind a full jump or valley
+constexpr double kFitsOpen = 20.0;  // standard deviations within which an open cell is taken
 constexpr std::size_t kMostChoices = 9;
 constexpr double kLeastU = 1e-4; // 1/m
 
 // Sums for the plane u = a + b x + c y through cells of one leaf, about the cell that chooses.
 struct PlaneSums {
     std::uint32_t leaf = kOpen;
-    int neighbours = 0; // of the cell that chooses
+    double neighbours = 0; // of the cell that chooses; less for those behind an edge
     int n = 0;
     int x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     double u = 0, xu = 0, yu = 0;
@@ -55,8 +56,8 @@ struct PlaneSums {
 
 class Refinement {
 public:
-    Refinement(const InverseRange& inverse, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
-        : inverse_(inverse), noise_(noise), leaf_(leaf), next_(leaf), touches_(leaf.lines, leaf.beams),
+    Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
+        : inverse_(inverse), cracks_(cracks), noise_(noise), leaf_(leaf), next_(leaf), touches_(leaf.lines, leaf.beams),
           changed_(leaf.lines, leaf.beams, 1) {}
 
     void pass() {
@@ -141,6 +142,19 @@ private:
         const double rangeM = 1.0 / here;
         return 1000.0 * std::abs(1.0 / std::max(height, kLeastU) - rangeM) / std::max(noise_.at(rangeM), 0.1);
     }
+    // 0..1: the jump or valley between two cells that are neighbours (of 8); round a corner, on the way where it is less.
+    [[nodiscard]] float edgeBetween(int line, int beam, int i, int j) const {
+        const auto alongBeams = [&](int l) { return edgeAt(leaf_.index(l, std::min(beam, j)), 1, cracks_.jumpBeams, cracks_.foldBeams); };
+        const auto alongLines = [&](int b) {
+            return edgeAt(leaf_.index(std::min(line, i), b), static_cast<std::size_t>(leaf_.beams), cracks_.jumpLines, cracks_.foldLines);
+        };
+        if (i == line) return alongBeams(line);
+        if (j == beam) return alongLines(beam);
+        return std::min(std::max(alongBeams(line), alongLines(j)), std::max(alongLines(beam), alongBeams(i)));
+    }
+    static float edgeAt(std::size_t p, std::size_t step, const Grid<float>& jump, const Grid<float>& fold) {
+        return std::clamp(std::max({jump[p], -fold[p], -fold[p + step]}), 0.0F, 1.0F);
+    }
     // The leaves among the cell and its neighbours, and how many neighbours each has.
     std::size_t choices(int line, int beam, std::array<PlaneSums, kMostChoices>& planes) const {
         std::size_t count = 0;
@@ -151,7 +165,7 @@ private:
                 std::size_t n = 0;
                 while (n < count && planes[n].leaf != there) ++n;
                 if (n == count) planes[count++].leaf = there;
-                if (i != line || j != beam) ++planes[n].neighbours;
+                if (i != line || j != beam) planes[n].neighbours += static_cast<double>(1.0F - kAcrossEdge * edgeBetween(line, beam, i, j));
             }
         }
         return count;
@@ -170,6 +184,7 @@ private:
     }
 
     const InverseRange& inverse_;
+    const DepthCracks& cracks_;
     const RangeNoise& noise_;
     Grid<std::uint32_t>& leaf_;
     Grid<std::uint32_t> next_;
@@ -179,13 +194,14 @@ private:
 
 } // namespace
 
-void refineLeaves(const InverseRange& inverse, const RangeNoise& noise, Grid<std::uint32_t>& leaf, std::uint32_t count) {
+void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf,
+                  std::uint32_t count) {
     std::vector<std::uint32_t> cells(static_cast<std::size_t>(count) + 1);
     for (const std::uint32_t l : leaf.cells) ++cells[l];
     for (std::uint32_t& l : leaf.cells) {
         if (cells[l] < kSmallestLeaf) l = kOpen;
     }
-    Refinement refinement(inverse, noise, leaf);
+    Refinement refinement(inverse, cracks, noise, leaf);
     for (int pass = 0; pass < kPasses; ++pass) refinement.pass();
 }
 
