@@ -26,6 +26,8 @@ constexpr double kPerMetreTooLong = 1.1;
 constexpr double kPerEdges = 33.0;
 constexpr double kPerDepth = 11.7;
 constexpr double kPerFill = 9.3;
+constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
+constexpr double kPerFlat = 200.0;
 constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
 constexpr double kSureOffset = 1.82;
@@ -87,7 +89,8 @@ void judge(RockRegion& region, const RockSettings& settings) {
     if (region.sums.cells < static_cast<std::uint32_t>(settings.minimumCells)) return;
     measureSpread(region);
     region.score = kPerBulge * region.bulge + kPerNear * region.near - kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) +
-                   kPerEdges * region.edges + kPerDepth * region.depth + kPerFill * region.fill + kScoreOffset;
+                   kPerEdges * region.edges + kPerDepth * region.depth - kPerFlat * std::max(0.0, kFlat - region.depth) +
+                   kPerFill * region.fill + kScoreOffset;
     region.confidence =
         1.0 /
         (1.0 + std::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
