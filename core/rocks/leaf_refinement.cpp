@@ -10,9 +10,12 @@ namespace edgescan {
 namespace {
 
 constexpr int kPasses = 4;
-constexpr int kWindow = 4;          // cells on each side that a plane is fitted to
-constexpr int kReach = kWindow + 1; // cells on each side that a choice depends on
-constexpr double kRidge = 0.5;      // added to the spreads, so that few cells on a line tilt nothing
+constexpr int kWindow = 4;     // cells on each side that a plane is fitted to
+constexpr int kNeighbours = 9; // the cell itself included
+constexpr std::uint32_t kVoid = UINT32_MAX;
+constexpr std::size_t kColumns = 12; // a window, filled up to whole vectors
+constexpr int kReach = kWindow + 1;  // cells on each side that a choice depends on
+constexpr double kRidge = 0.5;       // added to the spreads, so that few cells on a line tilt nothing
 constexpr int kFewestForPlane = 6;
 constexpr double kFarOff = 30.0; // standard deviations; beyond, more hardly counts
 constexpr double kBeyond = 0.01;
@@ -30,17 +33,6 @@ struct PlaneSums {
     int x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     double u = 0, xu = 0, yu = 0;
 
-    void add(int dx, int dy, double value) {
-        ++n;
-        x += dx;
-        y += dy;
-        xx += dx * dx;
-        xy += dx * dy;
-        yy += dy * dy;
-        u += value;
-        xu += dx * value;
-        yu += dy * value;
-    }
     // Of the plane at the cell that chooses.
     [[nodiscard]] double height() const {
         if (n < kFewestForPlane) return u / n;
@@ -54,13 +46,31 @@ struct PlaneSums {
     }
 };
 
+// 0..1 on the crack between each cell and the next one along the way: the jump or valley there.
+Grid<float> edgesOf(const Grid<float>& jump, const Grid<float>& fold, std::size_t step) {
+    Grid<float> edge(jump.lines, jump.beams);
+    for (std::size_t k = 0; k + step < edge.size(); ++k) edge[k] = std::clamp(std::max({jump[k], -fold[k], -fold[k + step]}), 0.0F, 1.0F);
+    return edge;
+}
+
 class Refinement {
 public:
     Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
-        : inverse_(inverse), cracks_(cracks), noise_(noise), leaf_(leaf), next_(leaf), touches_(leaf.lines, leaf.beams),
-          changed_(leaf.lines, leaf.beams, 1) {}
+        : inverse_(inverse), noise_(noise), edgeBeams_(edgesOf(cracks.jumpBeams, cracks.foldBeams, 1)),
+          edgeLines_(edgesOf(cracks.jumpLines, cracks.foldLines, static_cast<std::size_t>(leaf.beams))), leaf_(leaf), next_(leaf),
+          inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kWindow) + kColumns), solid_(inner_.size(), kVoid),
+          u_(inner_.size()), touches_(leaf.lines, leaf.beams), changed_(leaf.lines, leaf.beams, 1) {
+        for (int i = 0; i < leaf.lines; ++i) {
+            for (int j = 0; j < leaf.beams; ++j) {
+                const std::size_t k = leaf.index(i, j);
+                u_[marginIndex(i, j)] = inverse.u[k];
+                if (inverse.support[k] != Support::Void) solid_[marginIndex(i, j)] = leaf[k];
+            }
+        }
+    }
 
     void pass() {
+        std::vector<std::uint32_t> moved;
         const Grid<std::uint8_t> looked = around(changed_);
         markTouching(looked);
         std::fill(changed_.cells.begin(), changed_.cells.end(), std::uint8_t{0});
@@ -69,32 +79,39 @@ public:
                 const std::size_t k = leaf_.index(i, j);
                 if (touches_[k] == 0 || looked[k] == 0) continue;
                 next_[k] = choice(i, j);
-                if (next_[k] != leaf_[k]) changed_[k] = 1;
+                if (next_[k] == leaf_[k]) continue;
+                changed_[k] = 1;
+                moved.push_back(static_cast<std::uint32_t>(k));
             }
         }
-        leaf_ = next_;
+        for (const std::uint32_t k : moved) {
+            leaf_[k] = next_[k];
+            solid_[marginIndex(static_cast<int>(k) / leaf_.beams, static_cast<int>(k) % leaf_.beams)] = leaf_[k];
+        }
     }
 
 private:
     // 1 at cells with a neighbour (of 8) that holds a range and belongs to another leaf, or to none. Far from changes it is as it was.
     void markTouching(const Grid<std::uint8_t>& looked) {
+        const auto beams = static_cast<std::size_t>(leaf_.beams);
+        std::vector<std::uint8_t> touching(beams);
         for (int i = 0; i < leaf_.lines; ++i) {
-            for (int j = 0; j < leaf_.beams; ++j) {
-                const std::size_t k = leaf_.index(i, j);
-                if (looked[k] != 0) touches_[k] = touchesAnother(i, j) ? 1 : 0;
+            const std::uint8_t* const look = looked.line(i);
+            if (std::find(look, look + beams, std::uint8_t{1}) == look + beams) continue;
+            const std::uint32_t* const here = &solid_[marginIndex(i, 0)];
+            std::fill(touching.begin(), touching.end(), std::uint8_t{0});
+            for (int n = 0; n < kNeighbours; ++n) {
+                const std::uint32_t* const there = &solid_[marginIndex(i + n / 3 - 1, n % 3 - 1)];
+                for (std::size_t j = 0; j < beams; ++j)
+                    touching[j] = static_cast<std::uint8_t>(touching[j] | ((there[j] != here[j]) & (there[j] != kVoid)));
+            }
+            for (std::size_t j = 0; j < beams; ++j) {
+                if (look[j] == 0) continue;
+                const std::size_t k = leaf_.index(i, static_cast<int>(j));
+                touches_[k] = here[j] != kVoid ? touching[j] : std::uint8_t{0};
+                inner_[marginIndex(i, static_cast<int>(j))] = touches_[k] != 0 ? kOpen : leaf_[k];
             }
         }
-    }
-    [[nodiscard]] bool touchesAnother(int line, int beam) const {
-        const std::size_t k = leaf_.index(line, beam);
-        if (inverse_.support[k] == Support::Void) return false;
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
-            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, leaf_.beams - 1); ++j) {
-                const std::size_t there = leaf_.index(i, j);
-                if (leaf_[there] != leaf_[k] && inverse_.support[there] != Support::Void) return true;
-            }
-        }
-        return false;
     }
     // 1 within kReach of marked cells.
     static Grid<std::uint8_t> around(const Grid<std::uint8_t>& marked) {
@@ -108,11 +125,15 @@ private:
                 --left;
             }
         }
-        for (int i = 0; i < marked.lines; ++i) {
-            for (int there = std::max(0, i - kReach); there <= std::min(marked.lines - 1, i + kReach); ++there) {
-                const std::uint8_t* from = wide.line(there);
-                std::uint8_t* to = result.line(i);
-                for (int j = 0; j < marked.beams; ++j) to[j] |= from[j];
+        std::vector<std::uint8_t> left(static_cast<std::size_t>(marked.beams));
+        for (int i = -kReach; i < marked.lines; ++i) {
+            const std::uint8_t* const ahead = i + kReach < marked.lines ? wide.line(i + kReach) : nullptr;
+            std::uint8_t* const to = i >= 0 ? result.line(i) : nullptr;
+            for (std::size_t j = 0; j < left.size(); ++j) {
+                const bool isMarked = ahead != nullptr && ahead[j] != 0;
+                left[j] = isMarked ? 2 * kReach + 1 : left[j];
+                if (to != nullptr) to[j] = left[j] != 0 ? 1 : 0;
+                left[j] = static_cast<std::uint8_t>(left[j] - (left[j] != 0 ? 1 : 0));
             }
         }
         return result;
@@ -120,8 +141,8 @@ private:
     [[nodiscard]] std::uint32_t choice(int line, int beam) const {
         std::array<PlaneSums, kMostChoices> planes;
         const std::size_t count = choices(line, beam, planes);
-        if (count == 0) return leaf_.at(line, beam);
-        fill(line, beam, planes, count);
+        if (count == 0 || (count == 1 && planes[0].leaf == leaf_.at(line, beam))) return leaf_.at(line, beam);
+        for (std::size_t n = 0; n < count; ++n) fill(line, beam, planes[n]);
         const bool isOpen = leaf_.at(line, beam) == kOpen;
         const auto here = static_cast<double>(inverse_.u.at(line, beam));
         std::uint32_t best = leaf_.at(line, beam);
@@ -144,16 +165,12 @@ private:
     }
     // 0..1: the jump or valley between two cells that are neighbours (of 8); round a corner, on the way where it is less.
     [[nodiscard]] float edgeBetween(int line, int beam, int i, int j) const {
-        const auto alongBeams = [&](int l) { return edgeAt(leaf_.index(l, std::min(beam, j)), 1, cracks_.jumpBeams, cracks_.foldBeams); };
-        const auto alongLines = [&](int b) {
-            return edgeAt(leaf_.index(std::min(line, i), b), static_cast<std::size_t>(leaf_.beams), cracks_.jumpLines, cracks_.foldLines);
-        };
-        if (i == line) return alongBeams(line);
-        if (j == beam) return alongLines(beam);
-        return std::min(std::max(alongBeams(line), alongLines(j)), std::max(alongLines(beam), alongBeams(i)));
-    }
-    static float edgeAt(std::size_t p, std::size_t step, const Grid<float>& jump, const Grid<float>& fold) {
-        return std::clamp(std::max({jump[p], -fold[p], -fold[p + step]}), 0.0F, 1.0F);
+        const int above = std::min(line, i);
+        const int left = std::min(beam, j);
+        if (i == line) return edgeBeams_.at(line, left);
+        if (j == beam) return edgeLines_.at(above, beam);
+        return std::min(std::max(edgeBeams_.at(line, left), edgeLines_.at(above, j)),
+                        std::max(edgeLines_.at(above, beam), edgeBeams_.at(i, left)));
     }
     // The leaves among the cell and its neighbours, and how many neighbours each has.
     std::size_t choices(int line, int beam, std::array<PlaneSums, kMostChoices>& planes) const {
@@ -170,24 +187,53 @@ private:
         }
         return count;
     }
-    // Takes in the cells around that touch no other leaf.
-    void fill(int line, int beam, std::array<PlaneSums, kMostChoices>& planes, std::size_t count) const {
-        for (int i = std::max(line - kWindow, 0); i <= std::min(line + kWindow, leaf_.lines - 1); ++i) {
-            for (int j = std::max(beam - kWindow, 0); j <= std::min(beam + kWindow, leaf_.beams - 1); ++j) {
-                const std::size_t k = leaf_.index(i, j);
-                if (touches_[k] != 0 || leaf_[k] == kOpen) continue;
-                for (std::size_t n = 0; n < count; ++n) {
-                    if (planes[n].leaf == leaf_[k]) planes[n].add(j - beam, i - line, static_cast<double>(inverse_.u[k]));
-                }
+    // Takes in the cells of its leaf around that touch no other one; what belongs elsewhere adds zeros. Column by column, so that all
+    // columns are worked on at once. All sums are exact, in any order: u has 24 bits, and a double 53.
+    void fill(int line, int beam, PlaneSums& plane) const {
+        std::array<double, kColumns> u{}, yu{};
+        std::array<int, kColumns> n{}, y{}, yy{};
+        for (int dy = -kWindow; dy <= kWindow; ++dy) {
+            const std::size_t first = marginIndex(line + dy, beam - kWindow);
+            const std::uint32_t* const inner = &inner_[first];
+            const float* const values = &u_[first];
+            for (std::size_t x = 0; x < kColumns; ++x) {
+                const int own = inner[x] == plane.leaf ? 1 : 0;
+                const auto value = static_cast<double>(values[x] * static_cast<float>(own));
+                n[x] += own;
+                y[x] += own * dy;
+                yy[x] += own * (dy * dy);
+                u[x] += value;
+                yu[x] += dy * value;
             }
         }
+        for (int dx = -kWindow; dx <= kWindow; ++dx) {
+            const auto x = static_cast<std::size_t>(dx + kWindow);
+            plane.n += n[x];
+            plane.x += dx * n[x];
+            plane.xx += dx * dx * n[x];
+            plane.y += y[x];
+            plane.xy += dx * y[x];
+            plane.yy += yy[x];
+            plane.u += u[x];
+            plane.xu += dx * u[x];
+            plane.yu += yu[x];
+        }
+    }
+    // Of a cell in the grids with a margin.
+    [[nodiscard]] std::size_t marginIndex(int line, int beam) const {
+        return static_cast<std::size_t>(line + kWindow) * marginBeams_ + static_cast<std::size_t>(beam + kWindow);
     }
 
     const InverseRange& inverse_;
-    const DepthCracks& cracks_;
     const RangeNoise& noise_;
+    const Grid<float> edgeBeams_, edgeLines_;
     Grid<std::uint32_t>& leaf_;
     Grid<std::uint32_t> next_;
+    // With kWindow cells more on each side, and a few beams more after them.
+    const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kWindow);
+    std::vector<std::uint32_t> inner_; // the leaf of cells that touch no other one, else kOpen
+    std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
+    std::vector<float> u_;
     Grid<std::uint8_t> touches_;
     Grid<std::uint8_t> changed_;
 };
