@@ -142,12 +142,16 @@ private:
         std::array<PlaneSums, kMostChoices> planes;
         const std::size_t count = choices(line, beam, planes);
         if (count == 0 || (count == 1 && planes[0].leaf == leaf_.at(line, beam))) return leaf_.at(line, beam);
-        for (std::size_t n = 0; n < count; ++n) fill(line, beam, planes[n]);
+        // The one with most neighbours first: after it most others cannot cost less, however well they fit.
+        const auto fewer = [](const PlaneSums& x, const PlaneSums& y) { return x.neighbours < y.neighbours; };
+        std::swap(planes[0], *std::max_element(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(count), fewer));
         const bool isOpen = leaf_.at(line, beam) == kOpen;
         const auto here = static_cast<double>(inverse_.u.at(line, beam));
         std::uint32_t best = leaf_.at(line, beam);
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t n = 0; n < count; ++n) {
+            if (-kPerNeighbour * planes[n].neighbours > least) continue;
+            fill(line, beam, planes[n]);
             const double off = planes[n].n == 0 ? kFarOff : deviations(planes[n].height(), here);
             if (isOpen && off >= kFitsOpen) continue;
             const double cost = (off > kFarOff ? kFarOff + kBeyond * (off - kFarOff) : off) - kPerNeighbour * planes[n].neighbours;
