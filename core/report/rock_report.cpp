@@ -158,7 +158,9 @@ Json whyReport(const RockStudy& study, const BorderWhy& why) {
                 {"cells", r.sums.cells},
                 {"bulge", thousandths(r.bulge)},
                 {"near", thousandths(r.near)},
-                {"weak", thousandths(r.weak)},
+                {"edges", thousandths(r.edges)},
+                {"depth", thousandths(r.depth)},
+                {"fill", thousandths(r.fill)},
                 {"long_m", millimetres(r.longM)},
                 {"score", thousandths(r.score)},
                 {"confidence", thousandths(r.confidence)}};
@@ -179,6 +181,7 @@ Json whyReport(const RockStudy& study, const BorderWhy& why) {
                             {"e1", thousandths(b.mean(b.sumE1))},
                             {"e2", thousandths(b.mean(b.sumE2))},
                             {"v", thousandths(b.mean(b.sumValley))},
+                            {"w", thousandths(b.mean(b.sumWide))},
                             {"z", thousandths(b.meanZ())},
                             {"first_nearer_cracks", b.jumpsA},
                             {"second_nearer_cracks", b.jumpsB},

@@ -53,8 +53,8 @@ private:
 
 } // namespace
 
-double freeBelowM(const RockInputs& inputs, const Eigen::Vector3d& pointM, std::size_t k, const Eigen::Vector3d& up) {
-    const CartesianTables tables(*inputs.scan);
+double freeBelowM(const RockInputs& inputs, const CartesianTables& tables, const Eigen::Vector3d& pointM, std::size_t k,
+                  const Eigen::Vector3d& up) {
     BeamFinder finder(inputs, tables, k);
     double freeM = 0.0;
     while (freeM < kMostM) {

@@ -9,8 +9,10 @@ namespace edgescan {
 struct CrackEvidence {
     double e1 = 0.0;       ///< 0..1: jump at the crack, or valley across it
     double e2 = 0.0;       ///< 0..1: a thinned edge runs within two cells of it
-    double valleyMm = 0.0; ///< depth under a chord from leaf to leaf; negative: a ridge
+    double valleyMm = 0.0; ///< depth under a chord of up to 120 mm to each side; negative: a ridge
     double v = 0.0;        ///< -2..2: the same, in units of 30 mm
+    double wideMm = 0.0;   ///< depth under a chord of up to 500 mm to each side
+    double w = 0.0;        ///< -2..2: the same, in units of 125 mm
     double z = 0.0;        ///< log odds "two rocks"
 };
 
@@ -30,7 +32,10 @@ public:
     [[nodiscard]] bool isNearer(std::size_t p, std::size_t q) const { return cracks_.smoothed[p] >= cracks_.smoothed[q]; }
 
 private:
-    [[nodiscard]] double valleyMm(int line, int beam, Along along) const;
+    /// A chord across the crack, and how far it can reach at most.
+    struct Chord;
+    [[nodiscard]] Chord chordAt(int line, int beam, Along along) const;
+    [[nodiscard]] double depthMm(const Chord& chord, int cells) const;
 
     const RockInputs& inputs_;
     const DepthCracks& cracks_;

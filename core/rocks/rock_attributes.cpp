@@ -125,7 +125,7 @@ private:
         rock.distanceM = 0.001 * static_cast<double>(median(std::move(ranges)));
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
         rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
-        rock.freeBelowM = freeBelowM(leaves_.inputs, lowestPoint, lowestCell, up_);
+        rock.freeBelowM = freeBelowM(leaves_.inputs, tables_, lowestPoint, lowestCell, up_);
     }
 
     const RockLeaves& leaves_;

@@ -15,10 +15,13 @@ CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const st
     sorted.cells.resize(sorted.first.back());
     std::vector<std::size_t> at = sorted.first;
     const Grid<Support>& support = leaves.inputs.surface->inverse.support;
-    for (std::size_t k = 0; k < leaves.leaf.size(); ++k) {
-        const std::uint32_t region = map.regionOfLeaf[leaves.leaf[k]];
-        if (wanted[region] == 0 || support[k] != Support::Measured) continue;
-        sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
+    for (const LeafRun& run : leaves.beamRuns) {
+        const std::uint32_t region = map.regionOfLeaf[run.leaf];
+        if (wanted[region] == 0) continue;
+        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(leaves.leaf.beams);
+        for (std::size_t k = line + run.begin; k < line + run.end; ++k) {
+            if (support[k] == Support::Measured) sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
+        }
     }
     return sorted;
 }

@@ -7,7 +7,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLeastZ = -14.5; // less than that no evidence can be: a leaf lives from there on
+constexpr double kLeastZ = -13.0; // less than that no evidence can be: a leaf lives from there on
 
 std::uint32_t leafAt(const RockLeaves& leaves, std::uint32_t k) { return k < leaves.leaf.size() ? leaves.leaf[k] : kOpen; }
 

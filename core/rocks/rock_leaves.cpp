@@ -65,7 +65,7 @@ RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std:
     cutLeaves(links, cuts, leaves.leaf);
     leaves.borders = leafBorders(inputs, leaves.leaf);
     const std::uint32_t count = leaves.leaf.size() == 0 ? 0 : *std::max_element(leaves.leaf.cells.begin(), leaves.leaf.cells.end());
-    refineLeaves(inverse, inputs.responses->noise, leaves.leaf, count);
+    refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, leaves.leaf, count);
     leaves.sums = leafSums(inputs, leaves.leaf, count);
     leaves.beamRuns = runsOf(leaves.leaf, Along::Beams);
     leaves.lineRuns = runsOf(leaves.leaf, Along::Lines);

@@ -28,6 +28,7 @@ struct LeafBorder {
     std::int64_t sumE1 = 0;     ///< of the parts of the evidence, like sumZ: 0..1 each
     std::int64_t sumE2 = 0;
     std::int64_t sumValley = 0; ///< v, from -2 to 2
+    std::int64_t sumWide = 0;   ///< w, from -2 to 2
 
     /// Mean log odds of "two rocks" per crack.
     [[nodiscard]] double meanZ() const { return mean(sumZ); }
@@ -42,8 +43,9 @@ struct LeafBorder {
         sumE1 += other.sumE1;
         sumE2 += other.sumE2;
         sumValley += other.sumValley;
+        sumWide += other.sumWide;
     }
-    [[nodiscard]] LeafBorder turned() const { return {b, a, sumZ, cracks, jumpsB, jumpsA, valleys, sumE1, sumE2, sumValley}; }
+    [[nodiscard]] LeafBorder turned() const { return {b, a, sumZ, cracks, jumpsB, jumpsA, valleys, sumE1, sumE2, sumValley, sumWide}; }
 };
 
 /// Sums over the measured cells of a leaf; they add up when leaves merge.

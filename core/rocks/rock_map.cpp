@@ -20,25 +20,37 @@ constexpr std::uint32_t kFewestJumps = 3;
 constexpr double kOneWay = 0.8; // share of the jumps that go the same way
 
 // R, rock or not, and p, how sure (docs/rocks-method.md, "Step 7", "Confidence").
-constexpr double kPerBulge = 17.0;
-constexpr double kPerNear = 20.0;
-constexpr double kPerMetreTooLong = 1.5;
-constexpr double kPerWeak = 6.0;
-constexpr double kScoreOffset = -0.3;
-constexpr double kWeakZ = 2.0;
+constexpr double kPerBulge = 22.0;
+constexpr double kPerNear = 8.4;
+constexpr double kPerMetreTooLong = 1.1;
+constexpr double kPerEdges = 33.0;
+constexpr double kPerDepth = 11.7;
+constexpr double kPerFill = 9.3;
+constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
+constexpr double kPerFlat = 200.0;
+constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
-constexpr double kSureOffset = 4.6;
-constexpr double kPerScore = 0.62;
-constexpr double kLeastScore = -3.0;
-constexpr double kMostScore = 6.0;
+constexpr double kSureOffset = 1.82;
+constexpr double kPerEvidence = 0.48;
+constexpr double kPerScore = 0.39;
+constexpr double kLeastScore = -6.0;
+constexpr double kMostScore = 12.0;
+constexpr double kDeviations = 4.0; // standard deviations that a size is told as
 
-double longestM(const LeafSums& sums) {
-    if (sums.cells < 2) return 0.0;
+// From the spread of the points about their mean.
+void measureSpread(RockRegion& region) {
+    const LeafSums& sums = region.sums;
+    if (sums.cells < 3) return;
     const double n = sums.cells;
     const Eigen::Vector3d mean = sums.sumM / n;
     const Eigen::Matrix3d spread = sums.sumM2 / n - mean * mean.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread, Eigen::EigenvaluesOnly);
-    return 4.0 * std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
+    const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt(); // ascending
+    region.longM = kDeviations * deviations[2];
+    const double boxM2 = kDeviations * deviations[1] * region.longM;
+    if (boxM2 <= 0.0) return; // on one line
+    region.depth = deviations[0] / deviations[2];
+    region.fill = sums.areaM2 / boxM2;
 }
 
 // Sums of the leaves of each region; places as in `regions`.
@@ -60,25 +72,28 @@ void addBorders(const RockLeaves& leaves, RockMap& map) {
             RockRegion& region = map.regions[side];
             region.outlineCracks += border.cracks;
             region.near += side == border.a ? border.jumpsA : border.jumpsB;
-            region.weak += border.meanZ() < kWeakZ ? cracks : 0.0;
+            region.edges += static_cast<double>(border.sumE2) * kEvidenceStep;
             region.evidence += std::min(border.meanZ(), kMostZ) * cracks;
         }
     }
     for (RockRegion& region : map.regions) {
         const double cracks = std::max(1.0, static_cast<double>(region.outlineCracks));
         region.near /= cracks;
-        region.weak /= cracks;
-        region.evidence = region.outlineCracks == 0 ? kMostZ : region.evidence / cracks; // nothing that it could be one with
+        const bool alone = region.outlineCracks == 0; // nothing that it could be one with
+        region.edges = alone ? 1.0 : region.edges / cracks;
+        region.evidence = alone ? kMostZ : region.evidence / cracks;
     }
 }
 
 void judge(RockRegion& region, const RockSettings& settings) {
     if (region.sums.cells < static_cast<std::uint32_t>(settings.minimumCells)) return;
-    region.longM = longestM(region.sums);
-    region.score = kPerBulge * region.bulge + kPerNear * region.near - kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) -
-                   kPerWeak * region.weak + kScoreOffset;
+    measureSpread(region);
+    region.score = kPerBulge * region.bulge + kPerNear * region.near - kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) +
+                   kPerEdges * region.edges + kPerDepth * region.depth - kPerFlat * std::max(0.0, kFlat - region.depth) +
+                   kPerFill * region.fill + kScoreOffset;
     region.confidence =
-        1.0 / (1.0 + std::exp(kSureOffset - region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
+        1.0 /
+        (1.0 + std::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
     const double awayM = (region.sums.sumM / static_cast<double>(region.sums.cells)).norm();
     region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
 }

@@ -30,10 +30,12 @@ struct RockRegion {
     std::uint32_t outlineCracks = 0; ///< cracks to other regions
     double bulge = 0.0;              ///< -0.3 .. 0.3: how far it lies before its chords, as a share of them
     double near = 0.0;               ///< 0..1: share of the outline where it is the nearer side of a jump
-    double weak = 0.0;               ///< 0..1: share of the outline whose log odds are below 2
+    double edges = 0.0;              ///< 0..1: how far the outline is covered by edges, mean of e2
+    double depth = 0.0;              ///< 0..1: standard deviation along the shortest principal axis over that along the longest
+    double fill = 0.0;               ///< visible area over that of a box of 4 standard deviations along the two longer axes
     double evidence = 0.0;           ///< E: mean log odds of the outline, each border counted with 6 at most
     double longM = 0.0;              ///< s1: 4 standard deviations along the first principal axis
-    double score = 0.0;              ///< R: over 0 it looks like a rock
+    double score = 0.0;              ///< R: log odds of being a rock and no wall
     double confidence = 0.0;         ///< p, 0..1: chance that its outline is right to IoU 0.5
 };
 

@@ -20,8 +20,8 @@ std::string described(const BorderWhy& why, const RockSettings& settings) {
     if (!why.border) return text + "; they have no border with each other.";
     const RegionBorder& b = *why.border;
     text += ": on " + std::to_string(b.cracks) + " cracks a jump or valley of " + fixedText(b.mean(b.sumE1), 2) + ", an edge of " +
-            fixedText(b.mean(b.sumE2), 2) + " and a valley " + fixedText(30 * b.mean(b.sumValley), 0) + " mm deep give log odds of " +
-            fixedText(b.meanZ(), 2) + ".";
+            fixedText(b.mean(b.sumE2), 2) + " and a valley " + fixedText(30 * b.mean(b.sumValley), 0) + " mm deep near the crack and " +
+            fixedText(125 * b.mean(b.sumWide), 0) + " mm on the whole give log odds of " + fixedText(b.meanZ(), 2) + ".";
     return text;
 }
 

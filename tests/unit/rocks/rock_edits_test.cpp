@@ -162,7 +162,7 @@ TEST(RockWhy, TheLevelThatItNamesJoinsThem) {
     EXPECT_EQ(why.border->a, why.regions[0]);
     EXPECT_NEAR(why.border->meanZ(),
                 7 * why.border->mean(why.border->sumE1) + 9 * why.border->mean(why.border->sumE2) +
-                    2 * why.border->mean(why.border->sumValley) - 10.5,
+                    0.5 * why.border->mean(why.border->sumValley) + 1.5 * why.border->mean(why.border->sumWide) - 9,
                 1e-3);
     ASSERT_TRUE(why.joinedFrom);
     const auto groups = [&](double level) { return groupsAt(*plain().tree, plain().leaves->count(), level); };

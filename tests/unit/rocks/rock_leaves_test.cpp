@@ -6,11 +6,15 @@
 #include "tests/support/rock_scene.h"
 #include "tests/support/scans.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -130,6 +134,28 @@ TEST(RockLeaves, BasinsAreThoseOfTheSlowWay) {
     }
 }
 
+// How deep the crack between (i, j) and the next cell lies under the line through the cells that are up to `lengthM` away on both sides, in
+// the same leaves, mm.
+double slowDepthMm(const RockInputs& inputs, const Grid<std::uint32_t>& leaf, int i, int j, Along along, double lengthM, double most) {
+    const int dy = along == Along::Lines ? 1 : 0;
+    const int dx = 1 - dy;
+    const auto u = [&](int n) { return static_cast<double>(inputs.cracks->smoothed.at(i + n * dy, j + n * dx)); };
+    const double nearest = std::max(u(0), u(1));
+    const AngularSteps& steps = inputs.surface->steps;
+    const double angle = static_cast<double>(dy == 1 ? steps.lineAt(i, j) : steps.beam[static_cast<std::size_t>(j)]);
+    const double reach = std::clamp(std::round(lengthM * nearest / angle), 2.0, most);
+    const auto same = [&](int n, int m) {
+        return leaf.contains(i + n * dy, j + n * dx) && leaf.at(i + n * dy, j + n * dx) == leaf.at(i + m * dy, j + m * dx);
+    };
+    int first = 0;
+    while (-first < reach && same(first - 1, 0)) --first;
+    int last = 1;
+    while (last - 1 < reach && same(last + 1, 1)) ++last;
+    if (first == 0 || last == 1) return 0;
+    const auto chord = [&](int n) { return u(first) + (u(last) - u(first)) * (n - first) / (last - first); };
+    return 1000 * std::max(chord(0) - u(0), chord(1) - u(1)) / (nearest * nearest);
+}
+
 TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
     const RockInputs inputs = rockInputs(*boxes(2));
     const Grid<std::uint32_t> leaf = leafBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
@@ -146,7 +172,12 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
                 const std::uint32_t q = leaf.at(y, x);
                 LeafBorder& border = slow[{std::min(p, q), std::max(p, q)}];
                 const CrackEvidence evidence = measure.at(i, j, along);
-                ASSERT_NEAR(evidence.z, 7 * evidence.e1 + 9 * evidence.e2 + std::clamp(evidence.valleyMm / 15, -4.0, 4.0) - 10.5, 1e-9);
+                ASSERT_NEAR(evidence.valleyMm, slowDepthMm(inputs, leaf, i, j, along, 0.12, 12), 1e-6);
+                ASSERT_NEAR(evidence.wideMm, slowDepthMm(inputs, leaf, i, j, along, 0.5, 40), 1e-6);
+                const double v = std::clamp(evidence.valleyMm / 30, -2.0, 2.0);
+                const double w = std::clamp(evidence.wideMm / 125, -2.0, 2.0);
+                ASSERT_NEAR(evidence.z, 7 * evidence.e1 + 9 * evidence.e2 + 0.5 * v + 1.5 * w - 9, 1e-9);
+                border.sumWide += std::llround(w * 65536);
                 border.sumZ += std::llround(evidence.z * 65536);
                 ++border.cracks;
                 const float jump = (along == Along::Beams ? inputs.cracks->jumpBeams : inputs.cracks->jumpLines).at(i, j);
@@ -160,6 +191,7 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
     for (const LeafBorder& border : borders) {
         const LeafBorder& other = slow.at({border.a, border.b});
         EXPECT_EQ(border.sumZ, other.sumZ);
+        EXPECT_EQ(border.sumWide, other.sumWide);
         EXPECT_EQ(border.cracks, other.cracks);
         EXPECT_EQ(border.jumpsA, other.jumpsA);
         EXPECT_EQ(border.jumpsB, other.jumpsB);
@@ -194,8 +226,111 @@ TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
             leaf.at(i, j) = j < 20 + i % 4 - 1 ? 1 : 2;
         }
     }
-    refineLeaves(inverse, {5, 0.2}, leaf, 2);
+    const Grid<float> none(40, 40);
+    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, leaf, 2);
     EXPECT_EQ(leaf, wanted);
+}
+
+// One pass of the refinement as docs/rocks-method.md says it, from the leaves before it. 0 where a cell may not choose.
+class SlowPass {
+public:
+    SlowPass(const RockInputs& inputs, const Grid<std::uint32_t>& leaf) : in_(inputs), leaf_(leaf), inverse_(inputs.surface->inverse) {}
+
+    [[nodiscard]] bool touches(int i, int j) const {
+        bool other = false;
+        for (int n = 0; n < 9; ++n) {
+            const int y = i + n / 3 - 1;
+            const int x = j + n % 3 - 1;
+            other = other || (leaf_.contains(y, x) && inverse_.support.at(y, x) != Support::Void && leaf_.at(y, x) != leaf_.at(i, j));
+        }
+        return other && inverse_.support.at(i, j) != Support::Void;
+    }
+    [[nodiscard]] std::uint32_t choice(int i, int j) const {
+        std::map<std::uint32_t, double> nearby; // leaves and how much their neighbours count
+        for (int n = 0; n < 9; ++n) {
+            const int y = i + n / 3 - 1;
+            const int x = j + n % 3 - 1;
+            if (leaf_.contains(y, x) && leaf_.at(y, x) != kOpen) nearby[leaf_.at(y, x)] += n == 4 ? 0 : 1 - 0.5 * edge(i, j, y, x);
+        }
+        std::uint32_t best = leaf_.at(i, j);
+        double least = 1e9;
+        for (const auto& [leaf, counted] : nearby) {
+            const double off = deviations(i, j, leaf);
+            const double cost = (off > 30 ? 30 + 0.01 * (off - 30) : off) - 2 * counted;
+            if ((leaf_.at(i, j) == kOpen && off >= 20) || cost >= least) continue;
+            least = cost;
+            best = leaf;
+        }
+        return best;
+    }
+
+private:
+    [[nodiscard]] double edge(int i, int j, int y, int x) const {
+        const DepthCracks& c = *in_.cracks;
+        const auto step = [&](int a, int b, int d, int e) { // of neighbours in a line
+            const bool lines = a != d;
+            const int k = std::min(a, d);
+            const int l = std::min(b, e);
+            const Grid<float>& fold = lines ? c.foldLines : c.foldBeams;
+            const float jump = (lines ? c.jumpLines : c.jumpBeams).at(k, l);
+            return static_cast<double>(std::clamp(std::max({jump, -fold.at(a, b), -fold.at(d, e)}), 0.0F, 1.0F));
+        };
+        if (i == y || j == x) return step(i, j, y, x);
+        return std::min(std::max(step(i, j, i, x), step(i, x, y, x)), std::max(step(i, j, y, j), step(y, j, y, x)));
+    }
+    [[nodiscard]] double deviations(int i, int j, std::uint32_t leaf) const {
+        std::vector<Eigen::Vector3d> rows;
+        std::vector<double> values;
+        for (int y = i - 4; y <= i + 4; ++y) {
+            for (int x = j - 4; x <= j + 4; ++x) {
+                if (!leaf_.contains(y, x) || leaf_.at(y, x) != leaf || touches(y, x)) continue;
+                rows.emplace_back(1, x - j, y - i);
+                values.push_back(static_cast<double>(inverse_.u.at(y, x)));
+            }
+        }
+        if (rows.empty()) return 30;
+        double fit = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+        if (rows.size() >= 6) {
+            Eigen::Matrix3d squares = Eigen::Vector3d(0, 0.5, 0.5).asDiagonal();
+            Eigen::Vector3d right = Eigen::Vector3d::Zero();
+            for (std::size_t n = 0; n < rows.size(); ++n) {
+                squares += rows[n] * rows[n].transpose();
+                right += rows[n] * values[n];
+            }
+            fit = squares.fullPivLu().solve(right)[0];
+        }
+        const double rangeM = 1 / static_cast<double>(inverse_.u.at(i, j));
+        return 1000 * std::abs(1 / std::max(fit, 1e-4) - rangeM) / std::max(in_.responses->noise.at(rangeM), 0.1);
+    }
+
+    const RockInputs& in_;
+    const Grid<std::uint32_t>& leaf_;
+    const InverseRange& inverse_;
+};
+
+TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        const RockInputs inputs = rockInputs(*boxes(seed));
+        Grid<std::uint32_t> leaf = leafBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
+        const std::uint32_t count = *std::max_element(leaf.cells.begin(), leaf.cells.end());
+        Grid<std::uint32_t> slow = leaf;
+        std::vector<std::uint32_t> cells(count + 1);
+        for (const std::uint32_t l : leaf.cells) ++cells[l];
+        for (std::uint32_t& l : slow.cells) l = cells[l] < kSmallestLeaf ? kOpen : l;
+        const Grid<std::uint32_t> before = slow;
+        for (int pass = 0; pass < 4; ++pass) {
+            const Grid<std::uint32_t> from = slow;
+            const SlowPass one(inputs, from);
+            for (int i = 0; i < slow.lines; ++i) {
+                for (int j = 0; j < slow.beams; ++j) {
+                    if (one.touches(i, j)) slow.at(i, j) = one.choice(i, j);
+                }
+            }
+        }
+        refineLeaves(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, leaf, count);
+        EXPECT_EQ(leaf, slow) << "seed " << seed;
+        EXPECT_NE(slow, before) << "seed " << seed;
+    }
 }
 
 TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
@@ -206,7 +341,8 @@ TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
         leaf.at(25, 10 + n) = 3;
         inverse.u.at(25, 10 + n) = 0.4F; // far before the plane
     }
-    refineLeaves(inverse, {5, 0.2}, leaf, 3);
+    const Grid<float> none(leaf.lines, leaf.beams);
+    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, leaf, 3);
     EXPECT_EQ(leaf.at(10, 11), 1U);
     EXPECT_EQ(leaf.at(25, 11), kOpen);
     EXPECT_EQ(std::count(leaf.cells.begin(), leaf.cells.end(), kOpen), 3);

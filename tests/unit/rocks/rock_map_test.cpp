@@ -66,6 +66,26 @@ TEST(RockMap, RocksComeFirstAndTheLargestOfThemFirst) {
     for (std::uint32_t n = 1; n <= map.rocks; ++n) EXPECT_EQ(cells[n], map.regions[n].sums.cells);
 }
 
+TEST(RockMap, WhatIsARockIsSaidByItsSums) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
+        const RockRegion& r = map.regions[n];
+        if (r.kind == RegionKind::Fines) continue;
+        const double tooLong = std::max(0.0, r.longM - 2.5);
+        const double flat = std::max(0.0, 0.05 - r.depth);
+        EXPECT_NEAR(r.score, 22 * r.bulge + 8.4 * r.near + 33 * r.edges + 11.7 * r.depth + 9.3 * r.fill - 1.1 * tooLong - 200 * flat - 37,
+                    1e-9);
+        EXPECT_NEAR(r.confidence, 1 / (1 + std::exp(1.82 - 0.48 * r.evidence - 0.39 * std::clamp(r.score, -6.0, 12.0))), 1e-9);
+        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && (r.sums.sumM / r.sums.cells).norm() < 15);
+        double covered = 0;
+        for (const RegionBorder& border : map.borders)
+            covered += border.a == n || border.b == n ? static_cast<double>(border.sumE2) / 65536 : 0;
+        EXPECT_NEAR(r.edges, r.outlineCracks == 0 ? 1 : covered / r.outlineCracks, 1e-9);
+        EXPECT_TRUE(r.depth >= 0 && r.depth <= 1 && r.fill > 0) << r.depth << " " << r.fill;
+    }
+}
+
 TEST(RockMap, BordersOfRegionsAreThoseOfTheirLeaves) {
     const Found& f = hangup();
     const RockMap map = rocksAt(f.leaves, f.tree, {});
