@@ -4,8 +4,12 @@
 #include "core/base/simd.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstdint>
+#include <type_traits>
+
+#define FOLD_INLINE inline __attribute__((always_inline))
 
 namespace edgescan {
 namespace {
@@ -16,118 +20,101 @@ constexpr float kWanted = 2;            // cells beyond the cell itself, on both
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
 constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (docs/method.md, "Step 5")
 constexpr float kSlopesApart = 1.41F;   // two slopes with the noise of one each
+constexpr float kTangentNoise = kSlopesApart * kNoiseShare * 0.001F;
+constexpr float kLeastCube = 6.0F; // of two cells
 constexpr float kDegPerRad = 57.2957795F;
 
-// With room for whole lanes.
-std::vector<float> lineOf(int beams) { return std::vector<float>(static_cast<std::size_t>(beams + kMostLanes)); }
+// What is known of the cells of a block, so many that all of it stays in the nearest cache.
+constexpr int kBlock = 128;
+using Values = std::array<float, kBlock + kMostLanes>;
 
-using SideSums = FoldWork::SideSums;
-using LineFits = FoldWork::LineFits;
+// Sums over one side of each cell, of differences to the cell: these keep more digits than sums of u.
+struct SideSums {
+    Values cells, sum, weighted;
+};
 
-// A line of the sweep, and the way along which it is looked at.
+// The lines fitted to both sides of each cell.
+struct LineFits {
+    Values before, after; // tangents of the slope away from the scanner; equal where only one side was fitted
+    Values noise;         // square of the standard deviation of the difference of the tangents
+    Values apart, meet;   // distance of the two lines at the cell along the beam over the misfit that counts, as a fraction
+    Values fitted;        // 1 where both sides have enough cells
+};
+
+// Cells of a line of the sweep, and the way along which they are looked at.
 struct Cells {
     const float* u;
-    const float* links;
+    const std::uint8_t* links;
     const float* angle;
     std::ptrdiff_t step;
-    int beams;
 };
 
-// How many cells of a side are within the window; 0 beyond the line.
-EDGESCAN_SIMD void reachOfLine(const Cells& at, float windowM, float* __restrict reach) {
-    const float* u = at.u;
-    const float* angle = at.angle;
-    for (int j = 0; j < at.beams; ++j) {
-        const float cells = windowM * u[j] / angle[j] + 0.5F;
-        reach[j] = std::max(std::min(cells, kMost), kFewest);
+// How many cells of both sides belong to them, whatever the window, 15 at most. A side ends at a break; the cell before a break is left out
+// unless it is the first: the spot of the beam may lie on what is behind, too.
+using Counts = std::array<std::uint8_t, kBlock + kMostLanes>;
+template <class Count>
+FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
+    constexpr auto kSteps = static_cast<int>(kMost);
+    for (int j = 0; j < count; ++j) {
+        const std::uint8_t* link = at.links + j;
+        std::uint8_t goesOn = link[0];
+        std::uint8_t cells = goesOn;
+        goesOn &= link[at.step];
+        for (int n = 2; n <= kSteps; ++n) {
+            goesOn &= link[n * at.step];
+            cells = static_cast<std::uint8_t>(cells + goesOn);
+        }
+        after[j] = cells;
+    }
+    for (int j = 0; j < count; ++j) {
+        const std::uint8_t* link = at.links + j - at.step;
+        std::uint8_t goesOn = link[0];
+        std::uint8_t cells = goesOn;
+        goesOn &= link[-at.step];
+        for (int n = 2; n <= kSteps; ++n) {
+            goesOn &= link[-n * at.step];
+            cells = static_cast<std::uint8_t>(cells + goesOn);
+        }
+        before[j] = cells;
     }
 }
 
+// The sums of one side of some cells, from the farthest to the nearest: what is added up on the way is then the weighted sum.
 template <class Lanes>
 struct LaneSums {
-    Lanes alive = Lanes{} + 1.0F; // 1 until the side ends
-    Lanes cells{}, sum{}, weighted{};
+    Lanes cells, sum{}, weighted{};
+    explicit LaneSums(const float* from) { load(cells, from); }
+
+    FOLD_INLINE void add(const Lanes& here, const float* u, const Lanes& distance) {
+        Lanes there;
+        load(there, u);
+        sum += distance <= cells ? there - here : Lanes{};
+        weighted += sum;
+    }
 };
 
-// A cell before a break is left out unless it is the first of its side: the spot of the beam may lie on what is behind, too.
 template <class Lanes>
-inline __attribute__((always_inline)) void add(LaneSums<Lanes>& side, const Lanes& here, const float* u, const float* link,
-                                               const float* nextLink, float distance, const Lanes& reach) {
-    Lanes there, linked, goesOn;
-    load(there, u);
-    load(linked, link);
-    load(goesOn, nextLink);
-    both(linked, side.alive);
-    side.alive = distance <= reach ? linked : Lanes{};
-    Lanes taken = side.alive;
-    if (distance > 1) both(taken, goesOn);
-    const Lanes difference = taken * (there - here);
-    side.cells += taken;
-    side.sum += difference;
-    side.weighted += distance * difference;
-}
-
-template <class Lanes>
-inline __attribute__((always_inline)) void put(SideSums& side, int beam, const LaneSums<Lanes>& sums) {
-    store(side.cells.data() + beam, sums.cells);
-    store(side.sum.data() + beam, sums.sum);
-    store(side.weighted.data() + beam, sums.weighted);
-}
-
-// Both sides of all cells. A side ends at a break, or where it is long enough.
-template <class Lanes>
-inline __attribute__((always_inline)) void addUpBy(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    for (int j = 0; j < at.beams; j += kLanes<Lanes>) {
-        const float farthest = largest<kLanes<Lanes>>(reach + j);
-        Lanes here, cells;
-        load(here, at.u + j);
-        load(cells, reach + j);
-        LaneSums<Lanes> before, after;
-        std::ptrdiff_t there = at.step;
-        for (float distance = 1; distance <= farthest; ++distance, there += at.step) {
-            add(before, here, at.u + j - there, at.links + j - there, at.links + j - there - at.step, distance, cells);
-            add(after, here, at.u + j + there, at.links + j + there - at.step, at.links + j + there, distance, cells);
-        }
-        put(left, j, before);
-        put(right, j, after);
+FOLD_INLINE void addUpLanes(const Cells& at, int j, SideSums& left, SideSums& right) {
+    Lanes here;
+    load(here, at.u + j);
+    LaneSums<Lanes> before(left.cells.data() + j), after(right.cells.data() + j);
+    const Lanes more = before.cells > after.cells ? before.cells : after.cells;
+    std::array<float, kLanes<Lanes>> most;
+    store(most.data(), more);
+    auto farthest = static_cast<int>(largest<kLanes<Lanes>>(most.data()));
+    Lanes distance = Lanes{} + static_cast<float>(farthest);
+    for (std::ptrdiff_t there = farthest * at.step; farthest > 0; --farthest, there -= at.step, distance -= 1.0F) {
+        before.add(here, at.u + j - there, distance);
+        after.add(here, at.u + j + there, distance);
     }
-}
-
-EDGESCAN_SIMD void addUpBySixteen(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    addUpBy<SixteenLanes>(at, reach, left, right);
-}
-
-void addUp(const Cells& at, const float* reach, SideSums& left, SideSums& right) {
-    if (EDGESCAN_SIMD_WIDE)
-        addUpBySixteen(at, reach, left, right);
-    else
-        addUpBy<FourLanes>(at, reach, left, right);
-}
-
-// Sum of the squares of so many places from their mean, n (n^2 - 1) / 12. With these few it is the same by a product, which takes less.
-constexpr float spreadOf(float count) { return count * (count * count - 1) * (1.0F / 12.0F); }
-constexpr bool isSpreadExact() {
-    for (float count = 1; count <= kMost + 1; ++count) {
-        if (spreadOf(count) != count * (count * count - 1) / 12.0F) return false;
-    }
-    return true;
-}
-static_assert(isSpreadExact());
-
-// Slope of u per step outwards and height of the line over the cell.
-struct SideLine {
-    float slope, height;
-};
-inline __attribute__((always_inline)) SideLine fitted(float cells, float sum, float weighted) {
-    const float count = cells + 1;
-    const float mean = 0.5F * cells;
-    const float spread = std::max(spreadOf(count), 0.5F);
-    const float slope = (weighted - mean * sum) / spread;
-    return {slope, sum / count - mean * slope};
+    store(left.sum.data() + j, before.sum);
+    store(left.weighted.data() + j, before.weighted);
+    store(right.sum.data() + j, after.sum);
+    store(right.weighted.data() + j, after.weighted);
 }
 
 // Angle whose tangent is y / x, y >= 0, degrees. A polynomial (Abramowitz and Stegun 4.4.49): within 0.01 degrees on every machine alike.
-inline __attribute__((always_inline)) float angleDeg(float y, float x) {
+FOLD_INLINE float angleDeg(float y, float x) {
     const float size = std::abs(x);
     const float t = std::min(y, size) / std::max(std::max(y, size), 1e-30F);
     const float t2 = t * t;
@@ -137,91 +124,118 @@ inline __attribute__((always_inline)) float angleDeg(float y, float x) {
     return angle * kDegPerRad;
 }
 
-// The lines through both sides of each cell. Results go to `fits`.
-EDGESCAN_SIMD void fitSides(const Cells& at, const SideSums& left, const SideSums& right, const DepthLimits& limits,
-                            float* __restrict before, float* __restrict after, float* __restrict noise, float* __restrict misfit,
-                            float* __restrict bothSides) {
+// The lines through both sides of each cell along one way. Divisions take longest: two are left, each shared by what needs it.
+template <class Lanes, class Count>
+FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limits, LineFits& fits) {
+    Values scales;
+    SideSums left, right;
+    Counts before, after;
+    countSides(at, count, before, after);
     const float* u = at.u;
     const float* angle = at.angle;
-    const float* leftCells = left.cells.data();
-    const float* leftSum = left.sum.data();
-    const float* leftWeighted = left.weighted.data();
-    const float* rightCells = right.cells.data();
-    const float* rightSum = right.sum.data();
-    const float* rightWeighted = right.weighted.data();
+    const float windowM = limits.windowMm * 0.001F;
+    for (int j = 0; j < count; ++j) {
+        const float scale = 1.0F / (u[j] * angle[j]);
+        const float wanted = windowM * (u[j] * u[j]) * scale + 0.5F;
+        const int reach = static_cast<int>(std::max(std::min(wanted, kMost), kFewest));
+        scales[j] = scale;
+        left.cells[j] = static_cast<float>(std::min<int>(reach, before[j]));
+        right.cells[j] = static_cast<float>(std::min<int>(reach, after[j]));
+    }
+    for (int j = count; j < count + kMostLanes; ++j) left.cells[j] = right.cells[j] = 0; // beyond the last
+    for (int j = 0; j < count; j += kLanes<Lanes>) addUpLanes<Lanes>(at, j, left, right);
     const auto offset = static_cast<float>(limits.noise.offsetMm);
     const auto perMetre = static_cast<float>(limits.noise.perMetreMm);
-    for (int j = 0; j < at.beams; ++j) {
-        const SideLine l = fitted(leftCells[j], leftSum[j], leftWeighted[j]);
-        const SideLine r = fitted(rightCells[j], rightSum[j], rightWeighted[j]);
-        const float scale = 1.0F / (u[j] * angle[j]);
-        const float leftTangent = l.slope * scale;
-        const float rightTangent = -r.slope * scale;
-        before[j] = leftCells[j] > 0 ? leftTangent : rightTangent;
-        after[j] = rightCells[j] > 0 ? rightTangent : leftTangent;
-        const float fewer = std::min(leftCells[j], rightCells[j]);
-        bothSides[j] = fewer >= kWanted ? 1.0F : 0.0F;
-        const float points = std::max(fewer, 1.0F) + 1;
-        const float rangeM = 1.0F / u[j];
-        const float sigmaMm = offset + perMetre * rangeM;
-        noise[j] =
-            kSlopesApart * kNoiseShare * 0.001F * sigmaMm * std::sqrt(12.0F / (points * (points * points - 1))) / (rangeM * angle[j]);
-        const float gap = std::abs(l.height - r.height);
-        misfit[j] = 1000.0F * gap / ((u[j] + l.height) * (u[j] + r.height));
+    const float misfits = 1000.0F / limits.misfitMm;
+    for (int j = 0; j < count; ++j) {
+        // Slopes of u per step outwards, from the sum of the squares of n places from their mean, n (n^2 - 1) / 12, and heights of the
+        // lines over the cell.
+        const float nl = left.cells[j] + 1, nr = right.cells[j] + 1;
+        const float ml = 0.5F * left.cells[j], mr = 0.5F * right.cells[j];
+        const float sl = nl * nl - 1, sr = nr * nr - 1;
+        const float cubeLeft = std::max(nl * sl, kLeastCube), cubeRight = std::max(nr * sr, kLeastCube);
+        const float inverse = 1.0F / (cubeLeft * cubeRight);
+        const float perLeft = inverse * cubeRight, perRight = inverse * cubeLeft;
+        const float slopeLeft = (left.weighted[j] - ml * left.sum[j]) * (12.0F * perLeft);
+        const float slopeRight = (right.weighted[j] - mr * right.sum[j]) * (12.0F * perRight);
+        const float rangeM = scales[j] * angle[j];
+        const float heightLeft = (left.sum[j] * (sl * perLeft) - ml * slopeLeft) * rangeM; // share of u
+        const float heightRight = (right.sum[j] * (sr * perRight) - mr * slopeRight) * rangeM;
+        const float tangentLeft = slopeLeft * scales[j];
+        const float tangentRight = -slopeRight * scales[j];
+        fits.before[j] = left.cells[j] > 0 ? tangentLeft : tangentRight;
+        fits.after[j] = right.cells[j] > 0 ? tangentRight : tangentLeft;
+        fits.fitted[j] = std::min(left.cells[j], right.cells[j]) >= kWanted ? 1.0F : 0.0F;
+        const float sigma = kTangentNoise * (offset + perMetre * rangeM) * (u[j] * u[j]) * scales[j];
+        fits.noise[j] = sigma * sigma * (12.0F * std::max(perLeft, perRight));
+        fits.apart[j] = misfits * rangeM * (heightLeft - heightRight);
+        fits.meet[j] = (1.0F + heightLeft) * (1.0F + heightRight);
     }
 }
 
-EDGESCAN_SIMD void strengthsOf(const LineFits& along, const LineFits& across, const DepthLimits& limits, int beams, float* out) {
-    const float* before = along.before.data();
-    const float* after = along.after.data();
-    const float* noise = along.noise.data();
-    const float* misfit = along.misfit.data();
-    const float* fitted = along.fitted.data();
-    const float* tiltBefore = across.before.data();
-    const float* tiltAfter = across.after.data();
-    const float least = limits.creaseDeg;
-    const float misfitMm = limits.misfitMm;
-    for (int j = 0; j < beams; ++j) {
-        const float a = before[j];
-        const float b = after[j];
-        const float tilt = 0.5F * (tiltBefore[j] + tiltAfter[j]);
+// S_C of the cells along one way; the slope across tilts both planes.
+template <class Count>
+FOLD_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Count count, float least, float* __restrict out) {
+    for (int j = 0; j < count; ++j) {
+        const float a = along.before[j];
+        const float b = along.after[j];
+        const float tilt = 0.5F * (across.before[j] + across.after[j]);
         const float tilted = 1 + tilt * tilt;
         const float fold = angleDeg(std::abs(a - b) * std::sqrt(tilted), a * b + tilted);
-        const float flatter = std::min(a * a, b * b);
-        const float floor = kNoiseFloor * kDegPerRad * noise[j] * std::sqrt(tilted) / (flatter + tilted);
-        // Distance across the surface, not along the beam.
+        // The least angle over `flatter`: C0, or what noise makes of a flat surface.
+        const float flatter = std::min(a * a, b * b) + tilted;
+        const float floor = std::max(least * flatter, kNoiseFloor * kDegPerRad * std::sqrt(along.noise[j] * tilted));
+        // How well the lines meet, by the distance across the surface, not along the beam: the root of meet / (meet + apart).
         const float mean = 0.5F * (a + b);
-        const float apart = misfit[j] / misfitMm;
-        const float meets = 1.0F / std::sqrt(1 + apart * apart / (mean * mean + tilted));
-        const float size = fitted[j] * fold * meets / std::max(least, floor);
+        const float meet = along.meet[j] * along.meet[j] * (mean * mean + tilted);
+        const float all = std::max(meet + along.apart[j] * along.apart[j], 1e-30F);
+        const float size = along.fitted[j] * fold * flatter * std::sqrt(meet * all) / (all * floor);
         out[j] = a < b ? size : -size;
     }
 }
 
-void fitLineOf(const Lines& u, const Lines& links, const AngularSteps& steps, Along along, int line, const DepthLimits& limits,
-               FoldWork& work, LineFits& fits) {
-    const Cells at{u.line(line), links.line(line), anglesOf(steps, along, line, work.angles), stepOf(u, along), u.beams};
-    reachOfLine(at, limits.windowMm * 0.001F, work.reach.data());
-    addUp(at, work.reach.data(), work.left, work.right);
-    fitSides(at, work.left, work.right, limits, fits.before.data(), fits.after.data(), fits.noise.data(), fits.misfit.data(),
-             fits.fitted.data());
+template <class Lanes, class Count>
+FOLD_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count count, const DepthLimits& limits, float* alongBeams,
+                           float* alongLines) {
+    LineFits beams, lines;
+    fitBlock<Lanes>(beamwise, count, limits, beams);
+    fitBlock<Lanes>(linewise, count, limits, lines);
+    strengthsOf(beams, lines, count, limits.creaseDeg, alongBeams);
+    strengthsOf(lines, beams, count, limits.creaseDeg, alongLines);
+}
+
+// A line in blocks, the last one over cells that were worked on before: so no loop ends with single cells.
+template <class Lanes>
+FOLD_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
+                          float* alongLines) {
+    const auto from = [](const Cells& at, int first) { return Cells{at.u + first, at.links + first, at.angle + first, at.step}; };
+    if (beams < kBlock) return foldBlock<Lanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
+    for (int next = 0; next < beams; next += kBlock) {
+        const int first = std::min(next, beams - kBlock);
+        foldBlock<Lanes>(from(beamwise, first), from(linewise, first), std::integral_constant<int, kBlock>(), limits, alongBeams + first,
+                         alongLines + first);
+    }
+}
+
+EDGESCAN_SIMD void foldLineBySixteen(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
+                                     float* alongLines) {
+    foldLine<SixteenLanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
 }
 
 } // namespace
 
-FoldWork::SideSums::SideSums(int beams) : cells(lineOf(beams)), sum(lineOf(beams)), weighted(lineOf(beams)) {}
-
-FoldWork::LineFits::LineFits(int beams)
-    : before(lineOf(beams)), after(lineOf(beams)), noise(lineOf(beams)), misfit(lineOf(beams)), fitted(lineOf(beams)) {}
-
-FoldWork::FoldWork(int beams) : reach(lineOf(beams)), left(beams), right(beams), beamwise(beams), linewise(beams) {}
-
-void foldStrengths(const Lines& u, const Lines& linksAlongBeams, const Lines& linksAlongLines, const AngularSteps& steps, int line,
+void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& linksAlongLines, const AngularSteps& steps, int line,
                    const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths) {
-    fitLineOf(u, linksAlongBeams, steps, Along::Beams, line, limits, work, work.beamwise);
-    fitLineOf(u, linksAlongLines, steps, Along::Lines, line, limits, work, work.linewise);
-    strengthsOf(work.beamwise, work.linewise, limits, u.beams, strengths.alongBeams.next());
-    strengthsOf(work.linewise, work.beamwise, limits, u.beams, strengths.alongLines.next());
+    const Cells beamwise{u.line(line), linksAlongBeams.line(line), anglesOf(steps, Along::Beams, line, work.angles),
+                         stepOf(u, Along::Beams)};
+    const Cells linewise{u.line(line), linksAlongLines.line(line), anglesOf(steps, Along::Lines, line, work.angles),
+                         stepOf(u, Along::Lines)};
+    float* alongBeams = strengths.alongBeams.next();
+    float* alongLines = strengths.alongLines.next();
+    if (EDGESCAN_SIMD_WIDE)
+        foldLineBySixteen(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
+    else
+        foldLine<FourLanes>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
 }
 
 } // namespace edgescan

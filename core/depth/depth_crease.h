@@ -18,32 +18,14 @@ struct FoldStrengths {
 
 /// Memory for the work on a line, used again for every line.
 struct FoldWork {
-    explicit FoldWork(int beams);
-
-    /// Sums over one side of each cell, of differences to the cell: these keep more digits than sums of u.
-    struct SideSums {
-        explicit SideSums(int beams);
-        std::vector<float> cells, sum, weighted;
-    };
-    /// The lines fitted to both sides of each cell.
-    struct LineFits {
-        explicit LineFits(int beams);
-        std::vector<float> before, after; ///< tangents of the slope away from the scanner; equal where only one side was fitted
-        std::vector<float> noise;         ///< standard deviation of the difference of the tangents
-        std::vector<float> misfit;        ///< distance of the two lines at the cell along the beam, mm
-        std::vector<float> fitted;        ///< 1 where both sides have enough cells
-    };
     std::vector<float> angles;
-    std::vector<float> reach; ///< cells of a side that are within the window
-    SideSums left, right;
-    LineFits beamwise, linewise;
 };
 
 /// The next line of `strengths`. Least-squares lines in u through the cell and up to k = clamp(round(window / (r a)), 3, 15) cells on each
 /// side, ending at a break; two cells at least on both. S_C is the dihedral angle of the two planes over the greater of C0 and 4.5 times
 /// its noise; it counts for less where the lines do not meet at the cell. The slope across tilts the planes, because a fold seen at a
 /// grazing angle is not as sharp as it looks within one scan plane.
-void foldStrengths(const Lines& u, const Lines& linksAlongBeams, const Lines& linksAlongLines, const AngularSteps& steps, int line,
+void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& linksAlongLines, const AngularSteps& steps, int line,
                    const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths);
 
 } // namespace edgescan

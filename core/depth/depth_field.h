@@ -13,6 +13,7 @@ namespace edgescan {
 enum class Along : std::uint8_t { Beams, Lines };
 
 using Lines = LineWindow<float>;
+using Links = LineWindow<std::uint8_t>; ///< 1 where a cell and the next one belong to one surface
 
 [[nodiscard]] inline std::ptrdiff_t stepOf(const Lines& lines, Along along) { return along == Along::Beams ? 1 : lines.stride; }
 

@@ -18,12 +18,12 @@ void crackJumps(const DepthField& field, Along along, int line, const float* ang
 
 /// The next line of `links`, stored like the jumps: 1 where a cell and the next one belong to one surface, that is where both are solid
 /// and there is no break between them. Lines between which the stepper slipped are not linked: a plane is bent there.
-void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Lines& links);
+void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Links& links);
 
 /// The next line of `cells`: S_J of the cell, the larger of its two cracks, counting only those of which it is the nearer side.
 void onNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells);
 
 /// The next line of `smooth`: u + (u[-1] + u[+1] - 2u) / 4 where the cell is linked to both neighbours: planes stay planes.
-void smoothSurfaces(const Lines& u, const Lines& links, Along along, int line, Lines& smooth);
+void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, Lines& smooth);
 
 } // namespace edgescan

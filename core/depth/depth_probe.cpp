@@ -112,7 +112,7 @@ private:
     }
 
     void addFold(const SurfaceLines& surface, Along along) {
-        FoldWork work(inputs_.inverse.u.beams);
+        FoldWork work;
         const auto strengthWith = [&](const DepthLimits& limits) {
             FoldStrengths folds{Lines(inputs_.inverse.u.beams, 1, 0.0F, cell_.line), Lines(inputs_.inverse.u.beams, 1, 0.0F, cell_.line)};
             foldStrengths(surface.smoothed(), surface.links(Along::Beams), surface.links(Along::Lines), inputs_.steps, cell_.line, limits,

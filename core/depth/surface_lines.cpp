@@ -34,10 +34,10 @@ SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& step
       crackLine_(from - 1 - kToCracks), measured_(inverse.u.beams, 1, kMarginU, from), solid_(inverse.u.beams, kSurfaceLines, 0.0F, from),
       snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU, from), snapped_(inverse.u.beams, kSurfaceLines, kMarginU, from),
       crackBeams_(inverse.u.beams, 1, 0.0F, from - 1), crackLines_(inverse.u.beams, 2, 0.0F, from - 1),
-      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0.0F, from - 1),
-      linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0.0F, from - 1), jumpBeams_(inverse.u.beams, kAround, 0.0F, from),
-      jumpLines_(inverse.u.beams, kAround, 0.0F, from),
-      work_(inverse.u.beams), folds_{Lines(inverse.u.beams, kAround, 0.0F, from), Lines(inverse.u.beams, kAround, 0.0F, from)} {
+      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0, from - 1),
+      linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0, from - 1), jumpBeams_(inverse.u.beams, kAround, 0.0F, from),
+      jumpLines_(inverse.u.beams, kAround, 0.0F, from), folds_{Lines(inverse.u.beams, kAround, 0.0F, from),
+                                                               Lines(inverse.u.beams, kAround, 0.0F, from)} {
     for (int pass = 0; pass < limits.passes; ++pass)
         passes_.push_back({Lines(inverse.u.beams, 3, kMarginU, from), Lines(inverse.u.beams, kFoldLines, kMarginU, from)});
 }
@@ -81,7 +81,8 @@ void SurfaceLines::snapAlongLines(int line) {
 void SurfaceLines::findCracks(int line) {
     const DepthField field{snapped_, solid_};
     if (!isInside(line)) {
-        for (Lines* lines : {&crackBeams_, &crackLines_, &linkBeams_, &linkLines_}) lines->nextEmpty();
+        for (Lines* lines : {&crackBeams_, &crackLines_}) lines->nextEmpty();
+        for (Links* links : {&linkBeams_, &linkLines_}) links->nextEmpty();
     } else {
         crackJumps(field, Along::Beams, line, anglesOf(steps_, Along::Beams, line, work_.angles), slips_, limits_, crackBeams_);
         crackJumps(field, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), slips_, limits_, crackLines_);

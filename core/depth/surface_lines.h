@@ -34,7 +34,7 @@ public:
     [[nodiscard]] DepthField surface() const { return {snapped_, solid_}; }
     /// u of the newest line of folds and those around it, smoothed, and where neighbours are linked.
     [[nodiscard]] const Lines& smoothed() const { return passes_.back().lines; }
-    [[nodiscard]] const Lines& links(Along along) const { return along == Along::Beams ? linkBeams_ : linkLines_; }
+    [[nodiscard]] const Links& links(Along along) const { return along == Along::Beams ? linkBeams_ : linkLines_; }
 
     /// The newest line there is; negative before the first.
     [[nodiscard]] int jumpLine() const { return crackLine_; }
@@ -61,7 +61,7 @@ private:
     Lines snappedOnce_; // u, mixed pixels snapped along the beams ...
     Lines snapped_;     // ... and along the lines
     Lines crackBeams_, crackLines_;
-    Lines linkBeams_, linkLines_;
+    Links linkBeams_, linkLines_;
     Lines jumpBeams_, jumpLines_;
     struct Pass {
         Lines beams, lines; // u, smoothed along both

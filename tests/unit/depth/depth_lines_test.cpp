@@ -41,7 +41,8 @@ bool sameBits(const float* a, const float* b, int count) { return std::memcmp(a,
 Lines wholeSweep(const Grid<float>& values, float margin, int firstLine = 0) {
     return {values.beams, values.lines + 4 * Lines::kMargin, margin, firstLine};
 }
-void addMargin(Lines& lines) {
+template <class Window>
+void addMargin(Window& lines) {
     for (int i = 0; i < 2 * Lines::kMargin; ++i) lines.nextEmpty();
 }
 Lines wholeSweepOf(const Grid<float>& values, float margin) {
@@ -183,11 +184,12 @@ struct WholeSweep {
             const Lines from = u;
             for (int i = 0; i < lines; ++i) snapMixedPixels({from, solid}, along, i, anglesOf(steps, along, i, room), limits, u);
         }
-        std::array<Lines, 2> links{wholeSweep(inverse.u, 0.0F, -1), wholeSweep(inverse.u, 0.0F, -1)};
+        const Links none(beams, lines + 4 * Lines::kMargin, 0, -1);
+        std::array<Links, 2> links{none, none};
         for (const Along along : {Along::Beams, Along::Lines}) {
             Lines cracks = wholeSweep(inverse.u, 0.0F, -1);
             Lines cells = wholeSweep(inverse.u, 0.0F);
-            Lines& link = links[static_cast<std::size_t>(along)];
+            Links& link = links[static_cast<std::size_t>(along)];
             cracks.nextEmpty();
             for (int i = 0; i < lines; ++i) crackJumps({u, solid}, along, i, anglesOf(steps, along, i, room), slips, limits, cracks);
             cracks.nextEmpty();
@@ -205,7 +207,7 @@ struct WholeSweep {
                 u = smooth;
             }
         }
-        FoldWork work(beams);
+        FoldWork work;
         FoldStrengths folds{wholeSweep(inverse.u, 0.0F), wholeSweep(inverse.u, 0.0F)};
         for (int i = 0; i < lines; ++i) {
             foldStrengths(u, links[0], links[1], steps, i, limits, work, folds);
