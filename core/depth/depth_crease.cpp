@@ -14,8 +14,6 @@ constexpr float kFewest = 3;
 constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is looked at
 constexpr float kWanted = 2;            // cells beyond the cell itself, on both sides
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
-constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (docs/method.md, "Step 5")
-constexpr float kSlopesApart = 1.41F;   // two slopes with the noise of one each
 constexpr float kDegPerRad = 57.2957795F;
 
 // With room for whole lanes.
@@ -149,8 +147,9 @@ EDGESCAN_SIMD void fitSides(const Cells& at, const SideSums& left, const SideSum
     const float* rightCells = right.cells.data();
     const float* rightSum = right.sum.data();
     const float* rightWeighted = right.weighted.data();
-    const auto offset = static_cast<float>(limits.noise.offsetMm);
-    const auto perMetre = static_cast<float>(limits.noise.perMetreMm);
+    const auto offset = static_cast<float>(limits.foldNoise.offsetMm);
+    const auto perMetre = static_cast<float>(limits.foldNoise.perMetreMm);
+    const auto perSquareMetre = static_cast<float>(limits.foldNoise.perSquareMetreMm);
     for (int j = 0; j < at.beams; ++j) {
         const SideLine l = fitted(leftCells[j], leftSum[j], leftWeighted[j]);
         const SideLine r = fitted(rightCells[j], rightSum[j], rightWeighted[j]);
@@ -163,9 +162,8 @@ EDGESCAN_SIMD void fitSides(const Cells& at, const SideSums& left, const SideSum
         bothSides[j] = fewer >= kWanted ? 1.0F : 0.0F;
         const float points = std::max(fewer, 1.0F) + 1;
         const float rangeM = 1.0F / u[j];
-        const float sigmaMm = offset + perMetre * rangeM;
-        noise[j] =
-            kSlopesApart * kNoiseShare * 0.001F * sigmaMm * std::sqrt(12.0F / (points * (points * points - 1))) / (rangeM * angle[j]);
+        const float sigmaMm = offset + perMetre * rangeM + perSquareMetre * rangeM * rangeM;
+        noise[j] = kFoldOfWhite * 0.001F * sigmaMm * std::sqrt(12.0F / (points * (points * points - 1))) / (rangeM * angle[j]);
         const float gap = std::abs(l.height - r.height);
         misfit[j] = 1000.0F * gap / ((u[j] + l.height) * (u[j] + r.height));
     }
