@@ -18,9 +18,7 @@ constexpr float kFewest = 3;
 constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is looked at
 constexpr float kWanted = 2;            // cells beyond the cell itself, on both sides
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
-constexpr float kNoiseShare = 0.55F;    // of the range noise that is left after smoothing (docs/method.md, "Step 5")
-constexpr float kSlopesApart = 1.41F;   // two slopes with the noise of one each
-constexpr float kTangentNoise = kSlopesApart * kNoiseShare * 0.001F;
+constexpr float kTangentNoise = kFoldOfWhite * 0.001F;
 constexpr float kLeastCube = 6.0F; // of two cells
 constexpr float kDegPerRad = 57.2957795F;
 
@@ -144,8 +142,9 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
     }
     for (int j = count; j < count + kMostLanes; ++j) left.cells[j] = right.cells[j] = 0; // beyond the last
     for (int j = 0; j < count; j += kLanes<Lanes>) addUpLanes<Lanes>(at, j, left, right);
-    const auto offset = static_cast<float>(limits.noise.offsetMm);
-    const auto perMetre = static_cast<float>(limits.noise.perMetreMm);
+    const auto offset = static_cast<float>(limits.foldNoise.offsetMm);
+    const auto perMetre = static_cast<float>(limits.foldNoise.perMetreMm);
+    const auto perSquareMetre = static_cast<float>(limits.foldNoise.perSquareMetreMm);
     const float misfits = 1000.0F / limits.misfitMm;
     for (int j = 0; j < count; ++j) {
         // Slopes of u per step outwards, from the sum of the squares of n places from their mean, n (n^2 - 1) / 12, and heights of the
@@ -166,7 +165,7 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
         fits.before[j] = left.cells[j] > 0 ? tangentLeft : tangentRight;
         fits.after[j] = right.cells[j] > 0 ? tangentRight : tangentLeft;
         fits.fitted[j] = std::min(left.cells[j], right.cells[j]) >= kWanted ? 1.0F : 0.0F;
-        const float sigma = kTangentNoise * (offset + perMetre * rangeM) * (u[j] * u[j]) * scales[j];
+        const float sigma = kTangentNoise * (offset + (perMetre + perSquareMetre * rangeM) * rangeM) * (u[j] * u[j]) * scales[j];
         fits.noise[j] = sigma * sigma * (12.0F * std::max(perLeft, perRight));
         fits.apart[j] = misfits * rangeM * (heightLeft - heightRight);
         fits.meet[j] = (1.0F + heightLeft) * (1.0F + heightRight);

@@ -10,6 +10,10 @@ namespace edgescan {
 /// foldStrengths() looks at so many lines before and after its own.
 inline constexpr int kFoldLooks = Lines::kMargin;
 
+/// What white noise of standard deviation 1 makes of the difference of two sides, in units of 1 / sqrt(sum of squared distances from the
+/// middle of a side): two slopes, and the share of the noise that is left after smoothing.
+inline constexpr float kFoldOfWhite = 1.41F * 0.55F;
+
 /// S_C per cell, both ways. Positive: convex; negative: concave.
 struct FoldStrengths {
     Lines alongBeams;

@@ -24,6 +24,7 @@ constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 6.0;
 constexpr double kReliefMm = 5.0;
 constexpr double kWindowMm = 50.0;
+constexpr double kMemoryWindowMm = 50.0;   // of folds where neighbours err alike: narrower ones follow the steps of the depth
 constexpr double kNoisy = 1.5;             // x nominal
 constexpr double kLeastNoise = 0.2;        // x nominal
 constexpr double kRelief = 0.7;            // x nominal: relief and the width of the beam blur as much, however good the ranges are ...
@@ -31,9 +32,10 @@ constexpr double kJumpSpacings = 2.0;      // ... but where points lie close tog
 constexpr float kInterlacedGrazing = 0.5F; // index steps by which interlaced beams are still out of place after straightening
 
 // q of step 6: the noise over that of an LMS511, by which the thresholds in millimetres grow and shrink.
-double noiseShare(const RangeNoise& noise, double spacingMm) {
+double noiseShare(const RangeNoise& noise, double spacingMm, double rangeM = 5.0) {
     const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
-    return std::clamp(noise.at(5.0) / kNominalNoiseMm, least, 10.0);
+    const double nominal = rangeM == 5.0 ? kNominalNoiseMm : kNominalNoiseMm * (kOffsetShare + kPerMetreShare * rangeM);
+    return std::clamp(noise.at(rangeM) / nominal, least, 10.0);
 }
 
 // Both ways of one line.
@@ -138,10 +140,13 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 } // namespace
 
-DepthSurface depthSurface(const Scan& scan, bool straightened, int threads) {
-    DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0};
+DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
+    DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0, {}, {}};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     surface.noise = rangeNoise(surface.inverse);
+    surface.scales = noiseScales(surface.inverse);
+    if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
+        surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
     flattenSpikes(surface.inverse, surface.noise);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
     return surface;
@@ -160,13 +165,23 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
     DepthLimits limits;
     const double typed = settings.noiseAt5mMm;
     limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
-    const double q = noiseShare(limits.noise, surface.spacingMm);
+    limits.foldNoise = limits.noise;
+    double q = noiseShare(limits.noise, surface.spacingMm);
+    // A jump is told by the cells beside it, so its noise is that of neighbours; at the scan's own range, since the square of the range
+    // says nothing about 5 m where everything lies within one.
+    const bool remembered = typed < 0 && surface.memory.windowMm > 0;
+    if (remembered) {
+        limits.noise = surface.memory.range;
+        limits.foldNoise = surface.memory.fold;
+        q = noiseShare({surface.scales.sigmaMm.front(), 0, 0}, surface.spacingMm, surface.scales.rangeM);
+    }
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
     limits.growth = static_cast<float>(settings.jumpGrowth);
     limits.grazing = static_cast<float>(settings.grazing);
     limits.misfitMm = static_cast<float>(kMisfitMm * q);
     limits.reliefMm = static_cast<float>(kReliefMm * q);
     limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
+    if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;
     limits.passes = limits.noisy ? 2 : 1;
@@ -183,6 +198,9 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
                           grid(),
                           limits.noise,
                           static_cast<double>(limits.jumpMm),
+                          surface.scales,
+                          limits.foldNoise,
+                          surface.memory.windowMm > 0 ? surface.memory.cells : 1.0,
                           borderCells(support),
                           silhouetteCells(surface.inverse, surface.steps, limits)};
     inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {

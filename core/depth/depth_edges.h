@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/depth/depth_field.h"
+#include "core/depth/noise_memory.h"
 #include "core/gaps/gap_filling.h"
 #include "core/scan/inverse_range.h"
+#include "core/settings/settings.h"
 #include "core/straighten/interlace.h"
 
 namespace edgescan {
@@ -18,7 +20,8 @@ struct DepthEdgeSettings {
     int minimumLength = 5;      ///< cells
     double grazing = 0.1;       ///< g: index steps that a grazing surface may be out of place
     double noiseAt5mMm = -1.0;  ///< sigma at 5 m; below 0: measured
-    bool straighten = true;     ///< interlaced beams and slipped lines are measured and taken into account
+    NoiseKind noiseKind = NoiseKind::Measured;
+    bool straighten = true; ///< interlaced beams and slipped lines are measured and taken into account
     bool jumps = true;
     bool convex = true;
     bool concave = true;
@@ -37,6 +40,9 @@ struct DepthResponses {
     Grid<float> crease;                     ///< lines x beams; positive: convex, negative: concave
     RangeNoise noise;                       ///< measured or typed
     double jumpMm = 0;                      ///< J0, automatic or typed
+    NoiseScales scales;                     ///< of the noise as measured
+    RangeNoise foldNoise;                   ///< what folds are compared with: `noise` where it is white
+    double cellsAlike = 1;                  ///< that err alike; 1: white
     std::vector<std::uint32_t> border;      ///< measured cells beside a void of more than 4 cells, ascending
     std::vector<std::uint32_t> silhouettes; ///< of these, the near sides of an outline (core/depth/silhouettes.h), ascending
 };
@@ -47,15 +53,17 @@ struct DepthEdges {
     RangeNoise noise;        ///< measured or typed
 };
 
-/// Steps 1 and 6: the sweep cleaned, and its noise. Of all the sliders only `straighten` changes it.
+/// Steps 1 and 6: the sweep cleaned, and its noise. Of all the sliders only `straighten` and `noiseKind` change it.
 struct DepthSurface {
     InverseRange inverse;
     SweepSlips slips;
     AngularSteps steps;
     RangeNoise noise;
     double spacingMm = 0;
+    NoiseScales scales;
+    MemoryNoise memory; ///< what the noise is where its cells err alike; nothing where nobody needs it
 };
-[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0);
+[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0, NoiseKind noise = NoiseKind::Measured);
 
 /// The same with filled gaps: noise, slips and echoes of dust are those of what was measured, then filled cells become Support::Wanted.
 /// Null: the surface as it is.

@@ -36,6 +36,7 @@ struct DepthLimits {
     bool noisy = false;   ///< lines at jumps run through three cells instead of two
     int passes = 1;       ///< of smoothing
     RangeNoise noise;
+    RangeNoise foldNoise; ///< the white noise that folds surfaces as much as the scan's does within the window
 
     [[nodiscard]] float jumpAt(float rangeMm) const { return jumpMm + growth * rangeMm; }
 };

@@ -35,7 +35,7 @@ DepthLimits bare(DepthLimits limits) {
     limits.grazing = 0;
     limits.reliefMm = 0;
     limits.creaseDeg = 1;
-    limits.noise = {};
+    limits.foldNoise = {};
     limits.misfitMm = std::numeric_limits<float>::infinity();
     return limits;
 }
@@ -125,7 +125,7 @@ private:
         if (fold == 0) return;
         DepthLimits noise = one;
         noise.creaseDeg = kTinyDeg;
-        noise.noise = inputs_.limits.noise;
+        noise.foldNoise = inputs_.limits.foldNoise;
         DepthLimits misfit = one;
         misfit.misfitMm = inputs_.limits.misfitMm;
         probe.folds.push_back({along, std::abs(fold), fold > 0, fold / strengthWith(noise), strengthWith(misfit) / fold,
@@ -168,7 +168,7 @@ private:
 } // namespace
 
 DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam, const GapFilling* filling) {
-    const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten), filling);
+    const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten, 0, settings.noiseKind), filling);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});
     SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLooksBack - 2));

@@ -19,6 +19,7 @@ DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     depth.grazing = settings.grazing;
     depth.straighten = settings.straighten;
     if (!std::isnan(settings.noiseMm)) depth.noiseAt5mMm = settings.noiseMm;
+    depth.noiseKind = settings.noiseKind;
     depth.jumps = (classes & kClassJump) != 0;
     depth.convex = (classes & kClassConvex) != 0;
     depth.concave = (classes & kClassConcave) != 0;

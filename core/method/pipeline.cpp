@@ -66,8 +66,8 @@ void Pipeline::runStages(Detection& d) {
     if (!reads(settings.method, kReadsSurface)) return;
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
     const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
-    d.surface =
-        upToDate(surface_, Stage::Surface, "surface", d, [&] { return withFilledGaps(depthSurface(*d.scan, depth.straighten), wanted); });
+    d.surface = upToDate(surface_, Stage::Surface, "surface", d,
+                         [&] { return withFilledGaps(depthSurface(*d.scan, depth.straighten, 0, depth.noiseKind), wanted); });
     d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
         const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
         DepthResponses responses = depthResponses(*d.surface, depth, cracks.get());

@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/repeat/point_index.h"
+#include "core/repeat/surfaces_apart.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -116,8 +117,8 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
             return Error{"only " + std::to_string(pairs.rows.size()) + " points of the two scans lie close enough to each other", "",
                          "give poses that bring them together, or a larger reach"};
         result.pairs = pairs.rows.size();
-        result.residualM = medianOff(pairs);
-        if (round == 0) result.residualBeforeM = result.residualM;
+        const auto apart = [&] { return surfacesApartM(fixed, now, reachM).value_or(medianOff(pairs)); };
+        if (round == 0) result.residualBeforeM = apart();
         const auto move = step(pairs, sceneM);
         if (!move)
             return Error{"the surfaces that both scans see do not hold the one against the other in every direction", "",
@@ -127,7 +128,10 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
         const Eigen::Matrix3d rotation =
             turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() : Eigen::Matrix3d::Identity();
         result.correction = RigidTransform{rotation, middle - rotation * middle + move->tail<3>()} * result.correction;
-        if (round + 1 >= kMostRounds || turn.norm() * sceneM + move->tail<3>().norm() < kStillM) return result;
+        if (round + 1 >= kMostRounds || turn.norm() * sceneM + move->tail<3>().norm() < kStillM) {
+            result.residualM = apart();
+            return result;
+        }
     }
 }
 

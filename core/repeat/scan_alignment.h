@@ -8,7 +8,7 @@ namespace edgescan {
 
 struct ScanAlignment {
     RigidTransform correction;                     ///< to be applied to the points of `moved` in the common frame
-    double residualBeforeM = 0.0, residualM = 0.0; ///< median distance of a point of `moved` to the plane of its neighbours in `fixed`
+    double residualBeforeM = 0.0, residualM = 0.0; ///< surfacesApartM() of `moved` from `fixed`: noise of both, no less
     std::size_t pairs = 0;                         ///< points that have a neighbour within reach
 };
 

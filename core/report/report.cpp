@@ -77,6 +77,26 @@ json poseReport(const Scan& scan) {
 /// What became of the points of a file that held a list of them.
 json pointsReport(const Scan& scan) { return {{"in_file", scan.pointsRead}, {"without_cell", scan.pointsLeftOut}}; }
 
+// The noise by scale, and what is held against folds.
+json noiseReport(const DepthResponses& responses) {
+    const NoiseScales& scales = responses.scales;
+    json byLag = json::object();
+    for (std::size_t n = 0; n < kNoiseLags.size(); ++n) byLag[std::to_string(kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
+    return {{"kind", responses.cellsAlike > 1 ? "neighbours_alike"
+                     : scales.inSteps         ? "in_steps"
+                                              : "white"},
+            {"at_m", tidy(scales.rangeM, 1000)},
+            {"mm", tidy(responses.noise.at(scales.rangeM), 1000)},
+            {"mm_by_lag_in_cells", byLag},
+            {"nil_differences", tidy(scales.nilShare, 1000)},
+            {"mm_for_folds", tidy(responses.foldNoise.at(scales.rangeM), 1000)},
+            {"cells_alike", tidy(responses.cellsAlike, 10)},
+            {"law_mm",
+             {{"at_0_m", tidy(responses.noise.offsetMm, 1000)},
+              {"per_m", tidy(responses.noise.perMetreMm, 1000)},
+              {"per_m2", tidy(responses.noise.perSquareMetreMm, 1000)}}}};
+}
+
 } // namespace
 
 nlohmann::ordered_json cellsReport(const Scan& scan) {
@@ -138,6 +158,7 @@ nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
                 {"edges", detection.edges->size()},
                 {"classes", classesReport(detection)},
                 {"noise_mm_at_5_m", detection.responses ? json(tidy(detection.responses->noise.at(5.0), 1000)) : json()},
+                {"noise", detection.responses ? noiseReport(*detection.responses) : json()},
                 {"jump_mm", detection.responses ? json(tidy(detection.responses->jumpMm, 1000)) : json()},
                 {"edge_mask_sha256", maskSha256(*detection.mask)},
                 {"frame", scan.placement ? "mine grid" : "scanner"},

@@ -12,7 +12,8 @@ RockInputs rockInputs(const Detection& detection) {
     Settings settings = detection.settings;
     if (!reads(settings.method, kReadsSurface)) settings.method = Method::EdgeScanPlus;
     const DepthEdgeSettings depth = depthEdgeSettings(settings);
-    if (!inputs.surface) inputs.surface = std::make_shared<const DepthSurface>(depthSurface(*inputs.scan, depth.straighten));
+    if (!inputs.surface)
+        inputs.surface = std::make_shared<const DepthSurface>(depthSurface(*inputs.scan, depth.straighten, 0, depth.noiseKind));
     auto cracks = std::make_shared<DepthCracks>();
     inputs.responses = std::make_shared<const DepthResponses>(depthResponses(*inputs.surface, depth, cracks.get()));
     inputs.cracks = std::move(cracks);

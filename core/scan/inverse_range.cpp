@@ -190,7 +190,7 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     if (weight == 0) return {};
     const double spread = weight * sumXX - sumX * sumX;
     const double slope = spread > 1e-9 * weight * weight ? std::max(0.0, (weight * sumXY - sumX * sumY) / spread) : 0.0;
-    return {std::max(0.0, (sumY - slope * sumX) / weight), slope};
+    return {std::max(0.0, (sumY - slope * sumX) / weight), slope, 0};
 }
 
 double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {

@@ -38,12 +38,13 @@ struct AngularSteps {
 /// For an organised cloud the steps are the angles between neighbouring points as seen from the sensor, their median where missing.
 [[nodiscard]] AngularSteps angularSteps(const Scan& scan);
 
-/// Range noise sigma(r) = offsetMm + perMetreMm * r[m], from the 40 % quantile of |second differences of u| along the lines in range
-/// bins (docs/method.md, "Step 6"). Zero where there is too little to tell.
+/// Range noise sigma(r) = offsetMm + perMetreMm * r[m] + perSquareMetreMm * r^2; rangeNoise() has no square, from the 40 % quantile of
+/// |second differences of u| along the lines in range bins (docs/method.md, "Step 6"). Zero where there is too little to tell.
 struct RangeNoise {
     double offsetMm = 0.0;
     double perMetreMm = 0.0;
-    [[nodiscard]] double at(double rangeM) const { return offsetMm + perMetreMm * rangeM; }
+    double perSquareMetreMm = 0.0; ///< depth from a disparity
+    [[nodiscard]] double at(double rangeM) const { return offsetMm + perMetreMm * rangeM + perSquareMetreMm * rangeM * rangeM; }
 };
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
 

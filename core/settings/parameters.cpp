@@ -28,6 +28,9 @@ const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
+const std::vector<Choice> kNoiseKinds{
+    {0, "measured", "as measured"}, {1, "laser", "laser: each cell for itself"}, {2, "camera", "depth camera: neighbours alike"}};
+
 constexpr bool kAdvanced = true;
 constexpr bool kSeveral = true;
 
@@ -93,6 +96,8 @@ const std::vector<Parameter>& table() {
          0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), surface, Stage::Surface},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 30, 0.25, 2, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), surface, Stage::Responses},
+        {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
+         0, 2, 2, 1, 0, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, EDGESCAN_MEMBER(noiseKind), surface, Stage::Surface},
         {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
          0, 20, 20, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(fillCells), always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that nobody measured.",

@@ -28,7 +28,7 @@ struct DefaultSet {
     const char* name;
     int version;
 };
-inline constexpr DefaultSet kDefaultSet{"default", 2};
+inline constexpr DefaultSet kDefaultSet{"default", 3};
 
 /// Keys of the parameters that differ from the default settings and that the method of `settings` reads, in the table's order.
 [[nodiscard]] std::vector<std::string> changedFromDefault(const Settings& settings);

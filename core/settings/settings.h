@@ -54,6 +54,13 @@ enum EdgeClassBits : std::uint8_t {
     kClassRock = kClassJump | kClassConvex | kClassConcave | kClassSilhouette,
 };
 
+/// What is taken for granted about the noise of the ranges.
+enum class NoiseKind : int {
+    Measured, ///< told by the scan
+    Laser,    ///< each cell errs for itself
+    Camera,   ///< neighbours err alike: depth in steps that span cells
+};
+
 struct Settings {
     Method method = Method::EdgeScanPlus;
 
@@ -68,6 +75,7 @@ struct Settings {
     double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
     bool straighten = true;          ///< take interlaced beams and slipped lines into account
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
+    NoiseKind noiseKind = NoiseKind::Measured;
 
     // Gaps (docs/method.md, "Gaps")
     int fillCells = 0;      ///< shorter side of the gaps that are filled, cells; 0: none is

@@ -6,7 +6,7 @@
 namespace edgescan::test {
 
 inline DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
-    return edgescan::depthResponses(depthSurface(scan, settings.straighten), settings);
+    return edgescan::depthResponses(depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
 }
 
 inline DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings) {

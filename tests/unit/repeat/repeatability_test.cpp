@@ -119,6 +119,30 @@ TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
     EXPECT_LT((left * Eigen::Vector3d(0, 0, 5) - Eigen::Vector3d(0, 0, 5)).norm(), 0.005); // where the rocks are
 }
 
+TEST(Repeat, SurfacesLieAsFarApartAsTheirNoise) {
+    // Dense scans: the nearest points in space are those with the same noise, and would tell far less than it.
+    for (const double noise : {0.5, 1.0, 2.0}) {
+        std::array<PlacedScan, 2> scans;
+        for (int n = 0; n < 2; ++n) {
+            SimulationSettings settings;
+            settings.lines = 400;
+            settings.beams = 460;
+            settings.seed = 9;
+            settings.repeat = n;
+            settings.noise = noise;
+            auto simulation = simulate(settings);
+            ASSERT_TRUE(simulation);
+            scans[static_cast<std::size_t>(n)] = placedBy(std::make_shared<const Scan>(std::move(simulation->scan)), {});
+        }
+        const auto aligned = alignScans(scans[0], scans[1], 0.5);
+        ASSERT_TRUE(aligned) << aligned.error().sentence();
+        // Median of |N(0, sigma)| is 0.67 sigma; a slanted surface shows less of it.
+        const double sigmaM = 0.001 * noise * 7;
+        EXPECT_GT(aligned->residualM, 0.35 * sigmaM) << noise;
+        EXPECT_LT(aligned->residualM, 1.5 * 0.67 * sigmaM) << noise;
+    }
+}
+
 TEST(Repeat, AWallHoldsNothingAlongItself) {
     SimulationSettings settings;
     settings.lines = 80;

@@ -128,12 +128,12 @@ TEST(Presets, AFileComesBackAsItWas) {
 
 // Records name the default settings by their version: whoever changes a default raises kDefaultSet.version and writes the new ones here.
 TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
-    EXPECT_EQ(kDefaultSet.version, 2);
+    EXPECT_EQ(kDefaultSet.version, 3);
     EXPECT_EQ(
         settingsToJson(Settings{}).dump(),
         R"({"aperture":3,"classes":"jump,convex,concave,silhouette","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
         R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":5,"near":"auto",)"
-        R"("noise":"auto","norm":"l1","ratio":3,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
+        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
     EXPECT_TRUE(changedFromDefault(Settings{}).empty());
     // Of a parameter that the method does not read nobody need hear.
