@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Kind kind() const { return kind_; }
 
 private:
+    void paintKind();
+
     Kind kind_ = Kind::Done;
     QLabel* sign_;
     QLabel* text_;

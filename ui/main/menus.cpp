@@ -12,6 +12,7 @@
 #include "ui/live/timeline.h"
 #include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
+#include "ui/main/theme_menu.h"
 #include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
@@ -178,7 +179,7 @@ Command viewMenu(MainWindow& w, Memory& memory) {
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
          command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory),
-         languageMenu(w, memory), kLine});
+         themeMenu(w, memory), languageMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
          command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});

@@ -19,12 +19,8 @@ int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits stand in the order 
 
 } // namespace
 
-EdgeLegend::EdgeLegend(QWidget* parent) : QFrame(parent) {
+EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     setObjectName("edge-legend");
-    // The plate of the views, the same in every theme: 13.8 to the words on it.
-    setStyleSheet("#edge-legend { background: #1b1d1f; border: 1px solid #63686e; border-radius: 4px; }"
-                  "#edge-legend QCheckBox, #edge-legend QLabel { color: #e8e8e8; background: transparent; }"
-                  "#edge-legend QCheckBox:disabled { color: #b3b8be; }");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 6, 8, 6);

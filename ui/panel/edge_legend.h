@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/method/detection.h"
+#include "ui/base/view_plate.h"
 #include "ui/cloud/edge_cells.h"
-
-#include <QFrame>
 
 #include <array>
 
@@ -15,7 +14,7 @@ class QLabel;
 namespace edgescan::ui {
 
 /// GUI thread only. Shows what it is told and says what the operator wants.
-class EdgeLegend : public QFrame {
+class EdgeLegend : public ViewPlate {
     Q_OBJECT
 public:
     explicit EdgeLegend(QWidget* parent = nullptr);
