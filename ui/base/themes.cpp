@@ -2,6 +2,7 @@
 #include "ui/base/themes.h"
 
 #include <QApplication>
+#include <QWidget>
 
 #include <algorithm>
 #include <vector>
