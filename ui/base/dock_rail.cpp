@@ -84,10 +84,15 @@ void DockRail::add(QDockWidget* dock) {
     follow();
 }
 
+void DockRail::setLocked(bool on) {
+    locked_ = on;
+    showFolded();
+}
+
 void DockRail::showFolded() {
     bool any = false;
     for (const QDockWidget* dock : docks_) any = any || dock->isHidden();
-    setVisible(any);
+    setVisible(any && !locked_);
 }
 
 } // namespace edgescan::ui

@@ -182,7 +182,7 @@ Command viewMenu(MainWindow& w, Memory& memory) {
          themeMenu(w, memory), languageMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
-         command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
+         cabCommand(w, memory), command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
     return menu;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/main/theme_menu.h"
 
 #include "ui/base/themes.h"
+#include "ui/main/cab_mode.h"
 #include "ui/main/main_window.h"
 #include "ui/session/memory.h"
 
@@ -28,6 +29,25 @@ Command themeMenu(MainWindow& window, Memory& memory) {
         }));
     }
     return menu;
+}
+
+Command cabCommand(MainWindow& window, Memory& memory) {
+    constexpr const char* kKey = "view/cab";
+    CabMode& cab = window.cab();
+    const auto use = [&cab, &memory](bool on) {
+        cab.set(on);
+        memory.keep(kKey, on);
+    };
+    QObject::connect(&cab, &CabMode::leaveWanted, &window, [use] { use(false); });
+    return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
+        action.setObjectName("cab-mode");
+        const auto follow = [&action](bool on) {
+            action.setChecked(on);
+            action.setEnabled(!on); // it is left by holding Locked
+        };
+        follow(cab.on());
+        QObject::connect(&cab, &CabMode::changed, &action, follow);
+    });
 }
 
 } // namespace edgescan::ui

@@ -1,0 +1,39 @@
+// What of the window's layout gives way in cab mode.
+#include "ui/base/dock_rail.h"
+#include "ui/base/pane.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/main/cab_mode.h"
+#include "ui/main/main_window.h"
+#include "ui/main/tool_bar.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+namespace edgescan::ui {
+
+void MainWindow::useCab(bool on) {
+    if (on) beforeCab_ = saveState();
+    tools_->setVisible(!on);
+    showAlone(on ? cloud_ : nullptr);
+    if (!on) restoreState(beforeCab_);
+}
+
+/// None is there while it is locked: its switches rest, and nothing else opens one.
+void MainWindow::lockDocks(bool on) {
+    setProperty("docksLocked", on);
+    for (auto* dock : findChildren<QDockWidget*>()) {
+        dock->toggleViewAction()->setEnabled(!on);
+        if (on) dock->hide();
+    }
+    rail_->setLocked(on);
+    if (!on) arrange();
+}
+
+void MainWindow::showAlone(const QWidget* view) {
+    Pane* wanted = nullptr;
+    for (Pane* pane : panes_) wanted = pane->content() == view ? pane : wanted;
+    if (maximised_ != nullptr) maximise(maximised_);
+    if (wanted != nullptr) maximise(wanted);
+}
+
+} // namespace edgescan::ui
