@@ -26,7 +26,7 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setTextFormat(Qt::PlainText);
-    auto* copy = new QToolButton;
+    auto* copy = copy_ = new QToolButton;
     copy->setText(tr("Copy"));
     connect(copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text_->text()); });
     auto* close = new QToolButton;
@@ -76,6 +76,8 @@ void NoticeBar::offer(const QString& label, std::function<void()> action) {
     onAction_ = std::move(action);
     action_->show();
 }
+
+void NoticeBar::setBrief(bool on) { copy_->setVisible(!on); }
 
 QString NoticeBar::text() const { return text_->text(); }
 

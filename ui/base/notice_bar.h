@@ -27,6 +27,8 @@ public:
     /// A button beside the text, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;
+    /// Without Copy, where every button is large.
+    void setBrief(bool on);
     [[nodiscard]] Kind kind() const { return kind_; }
 
 private:
@@ -36,6 +38,7 @@ private:
     QLabel* sign_;
     QLabel* text_;
     QToolButton* action_;
+    QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
 };
 

@@ -8,7 +8,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kButton = 64, kLetters = 24; // px
+constexpr int kButton = 64, kLetters = 24, kValue = 20; // px
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
 // A long way is not gone in small steps.
@@ -27,6 +27,8 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     bold.setBold(true);
     bold.setPixelSize(kLetters);
     for (QWidget* each : std::initializer_list<QWidget*>{less_, value_, more_}) each->setFont(bold);
+    bold.setPixelSize(kValue);
+    value_->setFont(bold);
     value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     value_->setAlignment(Qt::AlignCenter);
     value_->setFrameShape(QFrame::StyledPanel);

@@ -15,6 +15,7 @@ namespace {
 constexpr int kWide = 72, kHigh = 64, kBetween = 8; // px
 constexpr int kSign = 28;
 constexpr int kWordPx = 15;
+constexpr int kFewest = 3; // rows
 
 } // namespace
 
@@ -73,12 +74,12 @@ void ToolColumn::setFoot(QToolButton* button) {
 }
 
 /// As high as three tools: the others go beside them.
-QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), 3 * (kHigh + kBetween) + kBetween}; }
+QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), kFewest * (kHigh + kBetween) + kBetween}; }
 
 void ToolColumn::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const int room = (height() - kBetween) / (kHigh + kBetween);
-    if (room != rows_ && isVisible()) {
+    if (room != rows_ && room >= kFewest) {
         rows_ = room;
         layOut();
     }

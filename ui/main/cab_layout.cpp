@@ -9,23 +9,25 @@
 #include <QAction>
 #include <QDockWidget>
 
+#include <utility>
+
 namespace edgescan::ui {
 
 void MainWindow::useCab(bool on) {
-    if (on) beforeCab_ = saveState();
     tools_->setVisible(!on);
     showAlone(on ? cloud_ : nullptr);
-    if (!on) restoreState(beforeCab_);
 }
 
 /// None is there while it is locked: its switches rest, and nothing else opens one.
 void MainWindow::lockDocks(bool on) {
     setProperty("docksLocked", on);
+    rail_->setLocked(on);
     for (auto* dock : findChildren<QDockWidget*>()) {
         dock->toggleViewAction()->setEnabled(!on);
+        if (on && !dock->isHidden()) hiddenForCab_ << dock;
         if (on) dock->hide();
     }
-    rail_->setLocked(on);
+    for (QDockWidget* dock : on ? QList<QDockWidget*>() : std::exchange(hiddenForCab_, {})) dock->show();
     if (!on) arrange();
 }
 

@@ -118,6 +118,7 @@ void CabMode::set(bool on) {
     window_.useCab(on);
     lockDocks(on);
     window_.legend().setBrief(on);
+    window_.notice().setBrief(on);
     frame_->setCab(on);
     corner_->setVisible(on && shown_ != Corner::None);
     for (ImageView* view : {&window_.views().gray(), &window_.views().edges()}) view->setForGloves(on);

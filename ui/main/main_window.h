@@ -165,7 +165,7 @@ private:
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
     CabMode* cab_ = nullptr;
-    QByteArray beforeCab_; // the layout that comes back after it
+    QList<QDockWidget*> hiddenForCab_; // and back after it
     QList<QDockWidget*> docks_;
     int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
     QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
