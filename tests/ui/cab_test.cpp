@@ -13,8 +13,8 @@
 #include "ui/main/theme.h"
 #include "ui/panel/edge_legend.h"
 
-#include <QAction>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -77,7 +77,8 @@ private slots:
             const auto check = [&] {
                 for (QWidget* each : on.window.findChildren<QWidget*>()) {
                     const bool pressed = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
-                                         qobject_cast<QAbstractSpinBox*>(each) != nullptr || qobject_cast<QAbstractSlider*>(each) != nullptr;
+                                         qobject_cast<QAbstractSpinBox*>(each) != nullptr ||
+                                         qobject_cast<QAbstractSlider*>(each) != nullptr;
                     if (!pressed || !each->isVisible()) continue;
                     if (qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr) continue;
                     ++seen;

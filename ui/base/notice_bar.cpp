@@ -48,7 +48,8 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_
 void NoticeBar::paintKind() {
     const Theme& theme = themeInUse();
     const QColor colour = kind_ == Kind::Error ? theme.bad : kind_ == Kind::Warning ? theme.warn : theme.text;
-    setStyleSheet(QString("#notice-bar { background: %1; border: none; border-left: 6px solid %2; }").arg(theme.panel.name(), colour.name()));
+    setStyleSheet(
+        QString("#notice-bar { background: %1; border: none; border-left: 6px solid %2; }").arg(theme.panel.name(), colour.name()));
     QPalette letters = sign_->palette();
     letters.setColor(QPalette::WindowText, colour);
     sign_->setPalette(letters);

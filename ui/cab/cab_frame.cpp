@@ -19,7 +19,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kClockMs = 5000;
-constexpr int kNarrowHead = 1100; // px: below it the head has no clock and no button to connect: both are in the menu
+constexpr int kNarrowHead = 1100;    // px: below it the head has no clock and no button to connect: both are in the menu
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
 
@@ -28,8 +28,8 @@ constexpr int kNarrowestSide = 236, kWidestSide = 400;
 CabHead::CabHead(QWidget* badge, QWidget* parent)
     : QWidget(parent), menu_(gloveButton("cab-menu", "menu", tr("Menu"))), open_(gloveButton("cab-open", "open", tr("Open"))),
       connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new QLabel),
-      cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())), clock_(new QLabel),
-      locked_(new HoldButton) {
+      cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())),
+      clock_(new QLabel), locked_(new HoldButton) {
     makeGloveButton(*locked_, "cab-locked", "lock", tr("Locked"), true);
     locked_->setAccessibleName(tr("Locked: hold for one second to leave cab mode"));
     cancel_->hide();

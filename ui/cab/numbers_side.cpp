@@ -58,9 +58,10 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 
 NumbersSide::NumbersSide(QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target"))),
-      next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)), hint_(label("cab-hint", kTextPx, false)),
-      told_(new QWidget), distance_(label("cab-distance", kNumberPx, true)), tolerance_(label("cab-tolerance", kNotePx, false)),
-      rock_(label("cab-rock", kNotePx, false)), size_(label("cab-size", kNumberPx, true)), sizeRemark_(label("cab-size-remark", kNotePx, false)),
+      next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
+      hint_(label("cab-hint", kTextPx, false)), told_(new QWidget), distance_(label("cab-distance", kNumberPx, true)),
+      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)),
+      size_(label("cab-size", kNumberPx, true)), sizeRemark_(label("cab-size-remark", kNotePx, false)),
       pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout), rows_(new QGridLayout), main_(new Stepper(QString())),
       foot_(new QGridLayout) {
     hint_->setText(tr("Touch a rock in the cloud: its distance and its size stand here."));

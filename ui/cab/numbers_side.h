@@ -19,11 +19,11 @@ class Stepper;
 
 /// What is said of a target. Without a title there is none.
 struct LargeNumbers {
-    QString title, place;            ///< "Target 1", "of 3"
-    QString distance, tolerance;     ///< "4.911 m", "± 0.009"
-    QString rock, size, sizeRemark;  ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
+    QString title, place;                                 ///< "Target 1", "of 3"
+    QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
+    QString rock, size, sizeRemark;                       ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
-    QString pose;                    ///< "▲ no pose"; empty with one
+    QString pose;                                         ///< "▲ no pose"; empty with one
     std::vector<std::pair<QString, QString>> rows;
 };
 
@@ -60,8 +60,8 @@ signals:
 private:
     QWidget* makeNumbers();
     QWidget* makeSettings();
-    void fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels,
-                  const std::vector<std::pair<QString, QString>>& rows, bool large);
+    void fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels, const std::vector<std::pair<QString, QString>>& rows,
+                  bool large);
     void connectStepper(Stepper& stepper);
 
     QStackedWidget* pages_;

@@ -40,13 +40,13 @@ void makeGloveButton(QToolButton& button, const char* name, const char* sign, co
     // On: a ground and a border of its own, so that no colour says it alone.
     followColours(button, [&button](const Theme& theme) {
         button.setStyleSheet(QString("QToolButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 2px; }"
-                                      "QToolButton:checked { background: %4; color: white; border: 2px solid %5; }"
-                                      "QToolButton:pressed { background: %6; }"
-                                      "QToolButton:focus { border: 2px solid %5; }"
-                                      "QToolButton:disabled { color: %7; }"
-                                      "QToolButton::menu-indicator { image: none; }")
-                                  .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.chosen.name(), theme.accent.name(),
-                                       theme.base.name(), theme.unusable.name()));
+                                     "QToolButton:checked { background: %4; color: white; border: 2px solid %5; }"
+                                     "QToolButton:pressed { background: %6; }"
+                                     "QToolButton:focus { border: 2px solid %5; }"
+                                     "QToolButton:disabled { color: %7; }"
+                                     "QToolButton::menu-indicator { image: none; }")
+                                 .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.chosen.name(), theme.accent.name(),
+                                      theme.base.name(), theme.unusable.name()));
     });
 }
 

@@ -13,9 +13,7 @@ constexpr double kZoomPerNotch = 1.25;
 
 } // namespace
 
-bool ImageView::event(QEvent* event) {
-    return touch_.read(event) || QWidget::event(event);
-}
+bool ImageView::event(QEvent* event) { return touch_.read(event) || QWidget::event(event); }
 
 void ImageView::pinch(QPointF middle, QPointF shift, double factor) {
     viewPort_->panPixels(shift);

@@ -27,8 +27,11 @@ void MainWindow::lockDocks(bool on) {
         if (on && !dock->isHidden()) hiddenForCab_ << dock;
         if (on) dock->hide();
     }
-    for (QDockWidget* dock : on ? QList<QDockWidget*>() : std::exchange(hiddenForCab_, {})) dock->show();
-    if (!on) arrange();
+    if (on) return;
+    for (QDockWidget* dock : std::exchange(hiddenForCab_, {})) {
+        if (!docks_.contains(dock)) dock->show(); // of the others the width decides
+    }
+    arrange();
 }
 
 void MainWindow::showAlone(const QWidget* view) {

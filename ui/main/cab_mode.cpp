@@ -80,9 +80,8 @@ void CabMode::connectHead() {
 
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
-    connect(&side, &NumbersSide::stepped, &window_.panel(), [this](const QString& key, int steps) {
-        window_.panel().step(key.toUtf8().constData(), steps);
-    });
+    connect(&side, &NumbersSide::stepped, &window_.panel(),
+            [this](const QString& key, int steps) { window_.panel().step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.panel(), &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::nextWanted, this, [this](int by) { window_.targets().goTo(by); });
 }
@@ -159,7 +158,9 @@ void CabMode::showScan() {
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());
     const auto missing = std::ranges::count_if(scan.state.cells, [](CellState state) { return state != CellState::Valid; });
     QString facts = tr("%1 of %2 lines").arg(english.toString(scan.lines()), english.toString(expected));
-    facts += tr(" · %1 % no return").arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
+    facts +=
+        tr(" · %1 % no return")
+            .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
     for (const QString& warning : warnings) {
         if (warning.startsWith("INCOMPLETE")) facts = "✕ INCOMPLETE · " + facts;
     }

@@ -10,6 +10,7 @@
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/control/cell_cursor.h"
+#include "ui/control/shortcuts.h"
 #include "ui/control/source.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
@@ -110,7 +111,9 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
         audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});
     });
-    for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
+    for (const Command& menu : menusOf(*this, memory_))
+        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_, menu.source);
+    recallKeys(keyedCommands(actions()), memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(views_, this);
     connectSession();
@@ -130,7 +133,8 @@ void MainWindow::layOutViews() {
     auto* edgePane = new Pane(tr("Edge map"), edges_);
     auto* cloudPane = new Pane(tr("Cloud"), cloud_);
     panes_ = {grayPane, edgePane, cloudPane};
-    for (Pane* pane : panes_) connect(pane, &Pane::maximiseWanted, this, [this, pane] {
+    for (Pane* pane : panes_)
+        connect(pane, &Pane::maximiseWanted, this, [this, pane] {
             if (!cab_->on()) maximise(pane);
         });
     connect(&views_, &LinkedViews::grayRemark, grayPane, &Pane::setRemark);
