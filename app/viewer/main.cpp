@@ -9,6 +9,7 @@
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/language/languages.h"
+#include "ui/main/cab_mode.h"
 #include "ui/main/main_window.h"
 #include "ui/main/theme.h"
 #include "ui/session/memory.h"
@@ -31,6 +32,7 @@ struct Wanted {
     cli::MethodFlags method;
     cli::ReadFlags read;
     bool demo = false;
+    bool cab = false;
     std::string live;
     cli::Mounting mounting;
     bool noSettings = false;
@@ -53,6 +55,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     for (const ui::Language& language : ui::kLanguages) languages.emplace_back(language.code);
     app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
         ->check(CLI::IsMember(languages));
+    app.add_flag("--cab", wanted.cab, "Start in cab mode: large tools and numbers, for gloves; hold Locked to leave it");
     app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
     app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one");
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
@@ -168,6 +171,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::vector<Pinne
     if (settings) {
         if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *settings);
     }
+    if (wanted.cab) window.cab().set(true);
     window.show();
     if (!pins.empty()) pinWhenShown(window, pins);
     if (!wanted.compare.empty()) compareWhenShown(window, QString::fromStdString(wanted.compare));

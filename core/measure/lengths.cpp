@@ -89,6 +89,8 @@ std::string millimetres(double metres) { return fixedText(std::ceil(metres * 100
 
 } // namespace
 
+std::span<const MeasureTraits> measureTraits() { return kMeasures; }
+
 const MeasureTraits& traitsOf(MeasureKind kind) { return kMeasures[static_cast<std::size_t>(kind)]; }
 
 std::optional<MeasureKind> measureKindNamed(std::string_view key) {

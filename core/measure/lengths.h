@@ -30,6 +30,7 @@ struct MeasureTraits {
     std::size_t cells; ///< that it takes
 };
 /// One row per kind.
+[[nodiscard]] std::span<const MeasureTraits> measureTraits();
 [[nodiscard]] const MeasureTraits& traitsOf(MeasureKind kind);
 [[nodiscard]] std::optional<MeasureKind> measureKindNamed(std::string_view key);
 

@@ -19,6 +19,22 @@
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
 <message><source>Replace</source><translation>Reemplazar</translation></message>
 <message><source>... and %1 lines more</source><translation>... y %1 líneas más</translation></message>
+<message><source>&amp;Night</source><translation>&amp;Noche</translation></message>
+<message><source>&amp;Day</source><translation>&amp;Día</translation></message>
+<message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de sala de control</translation></message>
+<message><source>Menu</source><translation>Menú</translation></message>
+<message><source>Open</source><translation>Abrir</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
+<message><source>Previous target</source><translation>Objetivo anterior</translation></message>
+<message><source>Next target</source><translation>Objetivo siguiente</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>No target</source><translation>Ningún objetivo</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>más: %1</translation></message>
 <message><source>+ gained</source><translation>+ ganados</translation></message>
 <message><source>− lost</source><translation>− perdidos</translation></message>
 <message><source>kept</source><translation>conservados</translation></message>
@@ -83,6 +99,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>No file yet</source><translation>Todavía ningún archivo</translation></message>
 <message><source>Clear</source><translation>Borrar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
@@ -187,6 +205,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
+<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
+<message><source>to the next field</source><translation>al campo siguiente</translation></message>
+<message><source>to the field before</source><translation>al campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
+<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
@@ -261,10 +285,21 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Scan</source><translation>Escaneo</translation></message>
 <message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
+<message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Unas letras de un comando, o una tecla</translation></message>
+<message><source>Command</source><translation>Comando</translation></message>
+<message><source>Key</source><translation>Tecla</translation></message>
+<message><source>Reset &amp;All</source><translation>Restablecer &amp;todo</translation></message>
+<message><source>Press the new key:</source><translation>Pulse la nueva tecla:</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 ya no tiene tecla.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
-<message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
@@ -298,6 +333,32 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
+<message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
+<message><source>No scan</source><translation>Ningún escaneo</translation></message>
+<message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
+<message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
+<message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>Pin</source><translation>Fijar</translation></message>
+<message><source>Rocks</source><translation>Rocas</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
+<message><source>Why</source><translation>Por qué</translation></message>
+<message><source>Fit</source><translation>Ajustar</translation></message>
+<message><source>Images</source><translation>Imágenes</translation></message>
+<message><source>Undo</source><translation>Deshacer</translation></message>
+<message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>Take the last click back</source><translation>Retirar el último clic</translation></message>
+<message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
+<message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
+<message><source>Target %1</source><translation>Objetivo %1</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Rock, visible</source><translation>Roca, visible</translation></message>
+<message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
+<message><source>no rock here</source><translation>aquí no hay roca</translation></message>
+<message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>Surface</source><translation>Superficie</translation></message>
+<message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
@@ -432,10 +493,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
@@ -449,6 +512,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
@@ -471,7 +536,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
@@ -599,27 +663,22 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
 <message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
 <message><source>Easting, Northing and level in the mine grid, metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
-<message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>none here</source><translation>ninguna aquí</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
 <message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensiones de lo que se ve de ella; las partes ocultas no se cuentan</translation></message>
-<message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
-<message><source>Surface</source><translation>Superficie</translation></message>
 <message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
 <message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 del haz</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
@@ -758,7 +817,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY y CSV: también las celdas rellenadas y no medidas, que el campo filled_sd_mm marca</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>

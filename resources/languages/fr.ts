@@ -19,6 +19,22 @@
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
 <message><source>Replace</source><translation>Remplacer</translation></message>
 <message><source>... and %1 lines more</source><translation>... et %1 lignes de plus</translation></message>
+<message><source>&amp;Night</source><translation>&amp;Nuit</translation></message>
+<message><source>&amp;Day</source><translation>&amp;Jour</translation></message>
+<message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de salle de contrôle</translation></message>
+<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>Open</source><translation>Ouvrir</translation></message>
+<message><source>Connect</source><translation>Connecter</translation></message>
+<message><source>Cancel</source><translation>Annuler</translation></message>
+<message><source>Locked</source><translation>Verrouillée</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>Previous target</source><translation>Cible précédente</translation></message>
+<message><source>Next target</source><translation>Cible suivante</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>No target</source><translation>Aucune cible</translation></message>
+<message><source>less: %1</source><translation>moins : %1</translation></message>
+<message><source>more: %1</source><translation>plus : %1</translation></message>
 <message><source>+ gained</source><translation>+ gagnées</translation></message>
 <message><source>− lost</source><translation>− perdues</translation></message>
 <message><source>kept</source><translation>conservées</translation></message>
@@ -83,6 +99,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>No file yet</source><translation>Aucun fichier pour l'instant</translation></message>
 <message><source>Clear</source><translation>Effacer</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
@@ -187,6 +205,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
 <message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
+<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
+<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
+<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
+<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
+<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
+<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
@@ -261,10 +285,21 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Scan</source><translation>Scan</translation></message>
 <message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
+<message><source>Change Keys</source><translation>Changer les touches</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Quelques lettres d'une commande, ou une touche</translation></message>
+<message><source>Command</source><translation>Commande</translation></message>
+<message><source>Key</source><translation>Touche</translation></message>
+<message><source>Reset &amp;All</source><translation>&amp;Tout rétablir</translation></message>
+<message><source>Press the new key:</source><translation>Pressez la nouvelle touche :</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 n'a plus de touche.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
-<message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
@@ -298,6 +333,32 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
+<message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
+<message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
+<message><source>No scan</source><translation>Aucun scan</translation></message>
+<message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
+<message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
+<message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>Pin</source><translation>Épingler</translation></message>
+<message><source>Rocks</source><translation>Blocs</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
+<message><source>Why</source><translation>Pourquoi</translation></message>
+<message><source>Fit</source><translation>Ajuster</translation></message>
+<message><source>Images</source><translation>Images</translation></message>
+<message><source>Undo</source><translation>Annuler</translation></message>
+<message><source>Tune</source><translation>Régler</translation></message>
+<message><source>Take the last click back</source><translation>Reprendre le dernier clic</translation></message>
+<message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
+<message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
+<message><source>Target %1</source><translation>Cible %1</translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
+<message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
+<message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
+<message><source>no rock here</source><translation>pas de bloc ici</translation></message>
+<message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>Surface</source><translation>Surface</translation></message>
+<message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
@@ -432,10 +493,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
@@ -449,6 +512,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
@@ -471,7 +536,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
@@ -599,27 +663,22 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
-<message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
 <message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
-<message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
 <message><source>Easting, Northing and level in the mine grid, metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
-<message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
 <message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Étendues de ce qu'on en voit ; les parties cachées ne sont pas comptées</translation></message>
-<message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
-<message><source>Surface</source><translation>Surface</translation></message>
 <message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
 <message><source>%1° ± %2 off the beam</source><translation>à %1° ± %2 du faisceau</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
@@ -758,7 +817,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules remplies et non mesurées, que le champ filled_sd_mm marque</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>

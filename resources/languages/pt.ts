@@ -19,6 +19,22 @@
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
 <message><source>Replace</source><translation>Substituir</translation></message>
 <message><source>... and %1 lines more</source><translation>... e mais %1 linhas</translation></message>
+<message><source>&amp;Night</source><translation>&amp;Noite</translation></message>
+<message><source>&amp;Day</source><translation>&amp;Dia</translation></message>
+<message><source>&amp;Control-Room Gray</source><translation>&amp;Cinza de sala de controle</translation></message>
+<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>Open</source><translation>Abrir</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
+<message><source>Previous target</source><translation>Alvo anterior</translation></message>
+<message><source>Next target</source><translation>Alvo seguinte</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>No target</source><translation>Nenhum alvo</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>mais: %1</translation></message>
 <message><source>+ gained</source><translation>+ ganhas</translation></message>
 <message><source>− lost</source><translation>− perdidas</translation></message>
 <message><source>kept</source><translation>mantidas</translation></message>
@@ -83,6 +99,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>No file yet</source><translation>Ainda nenhum arquivo</translation></message>
 <message><source>Clear</source><translation>Limpar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
@@ -187,6 +205,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
+<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
+<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
+<message><source>to the field before</source><translation>para o campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
+<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
@@ -261,10 +285,21 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Scan</source><translation>Varredura</translation></message>
 <message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
+<message><source>Change Keys</source><translation>Alterar teclas</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Algumas letras de um comando, ou uma tecla</translation></message>
+<message><source>Command</source><translation>Comando</translation></message>
+<message><source>Key</source><translation>Tecla</translation></message>
+<message><source>Reset &amp;All</source><translation>Repor &amp;tudo</translation></message>
+<message><source>Press the new key:</source><translation>Pressione a nova tecla:</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 não tem mais tecla.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 tem de novo a tecla original.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
-<message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
@@ -298,6 +333,32 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
+<message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
+<message><source>No scan</source><translation>Nenhum escaneamento</translation></message>
+<message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
+<message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
+<message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
+<message><source>Pin</source><translation>Fixar</translation></message>
+<message><source>Rocks</source><translation>Rochas</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
+<message><source>Why</source><translation>Por quê</translation></message>
+<message><source>Fit</source><translation>Ajustar</translation></message>
+<message><source>Images</source><translation>Imagens</translation></message>
+<message><source>Undo</source><translation>Desfazer</translation></message>
+<message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>Take the last click back</source><translation>Retirar o último clique</translation></message>
+<message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
+<message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
+<message><source>Target %1</source><translation>Alvo %1</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
+<message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
+<message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
+<message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>Surface</source><translation>Superfície</translation></message>
+<message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
@@ -432,10 +493,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
@@ -449,6 +512,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -471,7 +536,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
@@ -599,27 +663,22 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
 <message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
 <message><source>Easting, Northing and level in the mine grid, metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
-<message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>none here</source><translation>nenhuma aqui</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
 <message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensões do que se vê dela; as partes ocultas não são contadas</translation></message>
-<message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
-<message><source>Surface</source><translation>Superfície</translation></message>
 <message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
 <message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 do feixe</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
@@ -758,7 +817,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY e CSV: também as células preenchidas e não medidas, que o campo filled_sd_mm marca</translation></message>
-<message><source>Distance</source><translation>Distância</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>

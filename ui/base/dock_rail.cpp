@@ -23,8 +23,9 @@ public:
 protected:
     void paintEvent(QPaintEvent* /*event*/) override {
         QPainter painter(this);
-        painter.fillRect(rect(), palette().color(underMouse() || hasFocus() ? QPalette::Highlight : QPalette::Button));
-        painter.setPen(palette().color(QPalette::ButtonText));
+        const bool meant = underMouse() || hasFocus();
+        painter.fillRect(rect(), palette().color(meant ? QPalette::Highlight : QPalette::Button));
+        painter.setPen(palette().color(meant ? QPalette::HighlightedText : QPalette::ButtonText));
         painter.translate(0, height());
         painter.rotate(-90);
         painter.drawText(QRect(0, 0, height(), width()), Qt::AlignCenter, words());
@@ -83,10 +84,15 @@ void DockRail::add(QDockWidget* dock) {
     follow();
 }
 
+void DockRail::setLocked(bool on) {
+    locked_ = on;
+    showFolded();
+}
+
 void DockRail::showFolded() {
     bool any = false;
     for (const QDockWidget* dock : docks_) any = any || dock->isHidden();
-    setVisible(any);
+    setVisible(any && !locked_);
 }
 
 } // namespace edgescan::ui

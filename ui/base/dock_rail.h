@@ -15,6 +15,9 @@ public:
 
     void add(QDockWidget* dock);
 
+    /// Not there at all until it is off again.
+    void setLocked(bool on);
+
 signals:
     /// By the button in the head, by the rail or by the menu, not because the window became wide or narrow.
     void changedByHand(QDockWidget* dock, bool open);
@@ -23,6 +26,7 @@ private:
     void showFolded();
 
     QList<QDockWidget*> docks_;
+    bool locked_ = false;
 };
 
 } // namespace edgescan::ui

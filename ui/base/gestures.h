@@ -1,10 +1,8 @@
-// What the views share in reading mouse and touch.
+// What the views share in reading the mouse.
 #pragma once
 
-#include <QGestureEvent>
 #include <QLineF>
 #include <QMouseEvent>
-#include <QPinchGesture>
 #include <QWheelEvent>
 
 namespace edgescan::ui {
@@ -43,15 +41,6 @@ struct Press {
 [[nodiscard]] inline double notches(const QWheelEvent& event) {
     const QPoint angle = event.angleDelta();
     return (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-}
-
-/// The pinch that the event carries, accepted; null when it carries none.
-[[nodiscard]] inline const QPinchGesture* acceptedPinch(QEvent* event) {
-    if (event->type() != QEvent::Gesture) return nullptr;
-    auto* gestures = static_cast<QGestureEvent*>(event);
-    auto* pinch = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture));
-    if (pinch != nullptr) gestures->accept(pinch);
-    return pinch;
 }
 
 } // namespace edgescan::ui

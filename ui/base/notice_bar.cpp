@@ -2,6 +2,7 @@
 #include "ui/base/notice_bar.h"
 
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -25,7 +26,7 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setTextFormat(Qt::PlainText);
-    auto* copy = new QToolButton;
+    auto* copy = copy_ = new QToolButton;
     copy->setText(tr("Copy"));
     connect(copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text_->text()); });
     auto* close = new QToolButton;
@@ -40,14 +41,24 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_
     line->addWidget(copy, 0, Qt::AlignTop);
     line->addWidget(close, 0, Qt::AlignTop);
     hide();
+    followColours(*this, [this](const Theme&) { paintKind(); });
+}
+
+// A strip and a sign in the colour of what is abnormal, words in the usual one: the word tells the kind as well as the colour does.
+void NoticeBar::paintKind() {
+    const Theme& theme = themeInUse();
+    const QColor colour = kind_ == Kind::Error ? theme.bad : kind_ == Kind::Warning ? theme.warn : theme.text;
+    setStyleSheet(
+        QString("#notice-bar { background: %1; border: none; border-left: 6px solid %2; }").arg(theme.panel.name(), colour.name()));
+    QPalette letters = sign_->palette();
+    letters.setColor(QPalette::WindowText, colour);
+    sign_->setPalette(letters);
 }
 
 void NoticeBar::showNotice(Kind kind, const QString& text) {
     kind_ = kind;
-    // The word tells the kind as well as the colour does.
-    const char* colour = kind == Kind::Error ? "#7a1f1f" : kind == Kind::Warning ? "#6b4e00" : "#1f4a2c";
-    sign_->setText(kind == Kind::Error ? tr("Error") : kind == Kind::Warning ? tr("Note") : tr("Done"));
-    setStyleSheet(QString("#notice-bar { background: %1; } #notice-bar QLabel { color: white; }").arg(colour));
+    sign_->setText(kind == Kind::Error ? "✕ " + tr("Error") : kind == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
+    paintKind();
     text_->setText(shownText(text));
     action_->hide();
     onAction_ = {};
@@ -66,6 +77,8 @@ void NoticeBar::offer(const QString& label, std::function<void()> action) {
     onAction_ = std::move(action);
     action_->show();
 }
+
+void NoticeBar::setBrief(bool on) { copy_->setVisible(!on); }
 
 QString NoticeBar::text() const { return text_->text(); }
 

@@ -27,13 +27,18 @@ public:
     /// A button beside the text, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;
+    /// Without Copy, where every button is large.
+    void setBrief(bool on);
     [[nodiscard]] Kind kind() const { return kind_; }
 
 private:
+    void paintKind();
+
     Kind kind_ = Kind::Done;
     QLabel* sign_;
     QLabel* text_;
     QToolButton* action_;
+    QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
 };
 

@@ -45,12 +45,9 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 } // namespace
 
 ChangeLegend::ChangeLegend(QWidget* parent)
-    : QFrame(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")), region_(wordsOf(this, "change-region")),
+    : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")), region_(wordsOf(this, "change-region")),
       next_(new QToolButton(this)) {
     setObjectName("change-legend");
-    // The plate of the views, as that of the edges.
-    setStyleSheet("#change-legend { background: #1b1d1f; border: 1px solid #63686e; border-radius: 4px; }"
-                  "#change-legend QCheckBox, #change-legend QLabel { color: #e8e8e8; background: transparent; }");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 6, 8, 6);

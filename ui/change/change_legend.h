@@ -1,9 +1,8 @@
 // The legend of a comparison over the cloud: what is compared with what, how many of each, each row a switch.
 #pragma once
 
+#include "ui/base/view_plate.h"
 #include "ui/change/comparison.h"
-
-#include <QFrame>
 
 class QCheckBox;
 class QLabel;
@@ -12,7 +11,7 @@ class QToolButton;
 namespace edgescan::ui {
 
 /// GUI thread only. Shows what it is told and says what the operator wants.
-class ChangeLegend : public QFrame {
+class ChangeLegend : public ViewPlate {
     Q_OBJECT
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);

@@ -3,6 +3,7 @@
 
 #include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
+#include "ui/base/touch.h"
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/drawing_budget.h"
@@ -22,8 +23,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-class QPinchGesture;
 
 namespace edgescan::ui {
 
@@ -100,6 +99,8 @@ public:
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
     /// What a drag with the left button does from now on.
     void setDragTool(DragTool tool);
+    /// The left button is a finger: one that rests is a right click.
+    void setForGloves(bool on) { touch_.setMouseIsFinger(on); }
     /// Cells, ascending, that are drawn in a colour of their own; null: none.
     void setSelection(std::shared_ptr<const CellIndices> cells);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& selection() const { return selection_; }
@@ -198,7 +199,7 @@ private:
     [[nodiscard]] ScreenMarks marksOnScreen() const;
     void setRotationCentre(QPointF pixel);
     void showFocus();
-    void pinch(const QPinchGesture& gesture);
+    void pinch(QPointF middle, QPointF shift, double factor);
     void pointAt(std::optional<std::uint32_t> cell);
     void wheelZoom(QPointF pixel, double notches);
     void wheelClip(double& share, double notches);
@@ -233,6 +234,7 @@ private:
 
     DragAction drag_ = DragAction::None;
     Press press_;
+    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) { pinch(middle, shift, factor); }};
     Eigen::Vector3d dragAnchor_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d wheelAnchor_ = Eigen::Vector3d::Zero();
     QPointF wheelAt_{-1e9, -1e9};

@@ -23,20 +23,15 @@ constexpr double kClipPerNotch = 0.02;
 } // namespace
 
 bool CloudView::event(QEvent* event) {
-    if (const QPinchGesture* gesture = acceptedPinch(event)) {
-        pinch(*gesture);
-        return true;
-    }
+    if (touch_.read(event)) return true;
     // Past VTK's interactor, which would take part in the mouse too.
     return QOpenGLWidget::event(event);
 }
 
-void CloudView::pinch(const QPinchGesture& gesture) {
-    const QPointF centre = mapFromGlobal(gesture.centerPoint().toPoint());
-    const Vector3d anchor = anchorAt(centre);
-    pose_ = zoomed(pose_, anchor, std::clamp(gesture.scaleFactor(), 0.5, 2.0));
-    const QPointF shift = gesture.centerPoint() - gesture.lastCenterPoint();
+void CloudView::pinch(QPointF middle, QPointF shift, double factor) {
+    const Vector3d anchor = anchorAt(middle - shift); // what lay between the fingers stays there
     pose_ = panned(pose_, anchor, shift.x(), shift.y(), height());
+    pose_ = zoomed(pose_, anchor, std::clamp(factor, 0.5, 2.0));
     moved();
 }
 

@@ -1,6 +1,7 @@
 // Menus and keys from a table of commands.
 #include "ui/control/commands.h"
 
+#include "ui/control/shortcuts.h"
 #include "ui/session/memory.h"
 
 #include <QAbstractButton>
@@ -32,25 +33,27 @@ void makeSwitch(QAction& action, const Command& command, Memory& memory) {
 } // namespace
 
 Command command(const char* text, const char* keys, std::function<void()> run) {
-    return {.text = QObject::tr(text), .keys = keys, .run = std::move(run)};
+    return {.text = QObject::tr(text), .keys = keys, .run = std::move(run), .source = text};
 }
 
 Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set) {
-    return {.text = QObject::tr(text), .keys = keys, .set = std::move(set), .remembered = remembered, .on = on};
+    return {.text = QObject::tr(text), .keys = keys, .set = std::move(set), .remembered = remembered, .on = on, .source = text};
 }
 
-Command submenu(const char* text, std::vector<Command> commands) { return {.text = QObject::tr(text), .submenu = std::move(commands)}; }
+Command submenu(const char* text, std::vector<Command> commands) {
+    return {.text = QObject::tr(text), .submenu = std::move(commands), .source = text};
+}
 
 Command linked(Command command, std::function<void(QAction&)> link) {
     command.link = std::move(link);
     return command;
 }
 
-void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory) {
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path) {
     for (const Command& command : commands) {
         if (!command.submenu.empty() || command.fill) {
             QMenu* submenu = menu.addMenu(command.text);
-            addCommands(*submenu, command.submenu, window, memory);
+            addCommands(*submenu, command.submenu, window, memory, path.isEmpty() ? command.source : path + "/" + command.source);
             if (command.fill) QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, fill = command.fill] { fill(*submenu); });
             continue;
         }
@@ -63,6 +66,10 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
         if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
         if (command.set) makeSwitch(*action, command, memory);
         if (command.link) command.link(*action);
+        const QString own =
+            action->objectName().isEmpty() && action->parent() != nullptr ? action->parent()->objectName() : action->objectName();
+        const QString name = *command.source != '\0' ? QString(command.source) : own;
+        if (!name.isEmpty()) nameCommand(*action, path, name);
         menu.addAction(action);
         window.addAction(action);
     }

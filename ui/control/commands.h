@@ -25,6 +25,7 @@ struct Command {
     bool on = false;                             ///< of a remembered switch: what it is at the first start
     std::vector<Command> submenu{};              ///< of a menu
     std::function<void(QMenu& menu)> fill{};     ///< of a menu that is made anew each time it is opened
+    const char* source = "";                     ///< the text before translation: keys are remembered by it
     QAction* made = nullptr;                     ///< an action that is there already
     std::function<void(QAction& action)> link{}; ///< what enables, checks or names the action from elsewhere
 };
@@ -38,8 +39,8 @@ struct Command {
 inline const Command kLine{};
 
 /// Adds the commands to the menu, and their keys to `window`, where they also work while the menu bar is hidden. A remembered switch is
-/// set to what the memory says, which must outlive the menu.
-void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory);
+/// set to what the memory says, which must outlive the menu. `path`: of the menu, in the words of the source.
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path = {});
 
 /// Space presses the button that has the focus, Home and End move the slider, Page Up and Page Down the slider, number or list that has it;
 /// only elsewhere they are shortcuts.

@@ -47,6 +47,10 @@ public:
     /// What the cards say is of the picture on the screen and of all in the notebook.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] const KnownTargets& known() const { return known_; }
+    /// What its card says besides what was measured.
+    [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
+    /// So many places on in the notebook, round and round; the card is that one's.
+    void goTo(int by);
 
     void pin(std::size_t cell);
     /// But of one that is locked.
@@ -72,6 +76,8 @@ public:
 signals:
     /// There is something to look at in the panel.
     void pinned();
+    /// The card is of another target, or says something else.
+    void cardChanged();
     void whyWanted(std::size_t cell);
     void measureWanted(std::size_t cell);
 
@@ -96,7 +102,6 @@ private:
     [[nodiscard]] PinnedTarget* numbered(Notebook& notebook, int number) const;
     [[nodiscard]] const CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const MeasuredCells* knownOf(const KeptMeasure& measure) const;
-    [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const PinnedTarget& target) const;
 

@@ -90,6 +90,15 @@ void Targets::showCard() {
         panel_.card().show(*shown, knownOf(shown->cell), around(shown->cell));
     else
         panel_.card().hide();
+    emit cardChanged();
+}
+
+void Targets::goTo(int by) {
+    const auto count = static_cast<int>(notebook_.targets.size());
+    if (count == 0) return;
+    const PinnedTarget* shown = active();
+    const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : 0;
+    views_.pin(notebook_.targets[static_cast<std::size_t>(((at + by) % count + count) % count)].cell);
 }
 
 void Targets::showDraft(const MeasureMark& draft) {

@@ -37,7 +37,6 @@ ImageView::ImageView(std::shared_ptr<ViewPort> viewPort, QWidget* parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setContextMenuPolicy(Qt::PreventContextMenu); // the right button drags window and level
-    grabGesture(Qt::PinchGesture);
     setCursor(Qt::CrossCursor);
     connect(viewPort_.get(), &ViewPort::changed, this, qOverload<>(&QWidget::update));
 }

@@ -3,6 +3,7 @@
 
 #include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
+#include "ui/base/touch.h"
 #include "ui/image/pyramid.h"
 #include "ui/image/viewport.h"
 
@@ -17,8 +18,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-class QPinchGesture;
 
 namespace edgescan::ui {
 
@@ -74,6 +73,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const QImage>& selection() const { return selection_.image(); }
     /// What a drag with the left button does from now on.
     void setDragTool(DragTool tool);
+    /// The left button is a finger: one that rests is a right click.
+    void setForGloves(bool on) { touch_.setMouseIsFinger(on); }
     /// Off: Esc belongs to somebody else, crosshair and box stay.
     void setClearsOnEscape(bool on) { clearsOnEscape_ = on; }
     [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
@@ -136,7 +137,7 @@ private:
     void drawDragged(QPainter& painter) const;
     void pointAt(std::optional<QPoint> cell);
     void selectTo(QPointF at);
-    void pinch(const QPinchGesture& gesture);
+    void pinch(QPointF middle, QPointF shift, double factor);
     [[nodiscard]] QRect boxCells(QPointF from, QPointF to) const;
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
 
@@ -162,6 +163,7 @@ private:
 
     Drag drag_ = Drag::None;
     Press press_;
+    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) { pinch(middle, shift, factor); }};
 };
 
 } // namespace edgescan::ui

@@ -13,18 +13,11 @@ constexpr double kZoomPerNotch = 1.25;
 
 } // namespace
 
-bool ImageView::event(QEvent* event) {
-    if (const QPinchGesture* gesture = acceptedPinch(event)) {
-        pinch(*gesture);
-        return true;
-    }
-    return QWidget::event(event);
-}
+bool ImageView::event(QEvent* event) { return touch_.read(event) || QWidget::event(event); }
 
-void ImageView::pinch(const QPinchGesture& gesture) {
-    const QPointF centre = mapFromGlobal(gesture.centerPoint().toPoint());
-    viewPort_->zoomAt(viewPort_->toCell(centre, size()), std::clamp(gesture.scaleFactor(), 0.5, 2.0));
-    viewPort_->panPixels(gesture.centerPoint() - gesture.lastCenterPoint());
+void ImageView::pinch(QPointF middle, QPointF shift, double factor) {
+    viewPort_->panPixels(shift);
+    viewPort_->zoomAt(viewPort_->toCell(middle, size()), std::clamp(factor, 0.5, 2.0));
 }
 
 void ImageView::mousePressEvent(QMouseEvent* event) {

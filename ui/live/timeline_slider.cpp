@@ -1,6 +1,8 @@
 // The slider of the timeline.
 #include "ui/live/timeline_slider.h"
 
+#include "ui/base/themes.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
@@ -23,7 +25,7 @@ int TimelineSlider::pixelOf(int position) const {
 void TimelineSlider::paintEvent(QPaintEvent* event) {
     QSlider::paintEvent(event);
     QPainter painter(this);
-    painter.setPen(QPen(QColor(255, 200, 60), 2.0));
+    painter.setPen(QPen(themeInUse().warn, 2.0));
     for (const int mark : marks_) {
         const int x = pixelOf(mark);
         painter.drawLine(x, 0, x, 4);

@@ -25,7 +25,8 @@ Command compareMenu(MainWindow& w) {
     return submenu(
         "Compare &A/B",
         {
-            command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
+            linked(command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
+                   [](QAction& action) { action.setObjectName("compare-keep"); }),
             command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),

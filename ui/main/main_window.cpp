@@ -10,10 +10,12 @@
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
 #include "ui/control/cell_cursor.h"
+#include "ui/control/shortcuts.h"
 #include "ui/control/source.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
+#include "ui/main/cab_mode.h"
 #include "ui/main/compare_menu.h"
 #include "ui/main/menus.h"
 #include "ui/main/rock_docks.h"
@@ -109,7 +111,9 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
         audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});
     });
-    for (const Command& menu : menusOf(*this, memory_)) addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_);
+    for (const Command& menu : menusOf(*this, memory_))
+        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_, menu.source);
+    recallKeys(keyedCommands(actions()), memory_);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(views_, this);
     connectSession();
@@ -117,6 +121,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
     restoreLayout();
+    if (memory_.flag("view/cab", false)) cab_->set(true);
     status_->showRenderer(checkGl().renderer);
 }
 
@@ -128,7 +133,10 @@ void MainWindow::layOutViews() {
     auto* edgePane = new Pane(tr("Edge map"), edges_);
     auto* cloudPane = new Pane(tr("Cloud"), cloud_);
     panes_ = {grayPane, edgePane, cloudPane};
-    for (Pane* pane : panes_) connect(pane, &Pane::maximiseWanted, this, [this, pane] { maximise(pane); });
+    for (Pane* pane : panes_)
+        connect(pane, &Pane::maximiseWanted, this, [this, pane] {
+            if (!cab_->on()) maximise(pane);
+        });
     connect(&views_, &LinkedViews::grayRemark, grayPane, &Pane::setRemark);
     connect(&views_, &LinkedViews::cloudRemark, cloudPane, &Pane::setRemark);
 
@@ -153,7 +161,7 @@ void MainWindow::layOutViews() {
     column->addWidget(splitter_, 1);
     column->addWidget(timeline_);
     column->addWidget(livePanel_);
-    setCentralWidget(centre);
+    cab_ = new CabMode(*this, centre);
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
@@ -202,6 +210,7 @@ void MainWindow::showOrigin() {
     origin_->setToolTip(origin.more);
     if (origin_->sizeHint() != before) menuBar()->setCornerWidget(origin_, Qt::TopRightCorner); // it asks for the size only then
     targets_.setSource(origin.badge);
+    emit originShown();
 }
 
 void MainWindow::connectSession() {
@@ -245,7 +254,7 @@ void MainWindow::showWarnings() {
 
 /// Panels and images as wide as suits the window, the rest for the cloud. What the operator folded, opened or dragged stays.
 void MainWindow::arrange() {
-    if (!isVisible()) return;
+    if (!isVisible() || cab_->on()) return;
     const int wide = width();
     for (QDockWidget* dock : docks_) {
         const QString byHand = dock->property(kByHand).toString();
@@ -279,6 +288,7 @@ void MainWindow::maximise(Pane* pane) {
 }
 
 void MainWindow::remember() {
+    if (cab_->on()) return; // the other layout is the one that comes back
     memory_.keep("window/geometry", saveGeometry());
     memory_.keep("window/state", saveState());
     memory_.keep("window/views", splitter_->saveState());
@@ -309,6 +319,7 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::resetLayout() {
+    if (cab_->on()) return;
     if (maximised_ != nullptr) maximise(maximised_);
     for (QDockWidget* dock : docks_) {
         dock->setProperty(kByHand, QString());
@@ -395,7 +406,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         notice_->showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
     } else if (notice_->isVisible())
         notice_->hide();
-    else if (maximised_ != nullptr)
+    else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
     else
         escape();

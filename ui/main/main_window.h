@@ -28,6 +28,7 @@ class QSplitter;
 
 namespace edgescan::ui {
 
+class CabMode;
 class ChangeLegend;
 class DockRail;
 class EdgeLegend;
@@ -77,14 +78,21 @@ public:
     [[nodiscard]] WarningButton& warnings() { return *warnings_; }
     [[nodiscard]] EdgeLegend& legend() { return *legend_; }
     [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+    [[nodiscard]] CabMode& cab() { return *cab_; }
 
     void resetLayout();
+    // Of cab mode: what gives way to it, no dock at all, one view with all the room (null: all views).
+    void useCab(bool on);
+    void lockDocks(bool on);
+    void showAlone(const QWidget* view);
     /// The whole window as it is, with all points of the cloud drawn; below it the warnings of the scan, whether they are shown or not.
     [[nodiscard]] QImage screenshot();
 
 signals:
     /// All views and panels show session().picture() now.
     void pictureShown();
+    /// Something was learnt of where the picture comes from.
+    void originShown();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -156,6 +164,8 @@ private:
     Pane* maximised_ = nullptr;
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    CabMode* cab_ = nullptr;
+    QList<QDockWidget*> hiddenForCab_; // and back after it
     QList<QDockWidget*> docks_;
     int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
     QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter

@@ -5,6 +5,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/control/key_editing.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/sheets.h"
 #include "ui/language/languages.h"
@@ -12,6 +13,7 @@
 #include "ui/live/timeline.h"
 #include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
+#include "ui/main/theme_menu.h"
 #include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
@@ -177,10 +179,10 @@ Command viewMenu(MainWindow& w, Memory& memory) {
     add(lookCommands(w));
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory),
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), themeMenu(w, memory),
          languageMenu(w, memory), kLine});
     for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
-    add({command("Reset &Layout", "", [&w] { w.resetLayout(); }),
+    add({command("Reset &Layout", "", [&w] { w.resetLayout(); }), cabCommand(w, memory),
          command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
     return menu;
 }
@@ -302,7 +304,12 @@ Command tool(MainWindow& w, const char* text, const char* keys, std::function<vo
         QObject::connect(&w.views(), &LinkedViews::toolChanged, &action, follow);
         QObject::connect(&w.measures(), &Measures::kindChanged, &action, follow);
         w.tools().add(action);
-        action.setToolTip(action.text().remove('&') + " (" + action.shortcut().toString(QKeySequence::NativeText) + ")");
+        const auto tell = [&action] {
+            const QString key = action.shortcut().toString(QKeySequence::NativeText);
+            action.setToolTip(action.text().remove('&') + (key.isEmpty() ? QString() : " (" + key + ")"));
+        };
+        QObject::connect(&action, &QAction::changed, &action, tell); // the key may be changed
+        tell();
         follow();
     });
 }
@@ -361,9 +368,10 @@ std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
             edgesMenu(window),
             rocksMenu(window),
             measureMenu(window),
-            submenu("&Help",
-                    {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
-                     command("&Keys and Mouse", "F1; H; ?", showKeys), command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
+            submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
+                              command("&Keys and Mouse", "F1; H; ?", showKeys),
+                              command("&Change Keys…", "", [&window, &memory] { editKeys(window, memory); }),
+                              command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }
 
 } // namespace edgescan::ui

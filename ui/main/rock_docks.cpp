@@ -33,6 +33,7 @@ void addRockDocks(QMainWindow& window, Rocks& rocks, RocksPanel& panel, RockTabl
     QDockWidget* right = dockOf(window, QObject::tr("Rocks"), "dock-rocks", scrolled(panel), Qt::RightDockWidgetArea);
     QDockWidget* bottom = dockOf(window, QObject::tr("Rock Table"), "dock-rock-table", &table, Qt::BottomDockWidgetArea);
     QObject::connect(&rocks, &Rocks::shownChanged, &window, [&window, right, bottom](bool on) {
+        if (window.property("docksLocked").toBool()) return;
         right->setVisible(on);
         bottom->setVisible(on && window.width() >= kTableFrom);
         if (!on) return;

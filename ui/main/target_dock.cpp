@@ -40,6 +40,7 @@ void addTargetDock(QMainWindow& window, Targets& targets, TargetsPanel& panel) {
     QObject::connect(dock->toggleViewAction(), &QAction::toggled, dock, [dock](bool open) { dock->setProperty(kClosed, !open); });
     QObject::connect(&targets, &Targets::pinned, dock, [&window, dock] {
         if (!dock->isHidden() || dock->property(kClosed).toBool() || window.width() < kOpensFrom) return;
+        if (window.property("docksLocked").toBool()) return;
         dock->show();
         window.resizeDocks({dock}, {static_cast<int>(kTargetsHeight * window.height())}, Qt::Vertical);
     });

@@ -1,10 +1,14 @@
-// The window's colours: dark, so that the pictures are the brightest thing on the screen.
+// How widgets are drawn, and the theme and the size for hands that the operator chose.
 #pragma once
 
 class QApplication;
 
 namespace edgescan::ui {
 
-void useTheme(QApplication& application);
+/// The style of the window, with the colours of themeInUse(). `forGloves`: nothing that is pressed is below 48 px, words are larger.
+void useTheme(QApplication& application, bool forGloves = false);
+
+/// Smallest side of what is pressed with gloves on, logical px.
+inline constexpr int kGlovePx = 48;
 
 } // namespace edgescan::ui

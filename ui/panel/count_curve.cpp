@@ -104,7 +104,7 @@ void CountCurve::paintEvent(QPaintEvent*) {
     }
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1.4));
     painter.drawPath(path);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
     const double x = xOf(std::clamp(value_, curve_->thresholds.front(), curve_->thresholds.back()));
     painter.drawLine(QPointF(x, below.top()), QPointF(x, below.bottom()));
 }

@@ -19,12 +19,8 @@ int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits stand in the order 
 
 } // namespace
 
-EdgeLegend::EdgeLegend(QWidget* parent) : QFrame(parent) {
+EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     setObjectName("edge-legend");
-    // The plate of the views, the same in every theme: 13.8 to the words on it.
-    setStyleSheet("#edge-legend { background: #1b1d1f; border: 1px solid #63686e; border-radius: 4px; }"
-                  "#edge-legend QCheckBox, #edge-legend QLabel { color: #e8e8e8; background: transparent; }"
-                  "#edge-legend QCheckBox:disabled { color: #b3b8be; }");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 6, 8, 6);
@@ -83,18 +79,33 @@ void EdgeLegend::showResult(const Detection& detection) {
     total_->setText(grouped(detection.edges->size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const bool counted = (classes & bitOf(n)) != 0;
-        for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)})
-            each->setVisible(known && (chosen || counted));
+        offered_[n] = known && (chosen || counted);
         rows_[n].box->setEnabled(chosen);
         rows_[n].box->setChecked(counted);
         rows_[n].count->setText(counted ? grouped(counts[n + 1]) : QString());
     }
-    byClass_->setVisible(known);
+    known_ = known;
+    showRows();
     filled_->setVisible(detection.filled != nullptr);
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(grouped(detection.filled->cells.size())));
     show();
     adjustSize();
     showing_ = false;
+}
+
+void EdgeLegend::showRows() {
+    constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const bool shown = offered_[n] && (!brief_ || n < kOfRocks);
+        for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
+    }
+    byClass_->setVisible(known_ && !brief_);
+}
+
+void EdgeLegend::setBrief(bool on) {
+    brief_ = on;
+    showRows();
+    adjustSize();
 }
 
 void EdgeLegend::showColours(const EdgeColours& colours) {

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/method/detection.h"
+#include "ui/base/view_plate.h"
 #include "ui/cloud/edge_cells.h"
-
-#include <QFrame>
 
 #include <array>
 
@@ -15,7 +14,7 @@ class QLabel;
 namespace edgescan::ui {
 
 /// GUI thread only. Shows what it is told and says what the operator wants.
-class EdgeLegend : public QFrame {
+class EdgeLegend : public ViewPlate {
     Q_OBJECT
 public:
     explicit EdgeLegend(QWidget* parent = nullptr);
@@ -24,6 +23,8 @@ public:
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
     void showEdges(bool on);
+    /// Only the edges and the classes that rocks are known by.
+    void setBrief(bool on);
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
     [[nodiscard]] QLabel* filled() const { return filled_; } ///< how many cells were filled; hidden where none was asked for
@@ -41,6 +42,7 @@ private:
         QLabel* count = nullptr;
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
+    void showRows();
     void paintSwatches();
     void tellClasses();
 
@@ -50,6 +52,9 @@ private:
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
     EdgeColours colours_ = kUsualColours;
+    std::array<bool, kEdgeClasses> offered_{}; // by the method
+    bool known_ = false;                       // the classes
+    bool brief_ = false;
     bool showing_ = false;
 };
 

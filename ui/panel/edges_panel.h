@@ -48,6 +48,10 @@ public:
     /// The curve under the slider of "lower", "step" or "sensitivity".
     [[nodiscard]] CountCurve* curve(const char* key) const;
     [[nodiscard]] ParameterRow* row(const char* key) const;
+    /// As its row would be turned by so many steps; editEnded() is for the caller to tell. Choices go one further.
+    void step(const char* key, int steps);
+    /// "1.00 x", "39 mm auto".
+    [[nodiscard]] QString valueText(const char* key) const;
 
 public slots:
     void setRatioLocked(bool locked);

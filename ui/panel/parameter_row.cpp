@@ -11,6 +11,7 @@
 #include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QPixmap>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -240,9 +241,12 @@ void ParameterRow::setVisible(bool visible) {
 }
 
 void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString& remark) {
-    constexpr int kSwatch = 10;
+    // On the dark of the views, against which the colours were chosen: also on a light panel.
+    constexpr int kSwatch = 14;
+    constexpr int kBorder = 3;
     QPixmap swatch(kSwatch, kSwatch);
-    swatch.fill(colour);
+    swatch.fill(QColor(48, 48, 48));
+    QPainter(&swatch).fillRect(swatch.rect().adjusted(kBorder, kBorder, -kBorder, -kBorder), colour);
     switches_[choice]->setIcon(QIcon(swatch));
     switches_[choice]->setText(QObject::tr(parameter_.choices[choice].label) + remark);
 }

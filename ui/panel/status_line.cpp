@@ -7,6 +7,7 @@
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -112,7 +113,10 @@ StatusLine::StatusLine(QWidget* parent)
         facts_->addWidget(label);
         told_[static_cast<std::size_t>(kind)].label = label;
     }
-    told(Fact::Incomplete).label->setStyleSheet("color: #ff8276; font-weight: bold;");
+    QLabel* incomplete = told(Fact::Incomplete).label;
+    followColours(*incomplete, [incomplete](const Theme& theme) {
+        incomplete->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme.bad.name()));
+    });
 }
 
 void StatusLine::addKept(QWidget* widget) {

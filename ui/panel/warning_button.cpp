@@ -1,13 +1,15 @@
 // The warnings' button in the status bar.
 #include "ui/panel/warning_button.h"
 
+#include "ui/base/themes.h"
+
 namespace edgescan::ui {
 
 WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
     setObjectName("warnings");
     setAutoRaise(true);
     connect(this, &QToolButton::clicked, this, &WarningButton::acknowledge);
-    showState();
+    followColours(*this, [this](const Theme&) { showState(); });
 }
 
 void WarningButton::showWarnings(const QStringList& warnings) {
@@ -28,7 +30,8 @@ void WarningButton::showState() {
     const QString count = warnings_.size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings_.size());
     // Words besides the colour.
     setText("\u26A0 " + (acknowledged_ ? tr("%1, acknowledged").arg(count) : count));
-    setStyleSheet(acknowledged_ ? QString() : "QToolButton { color: #ffd24d; font-weight: bold; }");
+    setStyleSheet(acknowledged_ ? QString()
+                                : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
     setToolTip(tr("Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots"));
     setVisible(!warnings_.isEmpty());
 }

@@ -158,7 +158,7 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
     };
     const std::array<Mark, 4> marks{
         {{"P20", curve_.p20M, 0.2}, {"P50", curve_.p50M, 0.5}, {"P80", curve_.p80M, 0.8}, {"largest", curve_.topM, 1.0}}};
-    const QColor accent = palette().color(QPalette::Highlight);
+    const QColor accent = palette().color(QPalette::Link);
     for (const Mark& mark : marks) {
         const QPointF at = placeOf(mark.wideM, mark.share);
         painter.setPen(QPen(accent, 1.0, Qt::DotLine));

@@ -2,6 +2,7 @@
 #include "ui/targets/target_card.h"
 
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 #include "ui/language/catalogue.h"
 
 #include <QGridLayout>
@@ -39,7 +40,10 @@ TargetCard::TargetCard(QWidget* parent)
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
     number_->setObjectName("target-number");
-    number_->setStyleSheet("background: #ffffff; color: #000000; font-weight: bold; border-radius: 3px; padding: 1px 6px;");
+    followColours(*number_, [this](const Theme& theme) {
+        number_->setStyleSheet(QString("background: %1; color: %2; font-weight: bold; border-radius: 3px; padding: 1px 6px;")
+                                   .arg(theme.text.name(), theme.base.name()));
+    });
     name_->setObjectName("target-name");
     name_->setPlaceholderText(tr("Target"));
     name_->setMaxLength(static_cast<int>(kLongestTargetName) / 4); // letters may take four bytes

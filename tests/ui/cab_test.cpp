@@ -1,0 +1,345 @@
+// Cab mode in the real window: everything large enough for gloves, one hand, no modifier, no hover; fingers turn, move, zoom and ask.
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/touch.h"
+#include "ui/cab/cab_frame.h"
+#include "ui/cab/corner_picture.h"
+#include "ui/cab/hold_button.h"
+#include "ui/cab/numbers_side.h"
+#include "ui/cab/stepper.h"
+#include "ui/live/state_badge.h"
+#include "ui/main/cab_mode.h"
+#include "ui/main/theme.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class CabTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_;
+    QTouchDevice* touch_ = nullptr;
+
+    static QToolButton* tool(MainWindow& window, const char* name) {
+        auto* found = window.findChild<QToolButton*>(name);
+        if (found == nullptr) qFatal("there is no %s", name);
+        return found;
+    }
+    static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
+    static void resizeTo(MainWindow& window, QSize size) {
+        window.resize(size);
+        QTRY_COMPARE(window.size(), size);
+        QApplication::processEvents();
+    }
+    // The first cell with a range that the cloud shows near its middle.
+    static QPoint pointOnCloud(const CloudView& cloud) {
+        for (int r = 0; r < 200; r += 4) {
+            for (const QPoint by : {QPoint(r, 0), QPoint(-r, 0), QPoint(0, r), QPoint(0, -r)}) {
+                const QPoint at = cloud.rect().center() + by;
+                if (cloud.cellAt(at)) return at;
+            }
+        }
+        qFatal("the cloud is empty");
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
+        touch_ = QTest::createTouchDevice();
+    }
+    void cleanup() { useTheme(*qApp); }
+
+    void nothingIsTooSmallForAGlove() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(1366, 768), QSize(1920, 1040)}) {
+            on.window.cab().set(true);
+            resizeTo(on.window, size);
+            on.window.notice().showNotice(NoticeBar::Kind::Done, "something was done");
+            on.window.notice().offer("Undo it", [] {});
+            QApplication::processEvents();
+            int seen = 0;
+            const auto check = [&] {
+                for (QWidget* each : on.window.findChildren<QWidget*>()) {
+                    const bool pressed = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
+                                         qobject_cast<QAbstractSpinBox*>(each) != nullptr ||
+                                         qobject_cast<QAbstractSlider*>(each) != nullptr;
+                    if (!pressed || !each->isVisible()) continue;
+                    if (qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr) continue;
+                    ++seen;
+                    QVERIFY2(each->width() >= kGlovePx && each->height() >= kGlovePx,
+                             qPrintable(QString("%1 \"%2\": %3 x %4 at %5")
+                                            .arg(each->metaObject()->className(), each->objectName())
+                                            .arg(each->width())
+                                            .arg(each->height())
+                                            .arg(size.width())));
+                    QVERIFY2(on.window.rect().contains(QRect(each->mapTo(&on.window, QPoint()), each->size())) ||
+                                 each->objectName().startsWith("step-") || each->parentWidget()->objectName().startsWith("step-"),
+                             qPrintable(each->objectName() + " is cut off"));
+                }
+            };
+            check();
+            QVERIFY2(seen >= 20, qPrintable(QString::number(seen)));
+            press(on.window, "cab-tune"); // the sliders, as steppers
+            QApplication::processEvents();
+            check();
+            press(on.window, "cab-tune");
+            QVERIFY(on.window.views().cloud().width() >= 0.45 * size.width());
+            for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) {
+                QVERIFY(dock->isHidden());
+                QVERIFY(!dock->toggleViewAction()->isEnabled());
+            }
+            QVERIFY(!on.window.menuBar()->isVisible());
+            on.window.cab().set(false);
+            QApplication::processEvents();
+        }
+    }
+
+    void theMenuHasRowsForGlovesAndAllThatTheMenuBarHas() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        press(on.window, "cab-menu");
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu != nullptr);
+        QCOMPARE(menu->actions(), on.window.menuBar()->actions());
+        for (QAction* entry : menu->actions()) QVERIFY(menu->actionGeometry(entry).height() >= kGlovePx);
+        menu->close();
+        press(on.window, "cab-measure");
+        menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu != nullptr);
+        QVERIFY(menu->actionGeometry(menu->actions().front()).height() >= kGlovePx);
+        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions().front()).center());
+        QTRY_VERIFY(on.window.measures().kind() == MeasureKind::Distance);
+        QVERIFY(tool(on.window, "cab-measure")->isChecked() && !tool(on.window, "cab-pin")->isChecked());
+        press(on.window, "cab-pin");
+        QVERIFY(!on.window.measures().kind());
+    }
+
+    void onlyASecondOnLockedLeavesIt() {
+        const QString ini = QString::fromStdString((folder_ / "cab.ini").string());
+        WindowFixture on(ini);
+        QVERIFY(on.showWith(scan_));
+        const int before = on.window.views().gray().width();
+        auto* action = on.window.findChild<QAction*>("cab-mode");
+        QVERIFY(action != nullptr && !action->isChecked());
+        action->trigger();
+        QVERIFY(on.window.cab().on() && action->isChecked());
+        QVERIFY(!action->isEnabled()); // no tap in the menu leaves it
+        QVERIFY(on.memory.flag("view/cab", false));
+        QToolButton* locked = tool(on.window, "cab-locked");
+        QTest::mouseClick(locked, Qt::LeftButton);
+        QVERIFY(on.window.cab().on());
+        QVERIFY2(on.window.notice().text().contains("one second"), qPrintable(on.window.notice().text()));
+        QElapsedTimer held;
+        held.start();
+        QTest::mousePress(locked, Qt::LeftButton);
+        QTRY_VERIFY(!on.window.cab().on());
+        QVERIFY2(held.elapsed() >= kHoldMs, qPrintable(QString::number(held.elapsed())));
+        QTest::mouseRelease(locked, Qt::LeftButton);
+        QVERIFY(action->isEnabled() && !action->isChecked());
+        QVERIFY(!on.memory.flag("view/cab", true));
+        QTRY_VERIFY(on.window.menuBar()->isVisible() && on.window.views().gray().isVisible());
+        QTRY_VERIFY(std::abs(on.window.views().gray().width() - before) <= 4);
+        QVERIFY(on.window.findChild<QDockWidget*>("dock-edges")->isVisible());
+    }
+
+    void itIsRememberedAndTheLayoutOfBeforeComesBack() {
+        const QString ini = QString::fromStdString((folder_ / "again.ini").string());
+        {
+            WindowFixture on(ini);
+            QVERIFY(on.showWith(scan_));
+            on.window.findChild<QAction*>("cab-mode")->trigger();
+            on.window.close();
+        }
+        WindowFixture again(ini);
+        QVERIFY(again.showWith(scan_));
+        QVERIFY(again.window.cab().on());
+        QVERIFY(!again.window.findChild<QDockWidget*>("dock-edges")->isVisible());
+        again.window.cab().set(false);
+        QTRY_VERIFY(again.window.findChild<QDockWidget*>("dock-edges")->isVisible());
+    }
+
+    void theTwoNumbersAreLargeAndTheBadgeIsThere() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QVERIFY(on.window.findChild<StateBadge*>("cab-origin")->isVisible());
+        QCOMPARE(on.window.findChild<StateBadge*>("cab-origin")->accessibleName(), on.window.origin().accessibleName());
+        CloudView& cloud = on.window.views().cloud();
+        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, pointOnCloud(cloud)); // a tap, as most screens tell it
+        QTRY_COMPARE(on.window.targets().notebook().targets.size(), std::size_t(1));
+        NumbersSide& side = on.window.cab().frame().side();
+        QTRY_VERIFY2(side.distanceShown().endsWith(" m"), qPrintable(side.distanceShown()));
+        auto* large = side.findChild<QLabel*>("cab-distance");
+        QVERIFY(large->isVisible() && QFontInfo(large->font()).pixelSize() >= 40);
+        const CellTarget& known = on.window.targets().known().targets.begin()->second;
+        QCOMPARE(side.distanceShown(), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
+        // The second number is the rock's, once rocks are shown.
+        QCOMPARE(side.sizeShown(), QString("–"));
+        press(on.window, "cab-rocks");
+        QTRY_VERIFY_WITH_TIMEOUT(on.window.rocks().picture() != nullptr && !on.window.rocks().behind(), 20000);
+        for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
+        const Rock* rock = on.window.rocks().picture()->rockAt(known.probe.line * 240 + known.probe.beam);
+        const QString size = rock == nullptr ? QString("–") : QString("%1 × %2 m").arg(rock->longM, 0, 'f', 2).arg(rock->wideM, 0, 'f', 2);
+        QTRY_COMPARE(side.sizeShown(), size);
+        // Undo is on the screen, and undoes.
+        QToolButton* undo = tool(on.window, "cab-undo");
+        QVERIFY(undo->isVisible() && undo->isEnabled());
+        QTest::mouseClick(undo, Qt::LeftButton);
+        QTRY_VERIFY(on.window.targets().notebook().targets.empty());
+        QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->isVisible());
+    }
+
+    void aStepperRepeatsWhileItIsHeldAndIsOneStepOfUndo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        Stepper* stepper = on.window.cab().frame().side().mainStepper();
+        const Settings before = on.window.session().settings();
+        QTest::mouseClick(stepper->more(), Qt::LeftButton);
+        QVERIFY(on.window.session().settings().sensitivity > before.sensitivity);
+        QCOMPARE(on.window.undoStack().count(), 1);
+        const double one = on.window.session().settings().sensitivity;
+        QTest::mousePress(stepper->less(), Qt::LeftButton);
+        QTRY_VERIFY(on.window.session().settings().sensitivity < one - 3.5 * (one - before.sensitivity));
+        QTest::mouseRelease(stepper->less(), Qt::LeftButton);
+        QCOMPARE(on.window.undoStack().count(), 2);
+        QVERIFY(on.settled());
+        QTRY_COMPARE(stepper->value(), QString::number(on.window.session().settings().sensitivity, 'f', 2) + " x");
+        press(on.window, "cab-undo");
+        QCOMPARE(on.window.session().settings().sensitivity, one);
+        // Choices and automatic values have steps as well.
+        press(on.window, "cab-tune");
+        Stepper* method = on.window.cab().frame().side().stepper("method");
+        QVERIFY(method != nullptr && method->isVisible());
+        const QString was = method->value();
+        QTest::mouseClick(method->more(), Qt::LeftButton);
+        if (on.window.session().settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
+        QTRY_VERIFY(method->value() != was);
+    }
+
+    void oneFingerTurnsTwoMoveAndZoom() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 800});
+        CloudView& cloud = on.window.views().cloud();
+        const QPoint a = cloud.rect().center();
+        const CameraPose start = cloud.camera();
+        QTest::touchEvent(&cloud, touch_).press(0, a, &cloud);
+        for (int n = 1; n <= 5; ++n) QTest::touchEvent(&cloud, touch_).move(0, a + QPoint(12 * n, 0), &cloud);
+        QTest::touchEvent(&cloud, touch_).release(0, a + QPoint(60, 0), &cloud);
+        QTRY_VERIFY((cloud.camera().forward() - start.forward()).norm() > 0.05);
+        QVERIFY(on.window.targets().notebook().targets.empty()); // no tap
+
+        const CameraPose turned = cloud.camera();
+        const QPoint left = a - QPoint(60, 0);
+        const QPoint right = a + QPoint(60, 0);
+        // Apart: nearer, and no turn.
+        QTest::touchEvent(&cloud, touch_).press(0, left, &cloud).press(1, right, &cloud);
+        for (int n = 1; n <= 4; ++n)
+            QTest::touchEvent(&cloud, touch_).move(0, left - QPoint(15 * n, 0), &cloud).move(1, right + QPoint(15 * n, 0), &cloud);
+        QTest::touchEvent(&cloud, touch_).release(0, left - QPoint(60, 0), &cloud).release(1, right + QPoint(60, 0), &cloud);
+        QTRY_VERIFY((cloud.camera().position - turned.position).norm() > 0.1);
+        QVERIFY((cloud.camera().forward() - turned.forward()).norm() < 1e-6);
+        QVERIFY((cloud.camera().position - turned.position).dot(turned.forward()) > 0.1);
+
+        // Together: the picture goes with them.
+        const CameraPose near = cloud.camera();
+        QTest::touchEvent(&cloud, touch_).press(0, left, &cloud).press(1, right, &cloud);
+        for (int n = 1; n <= 4; ++n)
+            QTest::touchEvent(&cloud, touch_).move(0, left + QPoint(0, 10 * n), &cloud).move(1, right + QPoint(0, 10 * n), &cloud);
+        QTest::touchEvent(&cloud, touch_).release(0, left + QPoint(0, 40), &cloud).release(1, right + QPoint(0, 40), &cloud);
+        const Eigen::Vector3d by = cloud.camera().position - near.position;
+        QVERIFY2(by.dot(near.up) > 0.01, "the picture went down, the camera up");
+        QVERIFY(std::abs(by.dot(near.forward())) < 0.2 * by.norm());
+        QVERIFY(on.window.targets().notebook().targets.empty());
+    }
+
+    void twoFingersZoomAnImageRoundTheirMiddle() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        ImageView& gray = on.window.views().gray(); // touch works outside cab mode as well
+        const QPoint middle = gray.rect().center() + QPoint(20, 10);
+        const double zoom = gray.viewPort()->zoom();
+        const QPointF cell = gray.viewPort()->toCell(middle, gray.size());
+        QTest::touchEvent(&gray, touch_).press(0, middle - QPoint(20, 0), &gray).press(1, middle + QPoint(20, 0), &gray);
+        QTest::touchEvent(&gray, touch_).move(0, middle - QPoint(30, 0), &gray).move(1, middle + QPoint(30, 0), &gray);
+        QTest::touchEvent(&gray, touch_).move(0, middle - QPoint(40, 0), &gray).move(1, middle + QPoint(40, 0), &gray);
+        QTest::touchEvent(&gray, touch_).release(0, middle - QPoint(40, 0), &gray).release(1, middle + QPoint(40, 0), &gray);
+        QVERIFY(std::abs(gray.viewPort()->zoom() / zoom - 2.0) < 0.05);
+        QVERIFY(QLineF(gray.viewPort()->toCell(middle, gray.size()), cell).length() < 1.0);
+    }
+
+    void aTapPinsAndAFingerThatRestsAsks() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        CloudView& cloud = on.window.views().cloud();
+        const QPoint at = pointOnCloud(cloud);
+        QTest::touchEvent(&cloud, touch_).press(0, at, &cloud);
+        QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
+        QTRY_COMPARE(on.window.targets().notebook().targets.size(), std::size_t(1));
+
+        bool asked = false, low = false;
+        const auto look = [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (menu == nullptr) return;
+            asked = menu->objectName() == "cell-menu";
+            for (QAction* entry : menu->actions()) low = low || (!entry->isSeparator() && menu->actionGeometry(entry).height() < kGlovePx);
+            menu->close();
+        };
+        QTimer looks;
+        connect(&looks, &QTimer::timeout, this, look);
+        looks.start(20);
+        QTest::touchEvent(&cloud, touch_).press(0, at, &cloud);
+        QTRY_VERIFY(asked);
+        QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
+        QVERIFY(!low);
+        // The same with a screen that tells touches as a mouse.
+        asked = false;
+        QTest::mousePress(&cloud, Qt::LeftButton, Qt::NoModifier, at);
+        QTRY_VERIFY(asked);
+        QTest::mouseRelease(&cloud, Qt::LeftButton, Qt::NoModifier, at);
+        QCOMPARE(on.window.targets().notebook().targets.size(), std::size_t(1)); // asking pinned nothing
+    }
+
+    void aTapSwapsCloudAndImage() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        CornerPicture& corner = on.window.cab().corner();
+        QVERIFY(corner.isVisible() && corner.width() >= kGlovePx && !on.window.views().gray().isVisible());
+        QTest::mouseClick(&corner, Qt::LeftButton);
+        QTRY_VERIFY(on.window.views().gray().isVisible() && !on.window.views().cloud().isVisible());
+        auto* back = on.window.findChild<CornerPicture*>("cab-back");
+        QVERIFY(back->isVisible() && back->height() >= kGlovePx);
+        QTest::mouseClick(back, Qt::LeftButton);
+        QTRY_VERIFY(on.window.views().cloud().isVisible() && !on.window.views().gray().isVisible());
+        press(on.window, "cab-images"); // the edge map
+        QTest::mouseClick(&corner, Qt::LeftButton);
+        QTRY_VERIFY(on.window.views().edges().isVisible());
+        on.window.cab().set(false); // also from there
+        QTRY_VERIFY(on.window.views().cloud().isVisible() && on.window.views().gray().isVisible());
+        QVERIFY(!back->isVisible() && !corner.isVisible());
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<CabTest>(argc, argv); }
+#include "cab_test.moc"

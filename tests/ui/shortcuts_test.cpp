@@ -1,0 +1,152 @@
+// Keys that the operator changes: in the real window, by real keys; the palette and the sheet say what holds now.
+#include "tests/ui/window_fixture.h"
+#include "ui/control/key_editing.h"
+#include "ui/control/shortcuts.h"
+#include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/shortcut_editor.h"
+
+#include <QAction>
+#include <QKeySequenceEdit>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTimer>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ShortcutsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+
+    static KeyedCommand commandOf(MainWindow& window, const QString& id) {
+        const QList<KeyedCommand> all = keyedCommands(window.actions());
+        const auto found = std::find_if(all.begin(), all.end(), [&](const KeyedCommand& each) { return each.id == id; });
+        if (found == all.end()) qFatal("there is no %s", qPrintable(id));
+        return *found;
+    }
+    // Opens Help > Change Keys, lets `work` use it, and closes it.
+    static void inEditor(MainWindow& window, const std::function<void(ShortcutEditor&)>& work) {
+        bool done = false;
+        QTimer looks;
+        connect(&looks, &QTimer::timeout, &window, [&] {
+            auto* editor = qobject_cast<ShortcutEditor*>(QApplication::activeModalWidget());
+            if (editor == nullptr || done) return;
+            done = true;
+            looks.stop();
+            work(*editor);
+            editor->reject();
+        });
+        looks.start(20);
+        commandOf(window, "Help/Change Keys").action->trigger();
+        QVERIFY(done);
+    }
+    static void choose(ShortcutEditor& editor, const QString& words) {
+        editor.words()->clear();
+        QTest::keyClicks(editor.words(), words);
+        int seen = 0;
+        for (int n = 0; n < editor.table()->rowCount(); ++n) seen += editor.table()->isRowHidden(n) ? 0 : 1;
+        QCOMPARE(seen, 1);
+        QVERIFY(!editor.table()->isRowHidden(editor.table()->currentRow()));
+    }
+    static void press(ShortcutEditor& editor, Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+        QTest::keyClick(editor.keyField(), key, with);
+        QTRY_VERIFY(editor.keyField()->keySequence().isEmpty()); // the field waits a second for more
+    }
+
+private slots:
+    void everyCommandIsInTheTableAndHasANameOfItsOwn() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const QList<KeyedCommand> all = keyedCommands(on.window.actions());
+        int named = 0;
+        for (const QAction* action : on.window.actions()) named += action->isSeparator() ? 0 : 1;
+        QCOMPARE(all.size(), named); // two of one name would be one row
+        QVERIFY(all.size() > 60);
+        QCOMPARE(commandOf(on.window, "View/From Scanner").usual, QList<QKeySequence>{QKeySequence("0")});
+    }
+
+    void aChangedKeyDoesWhatItSaysAndIsRemembered() {
+        const QString ini = QString::fromStdString((folder_ / "keys.ini").string());
+        {
+            WindowFixture on(ini);
+            QVERIFY(on.show() && on.activate());
+            QAction* edges = commandOf(on.window, "View/Edge Points").action;
+            QVERIFY(edges->isChecked());
+            inEditor(on.window, [](ShortcutEditor& editor) {
+                choose(editor, "edge points");
+                press(editor, Qt::Key_F8);
+                QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
+                QVERIFY(editor.table()->item(editor.table()->currentRow(), 1)->text().contains("changed"));
+            });
+            QVERIFY(on.activate()); // the dialog had the keys
+            on.window.views().cloud().setFocus();
+            QTest::keyClick(&on.window, Qt::Key_E);
+            QVERIFY2(edges->isChecked(), "the old key does nothing");
+            QTest::keyClick(&on.window, Qt::Key_F8);
+            QVERIFY(!edges->isChecked());
+            // The palette says the key that holds.
+            CommandPalette palette(on.window.actions(), &on.window);
+            QTest::keyClicks(palette.words(), "edge points");
+            QVERIFY2(palette.list()->item(0)->text().endsWith("F8"), qPrintable(palette.list()->item(0)->text()));
+        }
+        WindowFixture again(ini);
+        QVERIFY(again.show());
+        const KeyedCommand edges = commandOf(again.window, "View/Edge Points");
+        QCOMPARE(edges.action->shortcuts(), QList<QKeySequence>{QKeySequence("F8")});
+        inEditor(again.window, [](ShortcutEditor& editor) {
+            choose(editor, "edge points");
+            QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset"), Qt::LeftButton);
+        });
+        QCOMPARE(edges.action->shortcuts(), edges.usual);
+        WindowFixture third(ini);
+        QCOMPARE(commandOf(third.window, "View/Edge Points").action->shortcuts(), QList<QKeySequence>{QKeySequence("E")});
+    }
+
+    void aKeyThatIsTakenIsRefusedByName() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const KeyedCommand edges = commandOf(on.window, "View/Edge Points");
+        inEditor(on.window, [](ShortcutEditor& editor) {
+            choose(editor, "edge points");
+            press(editor, Qt::Key_K);
+            QVERIFY2(editor.said().contains("Rocks > Show Rocks"), qPrintable(editor.said()));
+            press(editor, Qt::Key_Backslash); // no command, but the window's own
+            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said()));
+        });
+        QCOMPARE(edges.action->shortcuts(), edges.usual);
+        // Free once its owner has none.
+        inEditor(on.window, [](ShortcutEditor& editor) {
+            choose(editor, "show rocks");
+            QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-none"), Qt::LeftButton);
+            choose(editor, "edge points");
+            press(editor, Qt::Key_K);
+            QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
+            choose(editor, "show rocks");
+            QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset"), Qt::LeftButton);
+            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said())); // it would be a key of two
+            QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset-all"), Qt::LeftButton);
+        });
+        for (const KeyedCommand& each : keyedCommands(on.window.actions())) QCOMPARE(each.action->shortcuts(), each.usual);
+    }
+
+    void twoThatChangedKeysWithEachOtherKeepThem() {
+        const QString ini = QString::fromStdString((folder_ / "swap.ini").string());
+        {
+            WindowFixture on(ini);
+            const QList<KeyedCommand> all = keyedCommands(on.window.actions());
+            const KeyedCommand top = commandOf(on.window, "View/Top");
+            const KeyedCommand front = commandOf(on.window, "View/Front");
+            QVERIFY(changeKey(top, QKeySequence(), all, on.memory));
+            QVERIFY(changeKey(front, QKeySequence("7"), all, on.memory));
+            QVERIFY(changeKey(top, QKeySequence("1"), all, on.memory));
+        }
+        WindowFixture again(ini);
+        QCOMPARE(commandOf(again.window, "View/Top").action->shortcut(), QKeySequence("1"));
+        QCOMPARE(commandOf(again.window, "View/Front").action->shortcut(), QKeySequence("7"));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ShortcutsTest>(argc, argv); }
+#include "shortcuts_test.moc"

@@ -1,0 +1,69 @@
+// The middle of the window, and round it what only cab mode has: head, tools, numbers.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace edgescan::ui {
+
+class HoldButton;
+class NumbersSide;
+class ToolColumn;
+
+/// What stands above everything in cab mode. GUI thread only.
+class CabHead : public QWidget {
+    Q_OBJECT
+public:
+    /// `badge`: where the picture comes from; stands right, whatever the width.
+    explicit CabHead(QWidget* badge, QWidget* parent = nullptr);
+
+    void showScan(const QString& name, const QString& facts);
+    [[nodiscard]] QToolButton* menu() const { return menu_; }
+    [[nodiscard]] QToolButton* open() const { return open_; }
+    [[nodiscard]] QToolButton* connectScanner() const { return connect_; }
+    [[nodiscard]] QToolButton* warnings() const { return warnings_; }
+    [[nodiscard]] QToolButton* cancel() const { return cancel_; }
+    [[nodiscard]] HoldButton* locked() const { return locked_; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void showClock();
+    void fit();
+
+    QToolButton* menu_;
+    QToolButton* open_;
+    QToolButton* connect_;
+    QLabel* name_;
+    QLabel* facts_;
+    QToolButton* cancel_;
+    QToolButton* warnings_;
+    QLabel* clock_;
+    HoldButton* locked_;
+    QString scan_;
+};
+
+/// GUI thread only.
+class CabFrame : public QWidget {
+    Q_OBJECT
+public:
+    CabFrame(QWidget* middle, QWidget* badge, QWidget* parent = nullptr);
+
+    void setCab(bool on);
+    [[nodiscard]] CabHead& head() { return *head_; }
+    [[nodiscard]] ToolColumn& tools() { return *tools_; }
+    [[nodiscard]] NumbersSide& side() { return *side_; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    CabHead* head_;
+    ToolColumn* tools_;
+    NumbersSide* side_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,91 @@
+// What stands right of the cloud in cab mode: the two numbers of a target in large type, or the settings as steppers.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <utility>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace edgescan::ui {
+
+class Stepper;
+
+/// What is said of a target. Without a title there is none.
+struct LargeNumbers {
+    QString title, place;                                 ///< "Target 1", "of 3"
+    QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
+    QString rock, size, sizeRemark;                       ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
+    std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
+    QString pose;                                         ///< "▲ no pose"; empty with one
+    std::vector<std::pair<QString, QString>> rows;
+};
+
+/// One setting. `key`: of the table.
+struct SteppedSetting {
+    QString key, name, value;
+};
+
+/// GUI thread only. Shows what it is told and says what the operator wants.
+class NumbersSide : public QWidget {
+    Q_OBJECT
+public:
+    explicit NumbersSide(QWidget* parent = nullptr);
+
+    void showNumbers(const LargeNumbers& numbers);
+    /// The first one stands below the numbers as well.
+    void showSettings(const std::vector<SteppedSetting>& settings);
+    /// The settings instead of the numbers.
+    void setTuning(bool on);
+    [[nodiscard]] bool tuning() const;
+    [[nodiscard]] Stepper* mainStepper() const { return main_; }
+    [[nodiscard]] Stepper* stepper(const QString& key) const;
+    [[nodiscard]] QString distanceShown() const;
+    [[nodiscard]] QString sizeShown() const;
+    /// Report, Export and the like, at the foot.
+    void addButton(QToolButton* button);
+
+signals:
+    /// To the target before or after this one.
+    void nextWanted(int by);
+    void stepped(const QString& key, int steps);
+    void stepEnded();
+
+private:
+    QWidget* makeNumbers();
+    QWidget* makeSettings();
+    void fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels, const std::vector<std::pair<QString, QString>>& rows,
+                  bool large);
+    void connectStepper(Stepper& stepper);
+
+    QStackedWidget* pages_;
+    QToolButton* previous_;
+    QToolButton* next_;
+    QLabel* title_;
+    QLabel* hint_;
+    QWidget* told_;
+    QLabel* distanceName_ = nullptr;
+    QLabel* distance_;
+    QLabel* tolerance_;
+    QLabel* rock_;
+    QLabel* size_;
+    QLabel* sizeRemark_;
+    QLabel* pose_;
+    QGridLayout* coordinates_;
+    QGridLayout* rows_;
+    std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
+    Stepper* main_;
+    QString mainKey_;
+    QVBoxLayout* settings_ = nullptr;
+    std::vector<std::pair<QString, Stepper*>> steppers_;
+    QGridLayout* foot_;
+    int buttons_ = 0;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,58 @@
+// Every command with its key, in one table: find it, press another key.
+#pragma once
+
+#include <QDialog>
+#include <QKeySequence>
+#include <QList>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace edgescan::ui {
+
+/// One row. `change` gives the sentence that says why not; empty: it was done.
+struct ShortcutRow {
+    QString name;
+    std::function<QString()> keys;
+    std::function<bool()> isUsual;
+    std::function<QString(const QKeySequence& key)> change;
+    std::function<QString()> reset;
+};
+
+/// GUI thread only. A key counts as soon as it was pressed.
+class ShortcutEditor : public QDialog {
+    Q_OBJECT
+public:
+    ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void()> resetAll, QWidget* parent);
+
+    [[nodiscard]] QLineEdit* words() const { return words_; }
+    [[nodiscard]] QTableWidget* table() const { return table_; }
+    [[nodiscard]] QKeySequenceEdit* keyField() const { return key_; }
+    /// What was done last, or why it was not.
+    [[nodiscard]] QString said() const;
+
+private:
+    void find();
+    void show(int row);
+    void showAll();
+    void say(const QString& refusal, const QString& done);
+    void takeKey();
+    [[nodiscard]] ShortcutRow* current();
+
+    std::vector<ShortcutRow> rows_;
+    QLineEdit* words_;
+    QTableWidget* table_;
+    QKeySequenceEdit* key_;
+    QPushButton* none_;
+    QPushButton* reset_;
+    QLabel* said_;
+};
+
+} // namespace edgescan::ui

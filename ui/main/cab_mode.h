@@ -1,0 +1,69 @@
+// Cab mode: the same window for gloves. Tools, numbers and steppers do what menus, cards and sliders do elsewhere.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include <optional>
+
+class QAbstractButton;
+class QMenu;
+class QToolButton;
+
+namespace edgescan::ui {
+
+class CabFrame;
+class CornerPicture;
+class MainWindow;
+class StateBadge;
+struct LargeNumbers;
+
+/// GUI thread only. The window must outlive it.
+class CabMode : public QObject {
+    Q_OBJECT
+public:
+    /// `middle`: what the window shows in its middle. The frame that is made round it is the window's new centre.
+    CabMode(MainWindow& window, QWidget* middle);
+
+    void set(bool on);
+    [[nodiscard]] bool on() const { return on_; }
+    [[nodiscard]] CabFrame& frame() { return *frame_; }
+    [[nodiscard]] CornerPicture& corner() { return *corner_; }
+    /// The large pane is an image, the cloud stands in the corner.
+    [[nodiscard]] bool swapped() const { return swapped_; }
+
+signals:
+    void changed(bool on);
+    /// Somebody held Locked for a second.
+    void leaveWanted();
+
+private:
+    enum class Corner { Range, Edges, None };
+    void connectHead();
+    void addTools();
+    void addMeasures(QMenu& menu);
+    void connectSide();
+    void follow();
+    void showScan();
+    void showNumbers();
+    void showSettings();
+    void showCorner();
+    void swap();
+    void lockDocks(bool on);
+    [[nodiscard]] LargeNumbers numbers() const;
+    [[nodiscard]] std::optional<QPoint> markedPlace() const;
+
+    MainWindow& window_;
+    StateBadge* badge_;
+    CabFrame* frame_;
+    CornerPicture* corner_;
+    CornerPicture* back_; // to the cloud, over the image
+    QMenu* menu_;
+    QTimer cancelSoon_;
+    Corner shown_ = Corner::Range;
+    bool on_ = false;
+    bool swapped_ = false;
+};
+
+} // namespace edgescan::ui
