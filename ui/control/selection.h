@@ -37,6 +37,7 @@ public:
     /// Hides all but the selection.
     void isolateSelected();
     void showAll();
+    void restore(CellSet selected, CellSet hidden);
     /// Also hides what lies nearer or farther, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the two.
