@@ -10,6 +10,7 @@
 #include "ui/cloud/gl_check.h"
 #include "ui/language/languages.h"
 #include "ui/main/main_window.h"
+#include "ui/main/start.h"
 #include "ui/main/theme.h"
 #include "ui/session/memory.h"
 #include "ui/sitting/sittings.h"
@@ -190,8 +191,10 @@ int runViewer(QApplication& application, Wanted& wanted, const std::vector<Pinne
         window.sittings().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.files().openDemo();
-    else if (!scanner)
+    else if (!scanner) {
         window.sittings().offerToGoOn();
+        ui::showStart(window, memory);
+    }
     if (scanner) window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, sweep);
     return QApplication::exec();
 }

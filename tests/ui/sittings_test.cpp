@@ -4,11 +4,16 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/live/live_panel.h"
+#include "ui/main/start.h"
 #include "ui/sitting/sitting_file.h"
 #include "ui/sitting/sittings.h"
+#include "ui/start/start_page.h"
 
+#include <QAbstractButton>
 #include <QDir>
 #include <QDropEvent>
+#include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
 #include <QToolButton>
@@ -84,6 +89,8 @@ private slots:
         QVERIFY(bool(saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
     }
 
+    void init() { QFile::remove(QString::fromStdString(boxes_ + ".rocks.json")); }
+
     void everythingIsBackFromItsFile() {
         const QString file = inFolder("day.edgescan-session.json");
         std::string before;
@@ -118,7 +125,6 @@ private slots:
         QVERIFY(on.window.sittings().path().isEmpty());
         const auto left = readSitting(file.toStdString());
         QCOMPARE(QString::fromStdString(left->sitting.scan.path.string()), QString::fromStdString(boxes_));
-        QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
     }
 
     void aScanThatMovedOrChangedIsSaid() {
@@ -188,7 +194,6 @@ private slots:
         plain.fill(3000);
         QVERIFY(plain.save(ranges));
         QVERIFY(sittingIn(ranges).empty());
-        QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
     }
 
     void afterAKillTheNextStartGoesOn() {
@@ -213,7 +218,7 @@ private slots:
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {QString::fromStdString(boxes_), "--method", "canny", "--lower", "7", "--pin", "20,30", "--pin", "60,80",
-                                   "--compare", QString::fromStdString(other_), "--unit-mm", "1"});
+                                   "--compare", QString::fromStdString(other_), "--unit", "mm"});
             QVERIFY(viewer.waitForStarted());
             QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
             QTest::qWait(1500); // the last frame is drawn
@@ -246,6 +251,53 @@ private slots:
         QVERIFY(on.window.sittings().autosaves().leftBehind().size() <= 1); // the first one; the second is taken up
     }
 
+    void theStartPageIsUsedByKeys() {
+        QDir().mkpath(inFolder("start"));
+        const QString gone = inFolder("start/gone.json");
+        qputenv("XDG_CACHE_HOME", inFolder("start/cache").toUtf8());
+        WindowFixture on(inFolder("start/viewer.ini"));
+        on.memory.keepRecentFile(gone);
+        on.memory.keepRecentFile(QString::fromStdString(other_));
+        on.memory.keepRecentFile(QString::fromStdString(boxes_));
+        on.window.resize(1280, 800);
+        QVERIFY(on.show() && on.activate());
+        StartPage* page = showStart(on.window, on.memory);
+        QTRY_VERIFY(page->isVisible() && page->settled());
+        QListWidget& list = page->list();
+        QCOMPARE(list.count(), 3);
+        QVERIFY2(list.item(0)->text().contains("boxes.json\n120 × 160 · FILE"), qPrintable(list.item(0)->text()));
+        QVERIFY(!list.item(0)->icon().isNull() && list.item(2)->icon().isNull());
+        QVERIFY2(list.item(2)->text().contains("not found") && list.item(2)->text().contains("Locate"), qPrintable(list.item(2)->text()));
+        // Nothing of the window is under it.
+        QVERIFY(page->geometry().contains(on.window.centralWidget()->geometry()));
+        // Its pictures are kept: the second time no scan is read.
+        const QStringList kept = QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"});
+        QCOMPARE(kept.size(), 2);
+        QVERIFY(recentScan(QString::fromStdString(boxes_), inFolder("start/cache/edgescan/recent"), [] {
+                    return false;
+                }).words.contains("120"));
+        QVERIFY(!recentScan(QString::fromStdString(boxes_), QString(), [] { return false; }).words.contains("120"));
+        trimThumbnails(inFolder("start/cache/edgescan/recent"), 1);
+        QCOMPARE(QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"}).size(), 1);
+        // Keys alone: to the list, down, and open.
+        QTRY_COMPARE(QApplication::focusWidget()->objectName(), QString("start-open"));
+        for (int n = 0; n < 10 && QApplication::focusWidget() != &list; ++n) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(&list));
+        QTest::keyClick(&list, Qt::Key_Home);
+        QTest::keyClick(&list, Qt::Key_Down);
+        QTest::keyClick(&list, Qt::Key_Return);
+        QVERIFY(on.settled());
+        QTRY_VERIFY(page->isHidden());
+        QCOMPARE(QString::fromStdString(on.picture().detection->scan->path), QString::fromStdString(other_));
+        // A scanner that is asked for ends it too.
+        on.memory.keepRecentFile(gone);
+        page->show();
+        on.window.live().panel().hide();
+        QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);
+        QVERIFY(page->isHidden() && on.window.live().panel().isVisible());
+        qunsetenv("XDG_CACHE_HOME");
+    }
+
     void everyActIsTakenBackAndDoneAgain() {
         WindowFixture on;
         on.window.resize(1300, 850);
@@ -270,7 +322,6 @@ private slots:
                  QString::fromStdString(sittingText(first->sitting, "/", "")));
         // The log has the words of the sources, whatever the window speaks.
         QCOMPARE(w.undoStack().text(0), QString("Keep as A"));
-        QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
     }
 };
 

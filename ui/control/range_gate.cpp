@@ -15,6 +15,13 @@ void Selection::hideToo(const QString& what, const CellSet& cells) {
         notice_.showNotice(NoticeBar::Kind::Done, tr("No cell lies there: nothing more is hidden."));
     else
         change(what, {without(state_.selected, cells), united(state_.hidden, cells)});
+    tellOfGrowth();
+}
+
+void Selection::tellOfGrowth() {
+    if (!session_.picture() || !session_.picture()->source.growth.growing) return;
+    notice_.showNotice(NoticeBar::Kind::Warning,
+                       tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
 }
 
 void Selection::restore(CellSet selected, CellSet hidden) { change(stepName("Open Session"), {std::move(selected), std::move(hidden)}); }
@@ -55,6 +62,7 @@ void Selection::clipToSelected() {
     // The selection was the corner stones of the box; what it holds is what is looked at now.
     if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);
     change(stepName("Clip to Box"), {{}, united(state_.hidden, outside)});
+    tellOfGrowth();
 }
 
 } // namespace edgescan::ui

@@ -81,6 +81,7 @@ private:
     void show();
     void addToMenu(QMenu& menu, std::size_t cell);
     [[nodiscard]] bool needSelection();
+    void tellOfGrowth();
     void hideToo(const QString& what, const CellSet& cells);
     [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 
