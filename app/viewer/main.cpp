@@ -86,11 +86,11 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
     std::vector<PinnedPlace> places;
     for (const std::string& text : typed) {
         const std::size_t comma = text.find(',');
-        const auto line = numberOf(text.substr(0, comma));
-        const auto beam = comma == std::string::npos ? std::nullopt : numberOf(text.substr(comma + 1));
-        const auto isIndex = [](const std::optional<double>& n) { return n && *n >= 0 && *n < 1e9 && *n == static_cast<int>(*n); };
+        const double line = numberOf(text.substr(0, comma)).value_or(-1.0);
+        const double beam = comma == std::string::npos ? -1.0 : numberOf(text.substr(comma + 1)).value_or(-1.0);
+        const auto isIndex = [](double n) { return n >= 0 && n < 1e9 && n == static_cast<int>(n); };
         if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is no cell", "--pin", "give LINE,BEAM such as 525,593"};
-        places.push_back({static_cast<int>(*line), static_cast<int>(*beam)});
+        places.push_back({static_cast<int>(line), static_cast<int>(beam)});
     }
     return places;
 }

@@ -22,16 +22,17 @@ namespace {
 class OverViews : public QObject {
 public:
     OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
-        for (QObject* watched : {static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
+        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
                                  static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.live().panel())})
             watched->installEventFilter(this);
         place();
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
+        if (!page_.isVisible()) return false; // also when the window goes
         const auto type = event->type();
         if (watched == &window_.live().panel() && type == QEvent::Show)
             page_.hide();
-        else if (type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide || type == QEvent::Move)
+        else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
             place();
         return false;
     }
