@@ -11,8 +11,10 @@
 #include "ui/language/languages.h"
 #include "ui/main/cab_mode.h"
 #include "ui/main/main_window.h"
+#include "ui/main/start.h"
 #include "ui/main/theme.h"
 #include "ui/session/memory.h"
+#include "ui/sitting/sittings.h"
 
 #include <QApplication>
 #include <QIcon>
@@ -39,6 +41,8 @@ struct Wanted {
     std::string language;
     std::vector<std::string> pins; // "LINE,BEAM"
     std::string compare;
+    std::string session;
+    bool goOn = false;
     std::string screenshot;
     int screenshotLines = 1;
     double quitAfter = 0.0;
@@ -58,6 +62,8 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     app.add_flag("--cab", wanted.cab, "Start in cab mode: large tools and numbers, for gloves; hold Locked to leave it");
     app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
     app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one");
+    app.add_option("--session", wanted.session, "Open this session, or the picture of the window that carries one");
+    app.add_flag("--continue", wanted.goOn, "Go on where the viewer was, after a crash too");
     app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
     cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
     cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
@@ -83,11 +89,11 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
     std::vector<PinnedPlace> places;
     for (const std::string& text : typed) {
         const std::size_t comma = text.find(',');
-        const auto line = numberOf(text.substr(0, comma));
-        const auto beam = comma == std::string::npos ? std::nullopt : numberOf(text.substr(comma + 1));
-        const auto isIndex = [](const std::optional<double>& n) { return n && *n >= 0 && *n < 1e9 && *n == static_cast<int>(*n); };
+        const double line = numberOf(text.substr(0, comma)).value_or(-1.0);
+        const double beam = comma == std::string::npos ? -1.0 : numberOf(text.substr(comma + 1)).value_or(-1.0);
+        const auto isIndex = [](double n) { return n >= 0 && n < 1e9 && n == static_cast<int>(n); };
         if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is no cell", "--pin", "give LINE,BEAM such as 525,593"};
-        places.push_back({static_cast<int>(*line), static_cast<int>(*beam)});
+        places.push_back({static_cast<int>(line), static_cast<int>(beam)});
     }
     return places;
 }
@@ -122,7 +128,7 @@ void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int li
     constexpr int kRestMs = 700;
     const auto write = [&window, path] {
         while (!window.comparing().settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const Result<Done> written = ui::savePng(window.screenshot(), QString::fromStdString(path));
+        const Result<Done> written = window.exports().saveScreenshot(window.screenshot(), QString::fromStdString(path));
         if (!written) cli::complain(written.error());
         QApplication::exit(written ? 0 : 1);
     };
@@ -154,6 +160,7 @@ std::optional<Error> nameThatIsNone(const Wanted& wanted) {
     std::vector<std::string> names = wanted.files;
     names.push_back(wanted.screenshot);
     names.push_back(wanted.compare);
+    names.push_back(wanted.session);
     names.push_back(wanted.read.options.pose);
     names.push_back(wanted.read.options.calibration);
     for (const std::string& name : names) {
@@ -180,10 +187,18 @@ int runViewer(QApplication& application, Wanted& wanted, const std::vector<Pinne
         QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
-    if (!files.isEmpty())
-        window.files().open(files, cli::readingOptions(wanted.read));
+    if (!wanted.session.empty())
+        window.sittings().openSession(QString::fromStdString(wanted.session));
+    else if (wanted.goOn)
+        window.sittings().goOn();
+    else if (!files.isEmpty())
+        window.sittings().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.files().openDemo();
+    else if (!scanner) {
+        window.sittings().offerToGoOn();
+        ui::showStart(window, memory);
+    }
     if (scanner) window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, sweep);
     return QApplication::exec();
 }
@@ -209,7 +224,8 @@ int main(int argc, char** argv) {
         cli::complain(*none);
         return 1;
     }
-    if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty()) {
+    if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty() && wanted.session.empty() &&
+        !wanted.goOn) {
         cli::complain(Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"});
         return 2;
     }

@@ -16,10 +16,13 @@ namespace edgescan {
 /// A mark stands for the cells round it too: nobody clicks a line one cell wide.
 inline constexpr int kMarkReachCells = 2;
 
+inline constexpr std::size_t kMostMarks = 1000; ///< of either kind
+
 struct EdgeMarks {
     std::vector<std::uint32_t> wanted;   ///< an edge lies at the cell or within kMarkReachCells
     std::vector<std::uint32_t> unwanted; ///< none does
     [[nodiscard]] bool empty() const { return wanted.empty() && unwanted.empty(); }
+    bool operator==(const EdgeMarks&) const = default;
 };
 
 struct EdgeProposal {

@@ -61,9 +61,13 @@ mantenga \ para verla</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
+<message><source>Keep as A</source><translation>Guardar como A</translation></message>
+<message><source>Forget A</source><translation>Olvidar A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
+<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
+<message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
@@ -123,6 +127,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
+<message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
+<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>✓ edge</source><translation>✓ borde</translation></message>
 <message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
@@ -145,9 +154,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
+<message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>call of a rock</source><translation>clasificación como roca</translation></message>
@@ -173,7 +184,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
-<message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
@@ -496,6 +506,10 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
+<message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
@@ -662,6 +676,35 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
+<message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
+<message><source>Save session</source><translation>Guardar sesión</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
+<message><source>Open session</source><translation>Abrir sesión</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
+<message><source>Locate…</source><translation>Localizar…</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>La sesión %1 queda como estaba: este es otro escaneo.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es otro. Los ajustes y la vista han vuelto; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
+<message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
+<message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
+<message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; solo se envían lecturas y una suscripción</translation></message>
+<message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
+<message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
+<message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
+<message><source>Recent</source><translation>Recientes</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
+<message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>

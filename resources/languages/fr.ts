@@ -61,9 +61,13 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
+<message><source>Keep as A</source><translation>Garder comme A</translation></message>
+<message><source>Forget A</source><translation>Oublier A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
+<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
+<message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
@@ -123,6 +127,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
+<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
+<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>✓ edge</source><translation>✓ arête</translation></message>
 <message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
@@ -145,9 +154,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
 <message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
+<message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>call of a rock</source><translation>classement comme bloc</translation></message>
@@ -173,7 +184,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
-<message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
@@ -496,6 +506,10 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
+<message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
@@ -662,6 +676,35 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
+<message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
+<message><source>Save session</source><translation>Enregistrer la session</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>Open session</source><translation>Ouvrir une session</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1 : le scan de cette session n'y est pas : il a été déplacé, ou son disque n'est pas là. Réglages et vue sont repris ; le reste viendra avec le scan.</translation></message>
+<message><source>Locate…</source><translation>Localiser…</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>La session %1 reste telle quelle : ceci est un autre scan.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu est autre. Réglages et vue sont repris ; cibles, sélection, marques, rochers, A et caméra ne le sont pas.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
+<message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
+<message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
+<message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L ; rien n'est envoyé que des lectures et un abonnement</translation></message>
+<message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
+<message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
+<message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
+<message><source>Recent</source><translation>Récents</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
+<message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>

@@ -61,9 +61,13 @@ segure \ para vê-la</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
+<message><source>Keep as A</source><translation>Guardar como A</translation></message>
+<message><source>Forget A</source><translation>Esquecer A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
+<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
+<message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
@@ -123,6 +127,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de aresta</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de não aresta</translation></message>
+<message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
+<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>✓ edge</source><translation>✓ borda</translation></message>
 <message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
@@ -145,9 +154,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
+<message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>call of a rock</source><translation>classificação como rocha</translation></message>
@@ -173,7 +184,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
-<message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
@@ -496,6 +506,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
+<message><source>Where is the scan now?</source><translation>Onde está o scan agora?</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
@@ -662,6 +676,35 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
+<message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
+<message><source>Save session</source><translation>Salvar sessão</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
+<message><source>Open session</source><translation>Abrir sessão</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: o scan desta sessão não está lá: foi movido, ou o disco não está aqui. Ajustes e vista voltaram; o resto vem com o scan.</translation></message>
+<message><source>Locate…</source><translation>Localizar…</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>A sessão %1 fica como estava: este é outro scan.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é o scan desta sessão: o conteúdo é outro. Ajustes e vista voltaram; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
+<message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>As arestas das rochas num scan laser de distâncias</translation></message>
+<message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
+<message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; só se enviam leituras e uma assinatura</translation></message>
+<message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
+<message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
+<message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
+<message><source>Recent</source><translation>Recentes</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
+<message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>

@@ -1,9 +1,12 @@
 // Filled gaps in the real window: counted, striped, told in the status line, and gone again.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "core/report/provenance.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/status_line.h"
 
+#include <QCheckBox>
 #include <QLabel>
 
 using namespace edgescan;
@@ -42,6 +45,18 @@ private slots:
         }
         const Probe probe = probeCell(*on.picture().detection, filling.cells.front().cell);
         QVERIFY(probeWords(probe).verdict.startsWith("filled, not measured: "));
+        // The question before an export counts what the export writes.
+        for (const ExportContent content : {ExportContent::FullCloud, ExportContent::EdgeCloud}) {
+            ExportDialog dialog(on.picture().detection, content);
+            const std::size_t measured = dialog.count();
+            dialog.findChild<QCheckBox*>("with-filled")->setChecked(true);
+            const auto written =
+                exportWithProvenance(content, *on.picture().detection, (folder_ / "filled.ply").string(), dialog.options());
+            QVERIFY2(bool(written), written ? "" : written.error().sentence().c_str());
+            QCOMPARE(dialog.count(), *written);
+            if (content == ExportContent::FullCloud) QCOMPARE(dialog.count(), measured + filling.cells.size());
+            QVERIFY(dialog.findChild<QLabel*>("count")->text().remove(',').startsWith(QString::number(*written) + " "));
+        }
 
         QTest::keyClick(on.slider("fill"), Qt::Key_Home);
         QVERIFY(on.settled());

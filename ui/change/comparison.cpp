@@ -6,6 +6,7 @@
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "ui/cloud/cloud_geometry.h"
+#include "ui/session/demo_scan.h"
 #include "ui/session/session.h"
 
 #include <algorithm>
@@ -161,16 +162,29 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
     return std::shared_ptr<const Comparison>(std::move(made));
 }
 
-Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const Settings& settings) {
+Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     try {
-        Result<Scan> scan = openAsAsked(path.toStdString(), {});
-        if (!scan) return scan.error();
         if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
-        const auto shared = std::make_shared<const Scan>(std::move(*scan));
-        return makePicture(detectEdges(shared, settings), {Session::newStream(), {}}, settings, makeCloudGeometry(*shared), nullptr);
+        return makePicture(detectEdges(scan, settings), {Session::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory for a second picture", scan->path, "close other programs or choose a smaller scan"};
+    }
+}
+
+Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const Settings& settings) {
+    try {
+        Result<Scan> scan = openAsAsked(path.toStdString(), reading);
+        if (!scan) return scan.error();
+        return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for a second scan", path.toStdString(), "close other programs or choose a smaller one"};
     }
+}
+
+Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings) {
+    Result<Scan> scan = demoScan([](const char*, double) { return true; }, afterBlast);
+    if (!scan) return scan.error();
+    return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
 }
 
 } // namespace edgescan::ui

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/change/scene_change.h"
+#include "core/scan/reading_options.h"
 #include "ui/session/picture.h"
 
 #include <QImage>
@@ -47,6 +48,9 @@ struct Comparison {
 [[nodiscard]] Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last);
 
 /// A scan with edges by these settings, to compare with. Error: what opening it says, or too little memory.
-[[nodiscard]] Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const Settings& settings);
+[[nodiscard]] Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading,
+                                                                    const Settings& settings);
+[[nodiscard]] Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings);
+[[nodiscard]] Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 } // namespace edgescan::ui

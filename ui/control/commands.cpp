@@ -22,6 +22,7 @@ void makeSwitch(QAction& action, const Command& command, Memory& memory) {
         QObject::connect(&action, &QAction::triggered, &action, command.set);
         return;
     }
+    action.setProperty("remembered", command.remembered); // sessions keep it
     action.setChecked(memory.flag(command.remembered, command.on));
     command.set(action.isChecked()); // also when it is what an action starts with
     QObject::connect(&action, &QAction::toggled, &action, [&memory, set = command.set, key = command.remembered](bool on) {

@@ -3,6 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
 #include "ui/change/change_legend.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/files.h"
@@ -18,6 +19,8 @@
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QUndoCommand>
+#include <QUndoStack>
 
 namespace edgescan::ui {
 namespace {
@@ -30,17 +33,58 @@ bool isTyping(const QWidget* widget) {
 
 } // namespace
 
-Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, NoticeBar& notice, Memory& memory)
-    : session_(session), views_(views), legend_(legend), rocks_(rocks), notice_(notice), memory_(memory),
+/// A before and after. The picture itself may be gone by then: it is read again.
+class KeptChange : public QUndoCommand {
+public:
+    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from)
+        : QUndoCommand(name),
+          comparing_(comparing), before_{comparing.kept_, comparing.kept_ == nullptr, comparing.keptFrom_}, after_{after, after == nullptr,
+                                                                                                                   from} {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    struct State {
+        std::weak_ptr<const Picture> picture;
+        bool none;
+        std::optional<KeptFrom> from;
+    };
+    void apply(const State& state) {
+        const auto picture = state.picture.lock();
+        if (state.none || picture)
+            comparing_.use(picture, state.from);
+        else if (state.from)
+            comparing_.read(*state.from, false);
+        else
+            setObsolete(true); // of a sweep that no file holds
+    }
+
+    Comparing& comparing_;
+    State before_, after_;
+};
+
+Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
+                     Memory& memory, QUndoStack& undo)
+    : session_(session), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
-          this, [](const Reading& reading) { return earlierPicture(reading.path, reading.settings); },
+          this,
+          [](const Reading& reading) {
+              return Read{reading, reading.scan        ? pictureOf(reading.scan, reading.from.settings)
+                                   : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
+                                                       : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings)};
+          },
           [this](const Read& read) { takeRead(read); },
           [this](const QString& what) {
-              takeRead(Error{what.toStdString(), "", "choose another scan"});
+              takeRead({{}, Error{what.toStdString(), "", "choose another scan"}});
           }),
       comparer_(
           this,
           [this](const ComparisonAsked& asked) {
+              if (!asked.before) { // nothing is kept any more: what was known of it goes
+                  last_ = nullptr;
+                  return Answer{asked, std::shared_ptr<const Comparison>()};
+              }
               Answer answer{asked, compared(asked, last_.get())};
               last_ = answer.made ? *answer.made : nullptr;
               return answer;
@@ -68,14 +112,24 @@ void Comparing::keep() {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    use(session_.picture());
+    undo_.push(new KeptChange(stepName("Keep as A"), *this, session_.picture(), fromShown()));
 }
 
-void Comparing::forget() { use(nullptr); }
+void Comparing::forget() {
+    if (kept_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
+}
 
-void Comparing::use(std::shared_ptr<const Picture> kept) {
+std::optional<KeptFrom> Comparing::fromShown() const {
+    if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
+    const Detection& detection = *session_.picture()->detection;
+    return KeptFrom{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
+}
+
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from) {
     flip(false);
     kept_ = std::move(kept);
+    keptFrom_ = std::move(from);
+    if (!kept_) comparer_.post({});
     comparison_ = nullptr;
     show();
     emit keptChanged(kept_ != nullptr);
@@ -88,9 +142,20 @@ void Comparing::compareWith(const QString& path) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to compare with it yet: open the later scan first."));
         return;
     }
-    reading_ = true;
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
-    reader_.post({path, session_.settings()});
+    ReadingOptions reading = files_.options();
+    reading.scanIndex = 0; // of the file on the screen
+    read({path, std::nullopt, reading, session_.settings(), {}, {}}, true);
+}
+
+void Comparing::restore(const KeptFrom& from) { read(from, false); }
+
+void Comparing::read(const KeptFrom& from, bool asStep) {
+    reading_ = true;
+    const std::optional<KeptFrom> shown = session_.picture() ? fromShown() : std::nullopt;
+    const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
+                      shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
+    reader_.post({from, same ? session_.picture()->detection->scan : nullptr, asStep});
 }
 
 void Comparing::askScan() {
@@ -101,9 +166,20 @@ void Comparing::askScan() {
 
 void Comparing::takeRead(const Read& read) {
     reading_ = false;
-    if (!read) return notice_.tell(read.error());
+    if (!read.picture) return notice_.tell(read.picture.error());
+    const std::shared_ptr<const Picture>& picture = *read.picture;
+    KeptFrom from = read.asked.from;
+    const Scan& scan = *picture->detection->scan;
+    if (!from.sha256.empty() && from.sha256 != scan.sha256) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(from.path)));
+        return;
+    }
+    from.sha256 = scan.sha256;
+    from.name = scan.name;
+    if (!read.asked.asStep) return use(picture, from);
     notice_.hide();
-    use(*read);
+    undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
 }
 
 bool Comparing::comparable() const {
@@ -131,6 +207,7 @@ void Comparing::ask() {
 }
 
 void Comparing::take(const Answer& answer) {
+    if (!answer.asked.before) return;
     const bool wanted =
         comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
     if (!wanted) return; // a newer question is under way, or there is nothing left to ask

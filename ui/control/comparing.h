@@ -1,34 +1,54 @@
 // A/B: keeps a picture and compares what is on the screen with it; a key flips the two in all views together.
 #pragma once
 
+#include "core/scan/reading_options.h"
 #include "ui/change/comparison.h"
 #include "ui/session/newest.h"
 
 #include <QObject>
 
 #include <memory>
+#include <optional>
+
+class QUndoStack;
 
 namespace edgescan::ui {
 
 class ChangeLegend;
+class Files;
 class LinkedViews;
 class Memory;
 class NoticeBar;
 class Rocks;
 class Session;
 
+/// What A can be made of again.
+struct KeptFrom {
+    QString path;             ///< empty: a demo
+    std::optional<bool> demo; ///< after the blast, or before
+    ReadingOptions reading;
+    Settings settings;
+    std::string sha256; ///< of the scan; empty: not known yet
+    std::string name;
+};
+
 /// GUI thread only. What it is given must outlive it.
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, NoticeBar& notice, Memory& memory);
+    Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
+              Memory& memory, QUndoStack& undo);
 
-    /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten.
+    /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten. Each of these is one step of undo; a step
+    /// holds no picture, it is made again.
     void keep();
     void forget();
     [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
-    /// Another scan becomes A, with the settings on the screen. It is read on a thread of its own.
+    /// Where A comes from; empty: there is none, or it is of no file.
+    [[nodiscard]] const std::optional<KeptFrom>& keptFrom() const { return keptFrom_; }
+    /// Another scan becomes A, read as the one on the screen was, with the settings on the screen. It is read on a thread of its own.
     void compareWith(const QString& path);
+    void restore(const KeptFrom& from);
     void askScan();
 
     /// Off: the edges in their own colours, A still a key away.
@@ -52,11 +72,16 @@ signals:
     void differenceShown(bool on);
 
 private:
+    friend class KeptChange;
     struct Reading {
-        QString path;
-        Settings settings;
+        KeptFrom from;
+        std::shared_ptr<const Scan> scan; ///< where it is the one on the screen
+        bool asStep = false;              ///< its end is a step of undo
     };
-    using Read = Result<std::shared_ptr<const Picture>>;
+    struct Read {
+        Reading asked;
+        Result<std::shared_ptr<const Picture>> picture;
+    };
     struct Answer {
         ComparisonAsked asked;
         Result<std::shared_ptr<const Comparison>> made;
@@ -65,7 +90,9 @@ private:
     void ask();
     void take(const Answer& answer);
     void takeRead(const Read& read);
-    void use(std::shared_ptr<const Picture> kept);
+    void use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from);
+    void read(const KeptFrom& from, bool asStep);
+    [[nodiscard]] std::optional<KeptFrom> fromShown() const;
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
@@ -74,9 +101,12 @@ private:
     LinkedViews& views_;
     ChangeLegend& legend_;
     Rocks& rocks_;
+    const Files& files_;
     NoticeBar& notice_;
     Memory& memory_;
+    QUndoStack& undo_;
     std::shared_ptr<const Picture> kept_;
+    std::optional<KeptFrom> keptFrom_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true, working_ = false, reading_ = false;

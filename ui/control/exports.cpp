@@ -127,10 +127,14 @@ void Exports::askScreenshot(const QImage& image) {
         {tr("Save screenshot"), QDir(memory_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
     if (path.isEmpty()) return;
     memory_.keepFolder("images", path);
-    if (const Result<Done> written = savePng(image, path); !written)
+    if (const Result<Done> written = saveScreenshot(image, path); !written)
         notice_.tell(written.error());
     else
         notice_.showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
+}
+
+Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {
+    return savePng(carry_ ? carry_(image, path) : image, path);
 }
 
 void Exports::copyCommand() {

@@ -6,6 +6,9 @@
 #include <QImage>
 #include <QObject>
 
+#include <functional>
+#include <utility>
+
 namespace edgescan::ui {
 
 class Files;
@@ -29,6 +32,10 @@ public:
     void setSelection(const std::vector<std::uint32_t>& cells);
     /// Asks where to.
     void askScreenshot(const QImage& image);
+    /// What a picture of the window carries when it is saved at `path`.
+    using Carry = std::function<QImage(const QImage& image, const QString& path)>;
+    void setCarried(Carry carry) { carry_ = std::move(carry); }
+    Result<Done> saveScreenshot(const QImage& image, const QString& path);
     /// To the clipboard.
     void copyCommand();
 
@@ -41,6 +48,7 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     std::shared_ptr<const std::vector<std::uint32_t>> selection_; // null: none
+    Carry carry_;
 };
 
 } // namespace edgescan::ui

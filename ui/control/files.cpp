@@ -5,6 +5,7 @@
 #include "core/straighten/straighten_scan.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
 #include "ui/control/file_filters.h"
 #include "ui/dialogs/reading_dialog.h"
 #include "ui/session/memory.h"
@@ -82,6 +83,7 @@ void Files::open(const QStringList& paths, const ReadingOptions& options) {
 void Files::openDemo(bool afterBlast) {
     series_.clear();
     setOptions({});
+    wantedDemo_ = afterBlast;
     session_.openDemo(afterBlast);
 }
 
@@ -137,7 +139,7 @@ void Files::straighten(bool wanted) {
     }
     ReadingOptions options = options_;
     options.straighten = wanted;
-    readAgain(options, wanted ? tr("Straighten Beams") : tr("Beams as Recorded"));
+    readAgain(options, wanted ? stepName("Straighten Beams") : stepName("Beams as Recorded"));
 }
 
 void Files::readAgain(const ReadingOptions& options, const QString& what) { undo_.push(new ReadingChange(*this, undo_, what, options)); }
@@ -154,12 +156,13 @@ void Files::askReading() {
         return notice_.showNotice(NoticeBar::Kind::Warning,
                                   tr("There is no file on the screen that could be read in another way: open one first."));
     ReadingDialog dialog(options_, notice_.window());
-    if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), tr("How the Scan Is Read"));
+    if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), stepName("How the Scan Is Read"));
 }
 
 void Files::leave() {
     series_.clear();
     path_.clear();
+    demo_.reset();
     shownOptions_ = {};
     setOptions({});
     notice_.hide();
@@ -167,6 +170,7 @@ void Files::leave() {
 
 void Files::noteOpened(const QString& path) {
     path_ = path;
+    demo_ = path.isEmpty() ? std::optional(wantedDemo_) : std::nullopt;
     shownOptions_ = options_;
     notice_.hide();
     if (path.isEmpty()) return;

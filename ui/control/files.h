@@ -36,6 +36,10 @@ public:
     /// What is on the screen comes from no file any more.
     void leave();
 
+    /// On the screen; empty: the demo, a scanner, or nothing.
+    [[nodiscard]] const QString& path() const { return path_; }
+    /// Which demo is on the screen (after the blast or before), if any.
+    [[nodiscard]] std::optional<bool> demo() const { return demo_; }
     /// Those of the file on the screen.
     [[nodiscard]] const ReadingOptions& options() const { return options_; }
     /// " (2 of 3)" in a series, else empty.
@@ -60,6 +64,8 @@ private:
     QString path_;                // on the screen; empty: the demo or a scanner
     ReadingOptions options_;      // of what is on the screen, or about to be
     ReadingOptions shownOptions_; // of what is on the screen
+    std::optional<bool> demo_;
+    bool wantedDemo_ = false;
     QUndoStack& undo_;
     QStringList series_;
     int place_ = 0;

@@ -4,6 +4,7 @@
 #include "ui/base/cell_marks.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/targets.h"
 #include "ui/dialogs/proposals_card.h"
@@ -21,7 +22,7 @@ namespace {
 class AdoptedSettings : public QUndoCommand {
 public:
     AdoptedSettings(Session& session, const Settings& after)
-        : QUndoCommand(MarkedEdges::tr("Settings for These Marks")), session_(session), before_(session.settings()), after_(after) {}
+        : QUndoCommand(stepName("Settings for These Marks")), session_(session), before_(session.settings()), after_(after) {}
 
     void undo() override { session_.setSettings(before_); }
     void redo() override { session_.setSettings(after_); }
@@ -32,6 +33,28 @@ private:
 };
 
 } // namespace
+
+/// A step on one scan; once another is on the screen there is nothing to take back.
+class MarksChange : public QUndoCommand {
+public:
+    MarksChange(const QString& name, MarkedEdges& marked, const EdgeMarks& after)
+        : QUndoCommand(name), marked_(marked), stream_(marked.stream_), before_(marked.marks_), after_(after) {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    void apply(const EdgeMarks& marks) {
+        if (marked_.stream_ == stream_)
+            marked_.use(marks);
+        else
+            setObsolete(true);
+    }
+
+    MarkedEdges& marked_;
+    std::uint64_t stream_;
+    EdgeMarks before_, after_;
+};
 
 MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
@@ -46,7 +69,7 @@ MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets,
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
     connect(&session_, &Session::pictureReady, this, [this] {
-        if (std::exchange(stream_, session_.picture()->source.stream) != session_.picture()->source.stream) clear();
+        if (std::exchange(stream_, session_.picture()->source.stream) != session_.picture()->source.stream) use({});
     });
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
@@ -60,19 +83,35 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
         return;
     }
     const auto k = static_cast<std::uint32_t>(*cell);
-    std::vector<std::uint32_t>& these = isEdge ? marks_.wanted : marks_.unwanted;
-    std::vector<std::uint32_t>& others = isEdge ? marks_.unwanted : marks_.wanted;
+    EdgeMarks after = marks_;
+    std::vector<std::uint32_t>& these = isEdge ? after.wanted : after.unwanted;
+    std::vector<std::uint32_t>& others = isEdge ? after.unwanted : after.wanted;
     std::erase(others, k);
     if (std::erase(these, k) == 0) these.push_back(k);
-    show();
+    if (after.wanted.size() > kMostMarks || after.unwanted.size() > kMostMarks) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell was not marked: there are %1 marks, clear some first.").arg(kMostMarks));
+        return;
+    }
+    change(isEdge ? stepName("Mark of an Edge") : stepName("Mark of No Edge"), after);
 }
 
-void MarkedEdges::clear() {
-    marks_ = {};
-    putBack();
-    proposals_.clear();
-    if (card_ != nullptr) card_->hide();
+void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
+
+void MarkedEdges::restore(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+
+void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
+    if (after != marks_) undo_.push(new MarksChange(what, *this, after));
+}
+
+void MarkedEdges::use(const EdgeMarks& marks) {
+    marks_ = marks;
+    if (marks_.empty()) {
+        putBack();
+        proposals_.clear();
+        if (card_ != nullptr) card_->hide();
+    }
     show();
+    emit changed();
 }
 
 void MarkedEdges::show() {

@@ -29,6 +29,8 @@ public:
     /// The cell that is pinned or pointed at; the same mark again takes it away.
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
+    /// All of them, as one step of undo.
+    void restore(const EdgeMarks& marks);
     /// Works out on a thread of its own which settings agree, and shows them.
     ~MarkedEdges() override { ending_ = true; }
     void propose();
@@ -37,7 +39,11 @@ public:
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }
 
+signals:
+    void changed();
+
 private:
+    friend class MarksChange;
     struct Question {
         std::shared_ptr<const Scan> scan;
         Settings settings;
@@ -47,6 +53,8 @@ private:
         Question asked;
         std::vector<EdgeProposal> proposals;
     };
+    void change(const QString& what, const EdgeMarks& after);
+    void use(const EdgeMarks& marks);
     void tell(const Answer& answer);
     void show();
     void putBack();

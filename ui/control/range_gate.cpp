@@ -1,5 +1,6 @@
 // Range gate and clip box: cells that are hidden by where they lie.
 #include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/selection.h"
 #include "ui/dialogs/range_gate_dialog.h"
@@ -14,10 +15,19 @@ void Selection::hideToo(const QString& what, const CellSet& cells) {
         notice_.showNotice(NoticeBar::Kind::Done, tr("No cell lies there: nothing more is hidden."));
     else
         change(what, {without(state_.selected, cells), united(state_.hidden, cells)});
+    tellOfGrowth();
 }
 
+void Selection::tellOfGrowth() {
+    if (!session_.picture() || !session_.picture()->source.growth.growing) return;
+    notice_.showNotice(NoticeBar::Kind::Warning,
+                       tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
+}
+
+void Selection::restore(CellSet selected, CellSet hidden) { change(stepName("Open Session"), {std::move(selected), std::move(hidden)}); }
+
 void Selection::hideBeyond(double nearM, double farM) {
-    if (session_.picture()) hideToo(tr("Range Gate"), cellsBeyond(*session_.picture()->detection->scan, nearM, farM));
+    if (session_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*session_.picture()->detection->scan, nearM, farM));
 }
 
 std::optional<double> Selection::rangeAt(std::optional<std::size_t> cell) {
@@ -50,8 +60,9 @@ void Selection::clipToSelected() {
     const Scan& scan = *session_.picture()->detection->scan;
     const CellSet outside = cellsOutsideBoxOf(scan, state_.selected);
     // The selection was the corner stones of the box; what it holds is what is looked at now.
-    if (outside.empty()) return hideToo(tr("Clip to Box"), outside);
-    change(tr("Clip to Box"), {{}, united(state_.hidden, outside)});
+    if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);
+    change(stepName("Clip to Box"), {{}, united(state_.hidden, outside)});
+    tellOfGrowth();
 }
 
 } // namespace edgescan::ui

@@ -1,6 +1,7 @@
 // What mouse and wheel do with rocks while a tool is in use: pieces of a rock to choose from, lines, the region of interest.
 #include "core/rocks/region_of_interest.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/rocks.h"
@@ -86,7 +87,7 @@ void Rocks::splitAt(std::size_t cell) {
         return;
     }
     select({cell});
-    push(isLarger ? tr("merge of rocks") : tr("split of a rock"), std::move(edit));
+    push(isLarger ? stepName("merge of rocks") : stepName("split of a rock"), std::move(edit));
 }
 
 void Rocks::takeStroke(const std::vector<QPoint>& cells) {
@@ -99,12 +100,12 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that went on
     const RockStudy& study = picture_->study;
     if (tool == RockTool::Join) {
-        if (auto join = joinAlong(*study.leaves, study.map, stroke)) return push(tr("merge of rocks"), std::move(*join));
+        if (auto join = joinAlong(*study.leaves, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
         notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was joined: draw the line from one rock over the crack into the next."));
     }
     if (tool == RockTool::Cut) {
         auto cut = stroke.size() < 2 ? std::nullopt : cutAlong(*study.leaves, study.map, stroke);
-        if (cut) return push(tr("cut of a rock"), std::move(*cut));
+        if (cut) return push(stepName("cut of a rock"), std::move(*cut));
         notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was cut: draw the line through a rock, from one side to the other."));
     }
 }
@@ -117,14 +118,14 @@ void Rocks::takeRegion(const std::vector<QPoint>& cells) {
     if (after.region.empty())
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no region yet: draw the line round what counts, in one of the images."));
     else
-        pushByHand(tr("region of interest"), std::move(after));
+        pushByHand(stepName("region of interest"), std::move(after));
 }
 
 void Rocks::clearRegion() {
     if (settings_.region.empty()) return;
     RockByHand after = byHand();
     after.region.clear();
-    pushByHand(tr("region of interest"), std::move(after));
+    pushByHand(stepName("region of interest"), std::move(after));
 }
 
 } // namespace edgescan::ui

@@ -37,7 +37,7 @@ Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable&
         notice_.showNotice(NoticeBar::Kind::Error,
                            tr("the rocks could not be worked out (%1); close other programs or open a smaller scan.").arg(what));
     });
-    connect(&panel_, &RocksPanel::edited, this, &Rocks::useSettings);
+    connect(&panel_, &RocksPanel::edited, this, &Rocks::turn);
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
         std::vector<std::size_t> cells;
         for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
@@ -52,7 +52,10 @@ Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable&
     connect(&card, &RockCard::callWanted, this, &Rocks::callSelected);
     connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
     connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
-    connect(&beside_, &RocksBeside::readEnded, this, &Rocks::follow);
+    connect(&beside_, &RocksBeside::readEnded, this, [this] {
+        follow();
+        if (restored_) restore(*std::exchange(restored_, std::nullopt));
+    });
     connect(&beside_, &RocksBeside::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
     connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
@@ -107,6 +110,7 @@ void Rocks::follow() {
     if (!shown) return;
     if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {
         edits_.clear();
+        restored_.reset();
         settings_.region.clear();
         if (on_) forget();
     }
@@ -139,6 +143,7 @@ void Rocks::useSettings(const RockSettings& settings) {
     panel_.showSettings(settings);
     beside_.keep(settings_, edits_);
     ask();
+    emit changed();
 }
 
 void Rocks::takePreset(const RockPreset& preset) {

@@ -58,6 +58,10 @@ public:
 
     void useSettings(const RockSettings& settings);
     [[nodiscard]] const RockSettings& settings() const { return settings_; }
+    /// The same as one step of undo; a slider that moves on makes one with what it did before.
+    void turn(const RockSettings& settings);
+    /// Settings and edits, as steps of undo, once what lies beside the scan is read.
+    void restore(const RockPreset& preset);
 
     /// Cells: a rock is known by a cell of it, since its label changes with every setting. The last one is on the card.
     void select(std::vector<std::size_t> cells);
@@ -91,6 +95,8 @@ public:
 
 signals:
     void shownChanged(bool on);
+    /// Settings or edits are others.
+    void changed();
     /// Views, table and card show picture() now.
     void rocksShown();
     void toolChanged(edgescan::ui::RockTool tool);
@@ -131,8 +137,9 @@ private:
     RocksBeside beside_;
     RockSettings settings_;
     std::vector<RockEdit> edits_;
-    std::uint64_t stream_ = 0;       // that the edits and the selection belong to
-    std::uint64_t besideStream_ = 0; // that beside_ is about
+    std::optional<RockPreset> restored_; // waits for what is beside the scan
+    std::uint64_t stream_ = 0;           // that the edits and the selection belong to
+    std::uint64_t besideStream_ = 0;     // that beside_ is about
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const Detection> asked_; // last
     std::vector<std::size_t> selected_;

@@ -2,6 +2,7 @@
 #include "ui/control/selection.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/rocks.h"
@@ -114,7 +115,9 @@ void Selection::combine(CellSet cells, Qt::KeyboardModifiers modifiers) {
     select(std::move(cells));
 }
 
-void Selection::select(CellSet cells) { change(cells.empty() ? tr("Select Nothing") : tr("Select"), {std::move(cells), state_.hidden}); }
+void Selection::select(CellSet cells) {
+    change(cells.empty() ? stepName("Select Nothing") : stepName("Select"), {std::move(cells), state_.hidden});
+}
 
 void Selection::selectChainAt(std::size_t cell) {
     if (!views_.shown()) return;
@@ -148,15 +151,16 @@ bool Selection::needSelection() {
 }
 
 void Selection::hideSelected() {
-    if (needSelection()) change(tr("Hide"), {{}, united(state_.hidden, state_.selected)});
+    if (needSelection()) change(stepName("Hide"), {{}, united(state_.hidden, state_.selected)});
 }
 
 void Selection::isolateSelected() {
-    if (needSelection()) change(tr("Isolate"), {state_.selected, allBut(state_.selected, session_.picture()->detection->scan->cells())});
+    if (needSelection())
+        change(stepName("Isolate"), {state_.selected, allBut(state_.selected, session_.picture()->detection->scan->cells())});
 }
 
 void Selection::showAll() {
-    if (!state_.hidden.empty()) change(tr("Show All"), {state_.selected, {}});
+    if (!state_.hidden.empty()) change(stepName("Show All"), {state_.selected, {}});
 }
 
 void Selection::zoomTo() {

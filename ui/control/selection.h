@@ -37,6 +37,7 @@ public:
     /// Hides all but the selection.
     void isolateSelected();
     void showAll();
+    void restore(CellSet selected, CellSet hidden);
     /// Also hides what lies nearer or farther, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the two.
@@ -80,6 +81,7 @@ private:
     void show();
     void addToMenu(QMenu& menu, std::size_t cell);
     [[nodiscard]] bool needSelection();
+    void tellOfGrowth();
     void hideToo(const QString& what, const CellSet& cells);
     [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 

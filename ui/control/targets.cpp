@@ -3,6 +3,7 @@
 
 #include "core/base/utc_time.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
 #include "ui/control/linked_views.h"
 #include "ui/control/rocks.h"
 #include "ui/session/memory.h"
@@ -148,20 +149,20 @@ void Targets::pin(std::size_t cell) {
     target.cell = static_cast<std::uint32_t>(cell);
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
-    change(tr("Pin %1").arg(target.number), std::move(after));
+    change(stepName("Pin %1", target.number), std::move(after));
     emit pinned();
 }
 
 void Targets::letGo(int number) {
     Notebook after = notebook_;
     std::erase_if(after.targets, [&](const PinnedTarget& target) { return target.number == number && !target.locked; });
-    if (after != notebook_) change(tr("Let Go of %1").arg(number), std::move(after));
+    if (after != notebook_) change(stepName("Let Go of %1", number), std::move(after));
 }
 
 void Targets::letGoOfAll() {
     Notebook after = notebook_;
     std::erase_if(after.targets, [](const PinnedTarget& target) { return !target.locked; });
-    if (after != notebook_) change(tr("Let Go of All"), std::move(after));
+    if (after != notebook_) change(stepName("Let Go of All"), std::move(after));
 }
 
 void Targets::rename(int number, const QString& name) {
@@ -171,7 +172,7 @@ void Targets::rename(int number, const QString& name) {
     const std::string text = name.toStdString();
     if (text.size() > kLongestTargetName) return;
     target->name = text;
-    if (after != notebook_) change(tr("Name %1").arg(number), std::move(after));
+    if (after != notebook_) change(stepName("Name %1", number), std::move(after));
 }
 
 void Targets::lock(int number, bool on) {
@@ -179,7 +180,7 @@ void Targets::lock(int number, bool on) {
     PinnedTarget* target = numbered(after, number);
     if (target == nullptr) return;
     target->locked = on;
-    if (after != notebook_) change(on ? tr("Lock %1").arg(number) : tr("Unlock %1").arg(number), std::move(after));
+    if (after != notebook_) change(on ? stepName("Lock %1", number) : stepName("Unlock %1", number), std::move(after));
 }
 
 void Targets::keepMeasure(const KeptMeasure& measure) {
@@ -190,7 +191,7 @@ void Targets::keepMeasure(const KeptMeasure& measure) {
     }
     Notebook after = notebook_;
     after.measures.push_back(measure);
-    change(tr("Measure"), std::move(after));
+    change(stepName("Measure"), std::move(after));
     emit pinned();
 }
 
@@ -198,7 +199,13 @@ void Targets::removeMeasure(std::size_t place) {
     if (place >= notebook_.measures.size()) return;
     Notebook after = notebook_;
     after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
-    change(tr("Remove Measurement"), std::move(after));
+    change(stepName("Remove Measurement"), std::move(after));
+}
+
+void Targets::restore(const Notebook& notebook) {
+    if (notebook == notebook_) return;
+    change(stepName("Open Session"), notebook);
+    emit pinned();
 }
 
 void Targets::change(const QString& what, Notebook after) { undo_.push(new NotebookChange(what, *this, std::move(after))); }

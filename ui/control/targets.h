@@ -61,6 +61,8 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const KeptMeasure& measure);
     void removeMeasure(std::size_t place);
+    /// All of them, as one step of undo.
+    void restore(const Notebook& notebook);
     /// What is being picked for a measurement; no cells: nothing is.
     void showDraft(const MeasureMark& draft);
     /// Where the picture comes from, in words, for the cards.

@@ -6,6 +6,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/session/edge_counts.h"
 #include "ui/session/memory.h"
@@ -24,9 +25,12 @@ QString describe(const Settings& before, const Settings& after) {
     for (const Parameter& p : parameters()) {
         const std::string from = formatValue(p, p.get(before));
         const std::string to = formatValue(p, p.get(after));
-        if (from != to) return QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), shownText(from), shownText(to));
+        if (from == to) continue;
+        const QStringList values{shownText(from), shownText(to)};
+        return QString("%1 %2 to %3").arg(QString(p.label), values[0], values[1]) + '\n' +
+               QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), values[0], values[1]);
     }
-    return QObject::tr("settings");
+    return stepName("settings");
 }
 
 // Changes with the same number of a drag become one step of undo; 0 never does.

@@ -1,6 +1,7 @@
 // The question before an export.
 #include "ui/dialogs/export_dialog.h"
 
+#include "core/gaps/gap_filling.h"
 #include "core/georef/placed_points.h"
 #include "core/io/save_scan.h"
 #include "ui/base/scrolled.h"
@@ -131,6 +132,7 @@ QGroupBox* ExportDialog::writingBox() {
         mark->setAccessibleName(words->text());
         if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // where nothing was filled
         const int row = grid->rowCount();
+        connect(mark, &QCheckBox::toggled, this, &ExportDialog::follow);
         grid->addWidget(mark, row, 0, Qt::AlignTop);
         grid->addWidget(words, row, 1);
         choices_.push_back(mark);
@@ -153,9 +155,31 @@ std::size_t ExportDialog::countOf(ExportContent content, bool withAttached, bool
         points = static_cast<std::size_t>(std::count_if(detection_->edges->begin(), detection_->edges->end(), wanted));
     else
         points = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
+    if (fillsToo()) points += filledToo(edges, onlySelected);
     if (!withAttached) return points;
     return points + static_cast<std::size_t>(std::count_if(scan.attached.begin(), scan.attached.end(),
                                                            [&](const AttachedPoint& point) { return wanted(point.cell); }));
+}
+
+bool ExportDialog::fillsToo() const {
+    for (std::size_t n = 0; n < choices_.size(); ++n) {
+        if (kWritingChoices[n].member == &WritingChoices::filled) return choices_[n]->isChecked() && detection_->filled;
+    }
+    return false;
+}
+
+/// Filled cells that have a place; those of a cloud whose rays are not known have none.
+std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
+    if (!filledCells_) {
+        const ScanWithFilled whole = withFilled(*detection_->scan, *detection_->filled);
+        filledCells_.emplace();
+        for (const FilledCell& each : detection_->filled->cells) {
+            if (whole.scan.state[each.cell] == CellState::Valid) filledCells_->push_back(each.cell);
+        }
+    }
+    return static_cast<std::size_t>(std::ranges::count_if(*filledCells_, [&](std::uint32_t k) {
+        return (!edges || (*detection_->mask)[k] != 0) && (!onlySelected || std::ranges::binary_search(*selected_.cells, k));
+    }));
 }
 
 ExportContent ExportDialog::content() const { return static_cast<ExportContent>(contents_->checkedId()); }

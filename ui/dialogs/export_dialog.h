@@ -7,6 +7,7 @@
 #include <QDialog>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QButtonGroup;
@@ -39,6 +40,8 @@ private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
     [[nodiscard]] QGroupBox* writingBox();
+    [[nodiscard]] bool fillsToo() const;
+    [[nodiscard]] std::size_t filledToo(bool edges, bool onlySelected) const;
     [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached, bool onlySelected) const;
     void follow();
 
@@ -47,6 +50,7 @@ private:
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;
     QGroupBox* writingGroup_ = nullptr;
+    mutable std::optional<std::vector<std::uint32_t>> filledCells_; // once they are asked for
     std::vector<QCheckBox*> choices_; // by kWritingChoices
     ExportSelection selected_;
     QCheckBox* onlySelected_;

@@ -19,6 +19,7 @@
 #include "ui/main/compare_menu.h"
 #include "ui/main/menus.h"
 #include "ui/main/rock_docks.h"
+#include "ui/main/sitting_menu.h"
 #include "ui/main/target_dock.h"
 #include "ui/main/tool_bar.h"
 #include "ui/main/warned_picture.h"
@@ -29,6 +30,7 @@
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
 #include "ui/session/memory.h"
+#include "ui/sitting/sittings.h"
 #include "ui/targets/targets_panel.h"
 
 #include <QApplication>
@@ -83,7 +85,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
       explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
-      selection_(session_, views_, rocks_, *notice_, undo_), comparing_(session_, views_, rocks_, *changeLegend_, *notice_, memory),
+      selection_(session_, views_, rocks_, *notice_, undo_),
+      comparing_(session_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
       markedEdges_(session_, views_, targets_, undo_, *notice_), report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory),
       audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
@@ -117,6 +120,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(views_, this);
     connectSession();
+    sittings_ = sittingsOf(*this, memory_);
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
@@ -124,6 +128,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     if (memory_.flag("view/cab", false)) cab_->set(true);
     status_->showRenderer(checkGl().renderer);
 }
+
+MainWindow::~MainWindow() = default;
 
 void MainWindow::layOutViews() {
     gray_->setObjectName("gray");
@@ -392,7 +398,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
         if (url.isLocalFile()) paths << url.toLocalFile();
     }
     if (!paths.isEmpty()) event->acceptProposedAction();
-    files_.open(paths);
+    sittings_->open(paths);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

@@ -22,6 +22,9 @@
 #include <QUndoStack>
 
 #include <array>
+#include <map>
+#include <memory>
+#include <string>
 
 class QDockWidget;
 class QSplitter;
@@ -38,6 +41,7 @@ class NoticeBar;
 class Pane;
 class RocksPanel;
 class RockTable;
+class Sittings;
 class StateBadge;
 class StatusLine;
 class TargetsPanel;
@@ -49,6 +53,7 @@ class MainWindow : public QMainWindow {
 public:
     /// `memory` must outlive the window.
     explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] LinkedViews& views() { return views_; }
@@ -69,6 +74,7 @@ public:
     [[nodiscard]] Comparing& comparing() { return comparing_; }
     [[nodiscard]] ChangeLegend& changeLegend() { return *changeLegend_; }
     [[nodiscard]] MarkedEdges& markedEdges() { return markedEdges_; }
+    [[nodiscard]] Sittings& sittings() { return *sittings_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
     /// Where the picture comes from and of when: always in sight.
     [[nodiscard]] const StateBadge& origin() const { return *origin_; }
@@ -85,6 +91,9 @@ public:
     void useCab(bool on);
     void lockDocks(bool on);
     void showAlone(const QWidget* view);
+    /// Of docks, splitters and what is alone, for a session.
+    [[nodiscard]] std::map<std::string, std::string> layoutKept() const;
+    void useLayout(const std::map<std::string, std::string>& layout);
     /// The whole window as it is, with all points of the cloud drawn; below it the warnings of the scan, whether they are shown or not.
     [[nodiscard]] QImage screenshot();
 
@@ -169,6 +178,7 @@ private:
     QList<QDockWidget*> docks_;
     int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
     QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
+    std::unique_ptr<Sittings> sittings_;         // last: it goes before what it is about
 };
 
 } // namespace edgescan::ui

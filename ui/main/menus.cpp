@@ -13,6 +13,7 @@
 #include "ui/live/timeline.h"
 #include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
+#include "ui/main/sitting_menu.h"
 #include "ui/main/theme_menu.h"
 #include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
@@ -47,29 +48,32 @@ Command fileMenu(MainWindow& w) {
     };
     Command recent = submenu("Open &Recent", {});
     recent.fill = [&w](QMenu& menu) { w.files().fillRecent(menu); };
-    return submenu("&File", {
-                                command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
-                                recent,
-                                command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
-                                command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
-                                command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
-                                command("Re&load", "F5", [&w] { w.files().reload(); }),
-                                kLine,
-                                submenu("&Export",
-                                        {
-                                            exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
-                                            exported("&Full Cloud…", "", ExportContent::FullCloud),
-                                            exported("Edge &Image…", "", ExportContent::EdgeImage),
-                                            exported("&Gray Image…", "", ExportContent::GrayImage),
-                                            exported("&Range Image…", "", ExportContent::RangeImage),
-                                            command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
-                                        }),
-                                command("Re&port…", "", [&w] { w.report().ask(); }),
-                                command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
-                                command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
-                                kLine,
-                                command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
-                            });
+    Command menu = submenu("&File", {
+                                        command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
+                                        recent,
+                                        command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
+                                        command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
+                                        command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
+                                        command("Re&load", "F5", [&w] { w.files().reload(); }),
+                                        kLine,
+                                        submenu("&Export",
+                                                {
+                                                    exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
+                                                    exported("&Full Cloud…", "", ExportContent::FullCloud),
+                                                    exported("Edge &Image…", "", ExportContent::EdgeImage),
+                                                    exported("&Gray Image…", "", ExportContent::GrayImage),
+                                                    exported("&Range Image…", "", ExportContent::RangeImage),
+                                                    command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
+                                                }),
+                                        command("Re&port…", "", [&w] { w.report().ask(); }),
+                                        command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
+                                        command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
+                                        kLine,
+                                        command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
+                                    });
+    const std::vector<Command> sessions = sittingCommands(w);
+    menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // behind what opens scans
+    return menu;
 }
 
 Command editMenu(MainWindow& w) {
@@ -264,7 +268,7 @@ Command rocksMenu(MainWindow& w) {
         RockSettings settings = rocks.settings();
         const RockParameter& level = rockParameters().front();
         level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
-        rocks.useSettings(settings);
+        rocks.turn(settings);
     };
     const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
         return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),

@@ -64,6 +64,13 @@ void Memory::forgetRecentFiles() {
     if (file_) file_->remove("recent/files");
 }
 
+void Memory::forgetRecentFile(const QString& path) {
+    if (!file_) return;
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    file_->setValue("recent/files", files);
+}
+
 QString Memory::folder(const QString& kind) const { return text("folder/" + kind); }
 void Memory::keepFolder(const QString& kind, const QString& path) { keep("folder/" + kind, QFileInfo(path).absolutePath()); }
 

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] QStringList recentFiles() const;
     void keepRecentFile(const QString& path);
     void forgetRecentFiles();
+    void forgetRecentFile(const QString& path);
 
     /// Last folder used for a kind of file: "scans", "exports", "presets", "images".
     [[nodiscard]] QString folder(const QString& kind) const;

@@ -1,0 +1,20 @@
+// Whatever bytes come as a session: one that is written and read back the same, or a sentence.
+#include "core/sitting/sitting.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+using namespace edgescan;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes), size);
+    const auto read = sittingFromText(text, "/sessions", "fuzz");
+    if (!read) {
+        if (!read.error().sentence().ends_with(".")) std::abort();
+        return 0;
+    }
+    const std::string once = sittingText(read->sitting, "/sessions", read->savedUtc);
+    const auto again = sittingFromText(once, "/sessions", "fuzz");
+    if (!again || sittingText(again->sitting, "/sessions", again->savedUtc) != once) std::abort();
+    return 0;
+}

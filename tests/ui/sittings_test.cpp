@@ -1,0 +1,329 @@
+// Sessions in the real window and the real program: saved as they change, back after kill -9, carried by screenshots.
+#include "core/base/whole_file.h"
+#include "core/sitting/sitting.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/live/live_panel.h"
+#include "ui/main/start.h"
+#include "ui/sitting/sitting_file.h"
+#include "ui/sitting/sittings.h"
+#include "ui/start/start_page.h"
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QDropEvent>
+#include <QListWidget>
+#include <QMimeData>
+#include <QProcess>
+#include <QToolButton>
+
+#include <csignal>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class SittingsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string boxes_, other_;
+
+    [[nodiscard]] QString inFolder(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
+    static bool atRest(WindowFixture& on) {
+        return QTest::qWaitFor(
+            [&] {
+                MainWindow& w = on.window;
+                return w.session().picture() != nullptr && !w.session().behind() && !w.session().working() && !w.rocks().behind() &&
+                       w.comparing().settled() && w.targets().settled() && w.sittings().settled();
+            },
+            30000);
+    }
+    static void drop(MainWindow& window, const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &enter);
+        QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &event);
+    }
+    /// Something of everything.
+    static void work(WindowFixture& on) {
+        MainWindow& w = on.window;
+        QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
+        QTest::keyClick(&w, Qt::Key_K);                    // rocks
+        QTest::keyClick(&w, Qt::Key_O);                    // edges over the range image
+        Settings other = w.session().settings();
+        other.classes = kClassConvex;
+        w.tuning().useSettings(other);
+        QVERIFY(atRest(on));
+        w.views().pin(w.views().cellAt(20, 30));
+        w.views().pin(w.views().cellAt(60, 80));
+        w.targets().rename(2, "keystone");
+        w.targets().lock(1, true);
+        w.targets().keepMeasure({MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
+        w.selection().select({100, 101, 102, 5000});
+        w.selection().hideSelected();
+        w.selection().select({200, 201});
+        w.markedEdges().mark(w.views().cellAt(30, 40), true);
+        w.markedEdges().mark(w.views().cellAt(31, 90), false);
+        RockSettings rocks = w.rocks().settings();
+        rocks.level = 1.5;
+        w.rocks().turn(rocks);
+        w.rocks().setByHand({{{RockEditKind::NotRock, {3000}}}, {}});
+        w.views().cloud().viewTop();
+        w.views().gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
+        QVERIFY(atRest(on));
+    }
+    /// Of the window: what a session says, but when.
+    static std::string state(WindowFixture& on) {
+        auto read = sittingFromText(on.window.sittings().textFor("/"), "/", "test");
+        return read ? sittingText(read->sitting, "/", "") : std::string();
+    }
+
+private slots:
+    void initTestCase() {
+        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        boxes_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
+        other_ = (folder_ / "other.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
+    }
+
+    void init() { QFile::remove(QString::fromStdString(boxes_ + ".rocks.json")); }
+
+    void everythingIsBackFromItsFile() {
+        const QString file = inFolder("day.edgescan-session.json");
+        std::string before;
+        {
+            WindowFixture on;
+            on.window.resize(1300, 850);
+            QVERIFY(on.showWith(boxes_) && on.activate());
+            on.window.sittings().saveAs(file);
+            work(on);
+            before = state(on);
+            // It is saved as it changes.
+            QTRY_VERIFY(QFile::exists(file));
+            const auto saved = readSitting(file.toStdString());
+            QVERIFY(bool(saved));
+            QCOMPARE(QString::fromStdString(sittingText(saved->sitting, "/", "")), QString::fromStdString(before));
+            QCOMPARE(int(saved->sitting.notebook.targets.size()), 2);
+            QVERIFY(saved->sitting.kept && saved->sitting.rocks && saved->sitting.camera && saved->sitting.images);
+        }
+        WindowFixture on;
+        on.window.resize(1300, 850);
+        QVERIFY(on.show());
+        drop(on.window, file);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.sittings().path() == file; }, 20000));
+        QVERIFY(atRest(on));
+        QTRY_VERIFY(on.window.comparing().kept() != nullptr);
+        QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // read once
+        QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
+        QVERIFY(on.window.rocks().shown() && on.window.rocks().picture() != nullptr);
+        // Another scan leaves the file as it is.
+        QVERIFY(on.open(other_));
+        QVERIFY(atRest(on));
+        QVERIFY(on.window.sittings().path().isEmpty());
+        const auto left = readSitting(file.toStdString());
+        QCOMPARE(QString::fromStdString(left->sitting.scan.path.string()), QString::fromStdString(boxes_));
+    }
+
+    void aScanThatMovedOrChangedIsSaid() {
+        const std::string scan = (folder_ / "moves.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), scan)));
+        const QString file = inFolder("moves.edgescan-session.json");
+        {
+            WindowFixture on;
+            QVERIFY(on.showWith(scan));
+            on.window.views().pin(on.window.views().cellAt(20, 30));
+            on.window.sittings().saveAs(file);
+            QVERIFY(atRest(on));
+        }
+        const std::string before = std::string(textOf(*readWholeFile(file.toStdString())));
+        QDir().mkpath(inFolder("elsewhere"));
+        for (const char* name : {"moves.json", "moves.u16"}) QVERIFY(QFile::rename(inFolder(name), inFolder("elsewhere") + "/" + name));
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.sittings().openSession(file);
+        QTRY_VERIFY2(on.window.notice().isVisible() && on.window.notice().text().contains("is not there"),
+                     qPrintable(on.window.notice().text()));
+        auto* locate = on.window.findChild<QToolButton*>("notice-action");
+        QVERIFY(locate->isVisible());
+        QCOMPARE(locate->text(), QString("Locate…"));
+        // Another scan is none of its.
+        on.window.sittings().locate(QString::fromStdString(other_));
+        QVERIFY(on.settled());
+        QTRY_VERIFY2(on.window.notice().text().contains("is not the scan of this session"), qPrintable(on.window.notice().text()));
+        QVERIFY(on.window.targets().notebook().empty());
+        QCOMPARE(QString::fromStdString(std::string(textOf(*readWholeFile(file.toStdString())))), QString::fromStdString(before));
+        on.window.sittings().locate(inFolder("elsewhere/moves.json"));
+        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 1);
+        QTRY_COMPARE(on.window.sittings().path(), file);
+        // A damaged file is one sentence, and nothing changes.
+        QVERIFY(bool(writeWholeFile(file.toStdString(), before.substr(0, before.size() / 2))));
+        on.window.sittings().openSession(file);
+        QTRY_VERIFY(on.window.notice().kind() == NoticeBar::Kind::Error);
+        QCOMPARE(int(on.window.targets().notebook().targets.size()), 1);
+    }
+
+    void aScreenshotCarriesTheSession() {
+        const QString picture = inFolder("shot.png");
+        std::string before;
+        {
+            WindowFixture on;
+            on.window.resize(1300, 850);
+            QVERIFY(on.showWith(boxes_) && on.activate());
+            work(on);
+            before = state(on);
+            QVERIFY(bool(on.window.exports().saveScreenshot(on.window.screenshot(), picture)));
+            QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
+        }
+        QVERIFY(!QImage(picture).isNull());
+        QVERIFY(!sittingIn(picture).empty());
+        WindowFixture on;
+        on.window.resize(1300, 850);
+        QVERIFY(on.show());
+        drop(on.window, picture);
+        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
+        QVERIFY(atRest(on));
+        QTRY_VERIFY(on.window.comparing().kept() != nullptr && on.window.sittings().settled());
+        QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
+        QVERIFY(on.window.sittings().path().isEmpty());
+        // A picture of ranges is still a scan.
+        const QString ranges = inFolder("plain.png");
+        QImage plain(30, 20, QImage::Format_Grayscale16);
+        plain.fill(3000);
+        QVERIFY(plain.save(ranges));
+        QVERIFY(sittingIn(ranges).empty());
+    }
+
+    void afterAKillTheNextStartGoesOn() {
+        const QString home = inFolder("home");
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_CONFIG_HOME", home + "/config");
+        environment.insert("XDG_CACHE_HOME", home + "/cache");
+        const QString sessions = home + "/config/edgescan/sessions";
+        const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
+        const auto saved = [&](const QProcess& process) {
+            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSittingEnding;
+            const auto read = QFile::exists(path) ? readSitting(path.toStdString()) : Result<ReadSitting>(Error{});
+            return read ? std::optional(*read) : std::nullopt;
+        };
+        const auto isWhole = [](const std::optional<ReadSitting>& read) {
+            return read && read->sitting.notebook.targets.size() == 2 && read->sitting.kept &&
+                   !read->sitting.notebook.targets[1].asPinned.empty();
+        };
+        std::string before;
+        const auto textOfAll = [](const ReadSitting& read) { return sittingText(read.sitting, "/", ""); };
+        {
+            QProcess viewer;
+            viewer.setProcessEnvironment(environment);
+            viewer.start(program, {QString::fromStdString(boxes_), "--method", "canny", "--lower", "7", "--pin", "20,30", "--pin", "60,80",
+                                   "--compare", QString::fromStdString(other_), "--unit", "mm"});
+            QVERIFY(viewer.waitForStarted());
+            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
+            QTest::qWait(1500); // the last frame is drawn
+            before = textOfAll(*saved(viewer));
+            QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), SIGKILL), 0);
+            QVERIFY(viewer.waitForFinished());
+        }
+        // The pins are in the session, not only where the viewer keeps those of scans.
+        QDir(home + "/config/edgescan/targets").removeRecursively();
+        {
+            QProcess viewer;
+            viewer.setProcessEnvironment(environment);
+            viewer.start(program, {"--continue"});
+            QVERIFY(viewer.waitForStarted());
+            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
+            QTest::qWait(1500);
+            QCOMPARE(QString::fromStdString(textOfAll(*saved(viewer))), QString::fromStdString(before));
+            ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
+            QVERIFY(viewer.waitForFinished());
+        }
+        // A window says so, and goes on by its button.
+        WindowFixture on(home + "/config/edgescan/viewer.ini");
+        QVERIFY(on.show());
+        on.window.sittings().offerToGoOn();
+        auto* button = on.window.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
+        QVERIFY(atRest(on));
+        QVERIFY(on.window.sittings().autosaves().leftBehind().size() <= 1); // the first one; the second is taken up
+    }
+
+    void theStartPageIsUsedByKeys() {
+        QDir().mkpath(inFolder("start"));
+        const QString gone = inFolder("start/gone.json");
+        qputenv("XDG_CACHE_HOME", inFolder("start/cache").toUtf8());
+        WindowFixture on(inFolder("start/viewer.ini"));
+        on.memory.keepRecentFile(gone);
+        on.memory.keepRecentFile(QString::fromStdString(other_));
+        on.memory.keepRecentFile(QString::fromStdString(boxes_));
+        on.window.resize(1280, 800);
+        QVERIFY(on.show() && on.activate());
+        StartPage* page = showStart(on.window, on.memory);
+        QTRY_VERIFY(page->isVisible() && page->settled());
+        QListWidget& list = page->list();
+        QCOMPARE(list.count(), 3);
+        QVERIFY2(list.item(0)->text().contains("boxes.json\n120 × 160 · FILE"), qPrintable(list.item(0)->text()));
+        QVERIFY(!list.item(0)->icon().isNull() && list.item(2)->icon().isNull());
+        QVERIFY2(list.item(2)->text().contains("not found") && list.item(2)->text().contains("Locate"), qPrintable(list.item(2)->text()));
+        // Nothing of the window is under it.
+        QVERIFY(page->geometry().contains(on.window.centralWidget()->geometry()));
+        // Its pictures are kept: the second time no scan is read.
+        const QStringList kept = QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"});
+        QCOMPARE(kept.size(), 2);
+        QVERIFY(recentScan(QString::fromStdString(boxes_), inFolder("start/cache/edgescan/recent"), [] {
+                    return false;
+                }).words.contains("120"));
+        QVERIFY(!recentScan(QString::fromStdString(boxes_), QString(), [] { return false; }).words.contains("120"));
+        trimThumbnails(inFolder("start/cache/edgescan/recent"), 1);
+        QCOMPARE(QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"}).size(), 1);
+        // Keys alone: to the list, down, and open.
+        QTRY_COMPARE(QApplication::focusWidget()->objectName(), QString("start-open"));
+        for (int n = 0; n < 10 && QApplication::focusWidget() != &list; ++n) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(&list));
+        QTest::keyClick(&list, Qt::Key_Home);
+        QTest::keyClick(&list, Qt::Key_Down);
+        QTest::keyClick(&list, Qt::Key_Return);
+        QVERIFY(on.settled());
+        QTRY_VERIFY(page->isHidden());
+        QCOMPARE(QString::fromStdString(on.picture().detection->scan->path), QString::fromStdString(other_));
+        // A scanner that is asked for ends it too.
+        on.memory.keepRecentFile(gone);
+        page->show();
+        on.window.live().panel().hide();
+        QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);
+        QVERIFY(page->isHidden() && on.window.live().panel().isVisible());
+        qunsetenv("XDG_CACHE_HOME");
+    }
+
+    void everyActIsTakenBackAndDoneAgain() {
+        WindowFixture on;
+        on.window.resize(1300, 850);
+        QVERIFY(on.showWith(boxes_) && on.activate());
+        on.window.undoStack().clear();
+        work(on);
+        const std::string after = state(on);
+        QVERIFY(on.window.undoStack().count() >= 9);
+        while (on.window.undoStack().canUndo()) QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(atRest(on));
+        MainWindow& w = on.window;
+        QVERIFY(w.targets().notebook().empty() && w.selection().cells().empty() && w.selection().hidden().empty());
+        QVERIFY(w.markedEdges().marks().empty() && w.comparing().kept() == nullptr);
+        QCOMPARE(w.rocks().settings().level, 0.0);
+        while (on.window.undoStack().canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
+        QTRY_VERIFY(w.comparing().kept() != nullptr);
+        QVERIFY(atRest(on));
+        // Where the mouse's cell is, is no act.
+        auto again = sittingFromText(state(on), "/", "test"), first = sittingFromText(after, "/", "test");
+        again->sitting.active = first->sitting.active;
+        QCOMPARE(QString::fromStdString(sittingText(again->sitting, "/", "")),
+                 QString::fromStdString(sittingText(first->sitting, "/", "")));
+        // The log has the words of the sources, whatever the window speaks.
+        QCOMPARE(w.undoStack().text(0), QString("Keep as A"));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<SittingsTest>(argc, argv); }
+#include "sittings_test.moc"

@@ -1,0 +1,47 @@
+// Commands of sessions, and the layout that they keep.
+#include "ui/main/sitting_menu.h"
+
+#include "ui/main/main_window.h"
+#include "ui/panel/edges_panel.h"
+#include "ui/sitting/sitting_file.h"
+#include "ui/sitting/sittings.h"
+
+#include <QFileInfo>
+#include <QSplitter>
+
+namespace edgescan::ui {
+
+std::unique_ptr<Sittings> sittingsOf(MainWindow& w, Memory& memory) {
+    auto sittings =
+        std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(), w.rocks(),
+                                        w.markedEdges(), w.comparing(), w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
+                                        [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
+    w.exports().setCarried([made = sittings.get()](const QImage& image, const QString& path) {
+        return withSitting(image, made->textFor(QFileInfo(path).absolutePath()));
+    });
+    return sittings;
+}
+
+std::vector<Command> sittingCommands(MainWindow& w) {
+    return {command("Open Sess&ion…", "", [&w] { w.sittings().ask(); }),
+            command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sittings().askSaveAs(); }),
+            command("Go on with the &Last Session", "", [&w] { w.sittings().goOn(); })};
+}
+
+std::map<std::string, std::string> MainWindow::layoutKept() const {
+    const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
+    return {{"docks", text(saveState())}, {"views", text(splitter_->saveState())}, {"pictures", text(images_->saveState())}};
+}
+
+void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
+    const auto bytes = [&layout](const char* name) {
+        const auto found = layout.find(name);
+        return found == layout.end() ? QByteArray() : QByteArray::fromBase64(QByteArray::fromStdString(found->second));
+    };
+    restoreState(bytes("docks"));
+    splitter_->restoreState(bytes("views"));
+    images_->restoreState(bytes("pictures"));
+    images_->setOrientation(Qt::Vertical);
+}
+
+} // namespace edgescan::ui

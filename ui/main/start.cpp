@@ -1,0 +1,90 @@
+// What the buttons of the start page do, and where it lies.
+#include "ui/main/start.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/live/live_panel.h"
+#include "ui/main/main_window.h"
+#include "ui/panel/status_line.h"
+#include "ui/session/memory.h"
+#include "ui/sitting/sittings.h"
+#include "ui/start/start_page.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+/// Keeps it over all between tool bar and status bar; the bar of notices stays to be seen, and the panel of the scanner ends it.
+class OverViews : public QObject {
+public:
+    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
+        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
+                                 static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.live().panel())})
+            watched->installEventFilter(this);
+        place();
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (!page_.isVisible()) return false; // also when the window goes
+        const auto type = event->type();
+        if (watched == &window_.live().panel() && type == QEvent::Show)
+            page_.hide();
+        else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
+            place();
+        return false;
+    }
+
+private:
+    void place() {
+        const QWidget& centre = *window_.centralWidget();
+        const NoticeBar& notice = window_.notice();
+        const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
+        page_.setGeometry(0, top, window_.width(), std::max(0, window_.statusLine().mapTo(&window_, QPoint(0, 0)).y() - top));
+        page_.raise();
+    }
+
+    MainWindow& window_;
+    StartPage& page_;
+};
+
+} // namespace
+
+StartPage* showStart(MainWindow& w, Memory& memory) {
+    const QString cache = memory.ownFolder().isEmpty()
+                              ? QString()
+                              : QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/recent";
+    auto* page = new StartPage(cache, &w);
+    new OverViews(w, *page);
+    QObject::connect(page, &StartPage::openWanted, &w, [&w] { w.files().ask(); });
+    QObject::connect(page, &StartPage::connectWanted, &w, [&w, page] {
+        page->hide();
+        w.live().panel().askAddress();
+    });
+    QObject::connect(page, &StartPage::goOnWanted, &w, [&w] { w.sittings().goOn(); });
+    QObject::connect(page, &StartPage::demoWanted, &w, [&w] { w.files().openDemo(); });
+    QObject::connect(page, &StartPage::scanWanted, &w, [&w](const QString& path) { w.sittings().open({path}); });
+    QObject::connect(page, &StartPage::locateWanted, &w, [&w, &memory, page](const QString& path) {
+        const QString now =
+            QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), memory.folder("scans"), Files::filters());
+        if (now.isEmpty()) return;
+        memory.forgetRecentFile(path);
+        memory.keepRecentFile(now);
+        page->showRecent(memory.recentFiles());
+        w.sittings().open({now});
+    });
+    QObject::connect(page, &StartPage::clearWanted, &w, [&memory, page] {
+        memory.forgetRecentFiles();
+        page->showRecent({});
+    });
+    QObject::connect(&w.session(), &Session::pictureReady, page, &QWidget::hide);
+    page->showRecent(memory.recentFiles());
+    page->showSession(w.sittings().toGoOn());
+    page->show();
+    page->setFocus();
+    return page;
+}
+
+} // namespace edgescan::ui

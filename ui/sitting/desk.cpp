@@ -1,0 +1,131 @@
+// From the controllers to one value and back.
+#include "ui/sitting/desk.h"
+
+#include "core/settings/presets.h"
+#include "ui/base/shown_text.h"
+#include "ui/cloud/cloud_view.h"
+#include "ui/control/comparing.h"
+#include "ui/control/files.h"
+#include "ui/control/linked_views.h"
+#include "ui/control/marked_edges.h"
+#include "ui/control/rocks.h"
+#include "ui/control/selection.h"
+#include "ui/control/targets.h"
+#include "ui/control/tuning.h"
+#include "ui/image/image_view.h"
+#include "ui/image/viewport.h"
+#include "ui/panel/edges_panel.h"
+
+#include <QAction>
+#include <QFileInfo>
+
+namespace edgescan::ui {
+namespace {
+
+std::filesystem::path absolutePath(const std::string& path) {
+    return path.empty() ? std::filesystem::path() : std::filesystem::absolute(path).lexically_normal();
+}
+
+ReadingOptions kept(ReadingOptions reading) {
+    reading.pose = absolutePath(reading.pose).string();
+    reading.calibration = absolutePath(reading.calibration).string();
+    reading.progress = nullptr;
+    return reading;
+}
+
+SittingScan::Kind kindOf(std::optional<bool> demo) {
+    if (!demo) return SittingScan::Kind::File;
+    return *demo ? SittingScan::Kind::DemoAfterBlast : SittingScan::Kind::Demo;
+}
+
+std::optional<SittingKept> keptOf(const Comparing& comparing) {
+    const std::optional<KeptFrom>& from = comparing.keptFrom();
+    if (!from || !comparing.kept()) return std::nullopt;
+    return SittingKept{
+        {kindOf(from->demo), absolutePath(from->path.toStdString()), notebookScan(*comparing.kept()->detection->scan), kept(from->reading)},
+        from->settings};
+}
+
+template <class Act>
+void forSwitches(const QWidget& window, const Act& act) {
+    for (QAction* action : window.actions()) {
+        const QVariant key = action->property("remembered");
+        if (key.isValid() && action->isCheckable()) act(*action, key.toString().toStdString());
+    }
+}
+
+} // namespace
+
+std::optional<Sitting> taken(const Desk& desk) {
+    const std::shared_ptr<const Picture>& picture = desk.session.picture();
+    if (!picture || picture->source.growth.sweep >= 0) return std::nullopt;
+    const Scan& scan = *picture->detection->scan;
+    if (scan.sha256.empty() || (desk.files.path().isEmpty() && !desk.files.demo())) return std::nullopt;
+    Sitting sitting;
+    sitting.scan = {kindOf(desk.files.demo()), absolutePath(desk.files.path().toStdString()), notebookScan(scan),
+                    kept(desk.files.options())};
+    sitting.settings = desk.session.settings();
+    const Preset& preset = desk.panel.preset();
+    sitting.preset = preset.path.empty() ? preset.name : preset.path;
+    sitting.notebook = desk.targets.notebook();
+    if (const PinnedTarget* active = desk.targets.active()) sitting.active = active->cell;
+    sitting.selected = runsOf(desk.selection.cells());
+    sitting.hidden = runsOf(desk.selection.hidden());
+    if (desk.rocks.shown()) sitting.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), scan.sha256};
+    sitting.marks = desk.marked.marks();
+    sitting.kept = keptOf(desk.comparing);
+    const CameraPose pose = desk.views.cloud().camera();
+    sitting.camera = SittingCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
+    if (const ViewPort& port = *desk.views.gray().viewPort(); !port.fitted())
+        sitting.images = SittingImages{port.centre().x(), port.centre().y(), port.zoom()};
+    forSwitches(desk.window, [&](const QAction& action, const std::string& key) { sitting.switches[key] = action.isChecked(); });
+    sitting.layout = desk.layout();
+    return sitting;
+}
+
+void layOut(const Desk& desk, const Sitting& sitting) {
+    if (const auto preset = findPreset(sitting.preset); preset && !sitting.preset.empty()) desk.panel.setPreset(*preset);
+    desk.tuning.useSettings(sitting.settings);
+    forSwitches(desk.window, [&](QAction& action, const std::string& key) {
+        if (const auto found = sitting.switches.find(key); found != sitting.switches.end()) action.setChecked(found->second);
+    });
+    desk.useLayout(sitting.layout);
+}
+
+bool isShown(const Desk& desk, const SittingScan& scan) {
+    if (!desk.session.picture()) return false;
+    const Scan& shown = *desk.session.picture()->detection->scan;
+    return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
+}
+
+void layOutOnScan(const Desk& desk, const Sitting& sitting) {
+    const std::size_t cells = desk.session.picture()->detection->scan->cells();
+    desk.targets.restore(sitting.notebook);
+    desk.selection.restore(cellsOf(sitting.selected, cells), cellsOf(sitting.hidden, cells));
+    desk.marked.restore(sitting.marks);
+    if (sitting.rocks) desk.rocks.restore(*sitting.rocks);
+    if (sitting.active) desk.views.pin(*sitting.active);
+    ViewPort& port = *desk.views.gray().viewPort();
+    if (sitting.images) {
+        const QPointF centre(sitting.images->beam, sitting.images->line);
+        port.zoomAt(centre, sitting.images->zoom / port.zoom());
+        port.centreOn(centre);
+    } else {
+        port.fit();
+    }
+    if (sitting.camera) {
+        const SittingCamera& camera = *sitting.camera;
+        desk.views.cloud().setCamera({camera.position, camera.focus, camera.up, camera.viewAngleDeg, camera.parallel});
+    }
+    if (sitting.kept) {
+        const SittingScan& scan = sitting.kept->scan;
+        std::optional<bool> demo;
+        if (scan.kind != SittingScan::Kind::File) demo = scan.kind == SittingScan::Kind::DemoAfterBlast;
+        desk.comparing.restore(
+            {exactText(scan.path.string()), demo, scan.reading, sitting.kept->settings, scan.identity.sha256, scan.identity.name});
+    } else if (desk.comparing.kept()) {
+        desk.comparing.forget();
+    }
+}
+
+} // namespace edgescan::ui

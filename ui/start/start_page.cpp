@@ -1,0 +1,156 @@
+// Buttons and list of the page.
+#include "ui/start/start_page.h"
+
+#include "core/sitting/sitting.h"
+#include "ui/base/shown_text.h"
+#include "ui/session/in_background.h"
+
+#include <QCommandLinkButton>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <optional>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMostThumbnails = 100;
+constexpr int kThere = Qt::UserRole + 1;
+
+QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const QString& text, const QString& more) {
+    auto* button = new QCommandLinkButton(text, more);
+    button->setObjectName(name);
+    button->setMinimumHeight(60);
+    button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    column.addWidget(button);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(const QString& cache, QWidget* parent) : QFrame(parent), cache_(cache), list_(new QListWidget), none_(new QLabel) {
+    setObjectName("start-page");
+    setAutoFillBackground(true);
+    auto* left = new QVBoxLayout;
+    auto* title = new QLabel("EdgeScan");
+    QFont large = title->font();
+    large.setPointSizeF(2.0 * large.pointSizeF());
+    large.setBold(true);
+    title->setFont(large);
+    left->addWidget(title);
+    left->addWidget(new QLabel(tr("The edges of rocks in a laser range scan")));
+    left->addSpacing(12);
+    open_ = addButton(*left, "start-open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
+    connect(open_, &QPushButton::clicked, this, &StartPage::openWanted);
+    connect(addButton(*left, "start-connect", tr("Connect to the scanner…"), tr("Ctrl+L; nothing but reads and a subscription is sent")),
+            &QPushButton::clicked, this, &StartPage::connectWanted);
+    session_ = addButton(*left, "start-session", tr("Carry on with the last session"), QString());
+    connect(session_, &QPushButton::clicked, this, &StartPage::goOnWanted);
+    connect(addButton(*left, "start-demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
+            &StartPage::demoWanted);
+    left->addStretch(1);
+
+    auto* right = new QVBoxLayout;
+    auto* head = new QHBoxLayout;
+    auto* recent = new QLabel(tr("Recent"));
+    QFont bold = recent->font();
+    bold.setBold(true);
+    recent->setFont(bold);
+    auto* clear = new QPushButton(tr("Clear"));
+    clear->setObjectName("start-clear");
+    connect(clear, &QPushButton::clicked, this, &StartPage::clearWanted);
+    head->addWidget(recent, 1);
+    head->addWidget(clear);
+    right->addLayout(head);
+    list_->setObjectName("start-recent");
+    list_->setIconSize(QSize(kThumbnailPx / 2, kThumbnailPx / 2));
+    list_->setSpacing(3);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setAccessibleName(recent->text());
+    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+        const QString path = item->data(Qt::UserRole).toString();
+        item->data(kThere).toBool() ? emit scanWanted(path) : emit locateWanted(path);
+    });
+    connect(list_, &QListWidget::itemClicked, list_, &QListWidget::itemActivated);
+    right->addWidget(list_, 1);
+    none_->setText(tr("Scans that were open are listed here."));
+    right->addWidget(none_);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(40, 30, 40, 20);
+    row->setSpacing(40);
+    row->addLayout(left, 2);
+    row->addLayout(right, 3);
+    setFocusProxy(open_);
+}
+
+void StartPage::showRecent(const QStringList& paths) {
+    list_->clear();
+    waiting_ = paths;
+    none_->setVisible(paths.isEmpty());
+    for (const QString& path : paths) {
+        auto* item = new QListWidgetItem(shownName(QFileInfo(path).fileName()) + "\n…");
+        item->setData(Qt::UserRole, path);
+        item->setData(kThere, true);
+        item->setToolTip(shownText(path));
+        item->setSizeHint(QSize(100, kThumbnailPx / 2 + 10));
+        list_->addItem(item);
+    }
+    lookAtNext();
+}
+
+void StartPage::lookAtNext() {
+    if (looking_ || waiting_.isEmpty()) return;
+    looking_ = true;
+    inBackground(
+        this,
+        [this, path = waiting_.takeFirst()]() -> std::function<void()> {
+            RecentScan scan = recentScan(path, cache_, [this] { return !ending_; });
+            trimThumbnails(cache_, kMostThumbnails);
+            return [this, scan = std::move(scan)] { tell(scan); };
+        },
+        [](const QString&) {}, // without a picture then
+        [this] {
+            looking_ = false;
+            lookAtNext();
+        });
+}
+
+void StartPage::tell(const RecentScan& scan) {
+    for (int row = 0; row < list_->count(); ++row) {
+        QListWidgetItem* item = list_->item(row);
+        if (item->data(Qt::UserRole).toString() != scan.path) continue;
+        const QFileInfo file(scan.path);
+        item->setData(kThere, scan.there);
+        item->setText(shownName(file.fileName()) + "\n" +
+                      (scan.there ? scan.words : tr("✕ not found: it was moved, or its disk is not here. Locate…")));
+        if (!scan.picture.isNull()) item->setIcon(QIcon(QPixmap::fromImage(scan.picture)));
+    }
+}
+
+void StartPage::showSession(const QString& path) {
+    session_->setEnabled(!path.isEmpty());
+    session_->setDescription(path.isEmpty() ? tr("there is none yet") : QString("…"));
+    if (path.isEmpty()) return;
+    inBackground(
+        this,
+        [this, path]() -> std::function<void()> {
+            const auto read = readSitting(path.toStdString());
+            QString words;
+            if (read)
+                words = tr("%1, %2 targets, %3 UTC")
+                            .arg(shownName(exactText(read->sitting.scan.identity.name)))
+                            .arg(read->sitting.notebook.targets.size())
+                            .arg(shownText(read->savedUtc).left(16).replace('T', ' '));
+            return [this, words] { words.isEmpty() ? session_->setEnabled(false) : session_->setDescription(words); };
+        },
+        [](const QString&) {});
+}
+
+} // namespace edgescan::ui
