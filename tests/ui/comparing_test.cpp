@@ -2,6 +2,7 @@
 // and numbers.
 #include "core/change/change_report.h"
 #include "core/change/scene_change.h"
+#include "core/method/pipeline.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -212,6 +213,13 @@ private slots:
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         QCOMPARE(on.window.comparing().comparison()->change.ranges.nearer, nearer);
+        // A slider is no blast: A has the settings of the screen.
+        const auto earlier = detectEdges(on.window.comparing().kept()->detection->scan, other);
+        const auto expected = sceneChange({on.picture().detection->scan, on.picture().detection->mask}, {earlier->scan, earlier->mask});
+        QVERIFY(expected);
+        QCOMPARE(on.window.comparing().comparison()->change.edges.lost, expected->edges.lost);
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
+        QVERIFY(on.window.comparing().kept()->asked != other);
     }
 
     void anEarlierFileIsReadBesideAndWhatDoesNotFitIsRefused() {

@@ -105,9 +105,9 @@ std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& mad
 }
 
 /// The earlier picture where its cells are those of the later one, else one of its points on that grid.
-std::shared_ptr<const Picture> beforeOf(const ComparisonAsked& asked, const EarlierOnGrid& earlier) {
-    if (earlier.how.sameCells) return asked.before;
-    const auto found = detectEdges(earlier.scan, asked.before->detection->settings);
+std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const EarlierOnGrid& earlier) {
+    if (earlier.how.sameCells) return before;
+    const auto found = detectEdges(earlier.scan, before->detection->settings);
     auto moved = std::make_shared<Detection>(*found);
     moved->mask = earlier.edges;
     moved->classes = nullptr;
@@ -116,11 +116,19 @@ std::shared_ptr<const Picture> beforeOf(const ComparisonAsked& asked, const Earl
         if ((*earlier.edges)[k] != 0) edges.push_back(static_cast<std::uint32_t>(k));
     }
     moved->edges = std::make_shared<const std::vector<std::uint32_t>>(std::move(edges));
-    return makePicture(moved, {asked.before->source.stream, {}}, asked.before->asked, makeCloudGeometry(*earlier.scan), nullptr);
+    return makePicture(moved, {before->source.stream, {}}, before->asked, makeCloudGeometry(*earlier.scan), nullptr);
 }
 
 bool sameScans(const ComparisonAsked& asked, const Comparison& last) {
     return last.asked.before == asked.before && last.asked.now->detection->scan == asked.now->detection->scan;
+}
+
+std::shared_ptr<const Picture> bySettingsOfNow(const ComparisonAsked& asked, const Comparison* last) {
+    const Picture& before = *asked.before;
+    const Settings& settings = asked.now->asked;
+    if (before.detection->scan == asked.now->detection->scan || before.asked == settings) return asked.before;
+    if (last != nullptr && last->asked.before == asked.before && last->earlier->asked == settings) return last->earlier;
+    return makePicture(detectEdges(before.detection->scan, settings), before.source, settings, before.cloud, nullptr);
 }
 
 } // namespace
@@ -146,15 +154,16 @@ std::size_t Comparison::count(ChangeRow row) const {
 Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last) {
     auto made = std::make_shared<Comparison>();
     made->asked = asked;
+    made->earlier = bySettingsOfNow(asked, last);
     const ScanEdges now{asked.now->detection->scan, asked.now->detection->mask};
-    if (last != nullptr && sameScans(asked, *last)) {
+    if (last != nullptr && sameScans(asked, *last) && last->earlier == made->earlier) {
         made->change = withEdges(last->change, now);
         made->before = last->before;
     } else {
-        auto change = sceneChange(now, {asked.before->detection->scan, asked.before->detection->mask});
+        auto change = sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask});
         if (!change) return change.error();
         made->change = std::move(*change);
-        made->before = beforeOf(asked, made->change.earlier);
+        made->before = beforeOf(made->earlier, made->change.earlier);
     }
     made->edges = cellsOf(*made);
     made->points = pointsOf(*made);
