@@ -1,7 +1,7 @@
 // Filled gaps in the real window: counted, striped, told in the status line, and gone again.
+#include "core/report/provenance.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "core/report/provenance.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/status_line.h"

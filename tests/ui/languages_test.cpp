@@ -171,6 +171,13 @@ private slots:
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
             QVERIFY(std::ranges::any_of(kept, [](const auto& row) { return row.first == "Resolves"; }));
+            // So does the audit log; the menu speaks the window's language.
+            on.window.markedEdges().mark(on.window.views().cellAt(20, 30), true);
+            const QUndoStack& undo = on.window.undoStack();
+            QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));
+            QCOMPARE(undo.undoText(), QString("Marque d’arête"));
+            on.window.tuning().turn("classes", kClassConvex);
+            QVERIFY(undo.text(undo.index() - 1) != undo.undoText());
         }
         QVERIFY(useLanguage("es", kTexts));
         WindowFixture on(ini);

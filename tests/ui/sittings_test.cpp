@@ -296,6 +296,7 @@ private slots:
         QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);
         QVERIFY(page->isHidden() && on.window.live().panel().isVisible());
         qunsetenv("XDG_CACHE_HOME");
+        page->show(); // a window that goes with its page on it
     }
 
     void everyActIsTakenBackAndDoneAgain() {

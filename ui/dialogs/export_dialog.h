@@ -51,7 +51,7 @@ private:
     QGroupBox* coordinatesGroup_ = nullptr;
     QGroupBox* writingGroup_ = nullptr;
     mutable std::optional<std::vector<std::uint32_t>> filledCells_; // once they are asked for
-    std::vector<QCheckBox*> choices_; // by kWritingChoices
+    std::vector<QCheckBox*> choices_;                               // by kWritingChoices
     ExportSelection selected_;
     QCheckBox* onlySelected_;
     QCheckBox* attached_;

@@ -28,8 +28,10 @@ public:
         place();
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (!page_.isVisible()) return false; // also when the window goes
         const auto type = event->type();
+        // A window that is destroyed is hidden first; from then on it must not be asked.
+        if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
+        if (gone_ || !page_.isVisible()) return false;
         if (watched == &window_.live().panel() && type == QEvent::Show)
             page_.hide();
         else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
@@ -48,6 +50,7 @@ private:
 
     MainWindow& window_;
     StartPage& page_;
+    bool gone_ = false;
 };
 
 } // namespace

@@ -17,7 +17,8 @@ constexpr qint64 kLargestPicture = qint64{256} << 20U;
 bool isSittingName(const QString& path) { return path.endsWith(kSittingEnding, Qt::CaseInsensitive); }
 
 QImage withSitting(QImage picture, const std::string& text) {
-    if (!text.empty() && text.size() <= kMostCarried) picture.setText(kSittingKey, QString::fromLatin1(QByteArray::fromStdString(text).toBase64()));
+    if (!text.empty() && text.size() <= kMostCarried)
+        picture.setText(kSittingKey, QString::fromLatin1(QByteArray::fromStdString(text).toBase64()));
     return picture;
 }
 

@@ -36,7 +36,10 @@ QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const QStri
 StartPage::StartPage(const QString& cache, QWidget* parent) : QFrame(parent), cache_(cache), list_(new QListWidget), none_(new QLabel) {
     setObjectName("start-page");
     setAutoFillBackground(true);
-    auto* left = new QVBoxLayout;
+    auto* begin = new QWidget;
+    auto* left = new QVBoxLayout(begin);
+    left->setContentsMargins(0, 0, 0, 0);
+    left->setSpacing(8);
     auto* title = new QLabel("EdgeScan");
     QFont large = title->font();
     large.setPointSizeF(2.0 * large.pointSizeF());
@@ -53,7 +56,6 @@ StartPage::StartPage(const QString& cache, QWidget* parent) : QFrame(parent), ca
     connect(session_, &QPushButton::clicked, this, &StartPage::goOnWanted);
     connect(addButton(*left, "start-demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
             &StartPage::demoWanted);
-    left->addStretch(1);
 
     auto* right = new QVBoxLayout;
     auto* head = new QHBoxLayout;
@@ -85,7 +87,7 @@ StartPage::StartPage(const QString& cache, QWidget* parent) : QFrame(parent), ca
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(40, 30, 40, 20);
     row->setSpacing(40);
-    row->addLayout(left, 2);
+    row->addWidget(begin, 2, Qt::AlignTop);
     row->addLayout(right, 3);
     setFocusProxy(open_);
 }
