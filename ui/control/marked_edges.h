@@ -30,7 +30,7 @@ public:
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// Works out on a thread of its own which settings agree, and shows them.
-    ~MarkedEdges() override { ending_ = true; }
+    ~MarkedEdges() override { wanted_ = 0; }
     void propose();
     [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
     [[nodiscard]] bool settled() const { return !working_; }
@@ -39,6 +39,7 @@ public:
 
 private:
     struct Question {
+        std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
         Settings settings;
         EdgeMarks marks;
@@ -47,6 +48,9 @@ private:
         Question asked;
         std::vector<EdgeProposal> proposals;
     };
+    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    void makeCard();
+    void showStage(std::uint64_t number, int method);
     void tell(const Answer& answer);
     void show();
     void putBack();
@@ -61,7 +65,8 @@ private:
     std::vector<EdgeProposal> proposals_;
     std::optional<Settings> before_; // while a proposal is previewed
     Settings previewed_;
-    std::atomic<bool> ending_{false};
+    std::uint64_t questions_ = 0;
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
     ProposalsCard* card_ = nullptr;
     bool working_ = false;
     Newest<Question, Answer> worker_; // last
