@@ -38,7 +38,7 @@ QImage smallMap(const Detection& detection) {
 ContactSheets::ContactSheets(Session& session, Tuning& tuning, NoticeBar& notice, QObject* parent)
     : QObject(parent), session_(session), tuning_(tuning), notice_(notice),
       worker_(
-          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { take(answer); },
+          this, [this](const Question& question) { return run(question); }, [](const Answer& /*answer*/) {},
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, what); }) {}
 
 void ContactSheets::show() {
@@ -72,7 +72,11 @@ ContactSheets::Answer ContactSheets::run(const Question& question) {
         return true;
     };
     if (wanted_ != question.number) return {};
-    return {question.number, contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
+    Answer answer{question.number, contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
+    // By the way of the pictures: after the last of them.
+    QMetaObject::invokeMethod(
+        this, [this, answer] { take(answer); }, Qt::QueuedConnection);
+    return answer;
 }
 
 void ContactSheets::add(std::uint64_t number, const SheetEntry& entry, const QImage& picture) {
