@@ -76,6 +76,8 @@ visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5,
 visible %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
+<message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>
@@ -136,6 +138,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
 <message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
@@ -260,6 +263,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
+<message><source>Values of %1</source><translation>Valores de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
+<message><source>● now</source><translation>● actual</translation></message>
+<message><source>▭ steady</source><translation>▭ estable</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
@@ -463,6 +471,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>This &amp;Is an Edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This Is &amp;No Edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
+<message><source>Contact Shee&amp;t…</source><translation>Hoja de con&amp;tactos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>

@@ -76,6 +76,8 @@ visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %
 visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus proche</translation></message>
+<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
+<message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>
@@ -136,6 +138,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
 <message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
@@ -260,6 +263,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
 <message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
+<message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
+<message><source>● now</source><translation>● actuel</translation></message>
+<message><source>▭ steady</source><translation>▭ stable</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
@@ -463,6 +471,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>This &amp;Is an Edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This Is &amp;No Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>
+<message><source>Contact Shee&amp;t…</source><translation>&amp;Planche-contact…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Effacer les mar&amp;ques</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>

@@ -76,6 +76,8 @@ visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5,
 visível %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro um escaneamento.</translation></message>
+<message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>
@@ -136,6 +138,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
 <message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
@@ -260,6 +263,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
+<message><source>Values of %1</source><translation>Valores de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
+<message><source>● now</source><translation>● atual</translation></message>
+<message><source>▭ steady</source><translation>▭ estável</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
@@ -463,6 +471,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>This &amp;Is an Edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This Is &amp;No Edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
+<message><source>Contact Shee&amp;t…</source><translation>Folha de con&amp;tatos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Limpar as mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>

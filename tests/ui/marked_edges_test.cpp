@@ -98,8 +98,15 @@ private slots:
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
         ProposalsCard* card = on.window.markedEdges().card();
+        // What is under way is said at once, and Esc ends it.
+        QVERIFY(card != nullptr && card->isVisible() && card->working());
+        QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
+        QTest::keyClick(card, Qt::Key_Escape);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(!card->isVisible() && card->list()->count() == 0);
+        action(on, "Settings for These Marks…")->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));

@@ -15,16 +15,16 @@ namespace edgescan::ui {
 
 /// One theme: what a colour is for, not where it is used.
 struct Theme {
-    const char* key;   ///< in the memory and on the command line
-    const char* label; ///< in the menu, with its letter; to be translated
+    const char* key;                    ///< in the memory and on the command line
+    const char* label;                  ///< in the menu, with its letter; to be translated
     QColor window, panel, base, button; ///< grounds
     QColor line;                        ///< decoration only: no meaning hangs on it
     QColor edge;                        ///< borders of fields, axes
     QColor text, quietText;
-    QColor unusable;                    ///< words of what cannot be used now
-    QColor accent;                      ///< handles, focus, marks of a curve
-    QColor chosen;                      ///< ground of what is chosen; white words stand on it
-    QColor warn, bad;                   ///< words and signs of what is abnormal, always with a sign as well
+    QColor unusable;  ///< words of what cannot be used now
+    QColor accent;    ///< handles, focus, marks of a curve
+    QColor chosen;    ///< ground of what is chosen; white words stand on it
+    QColor warn, bad; ///< words and signs of what is abnormal, always with a sign as well
 };
 
 inline constexpr int kThemes = 3;

@@ -1,6 +1,7 @@
 // Marks, proposals, previews.
 #include "ui/control/marked_edges.h"
 
+#include "core/settings/method_traits.h"
 #include "ui/base/cell_marks.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
@@ -59,13 +60,10 @@ private:
 MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
       worker_(
-          this,
-          [this](const Question& question) {
-              return Answer{question, edgeProposals(question.scan, question.settings, question.marks, [this] { return !ending_; })};
-          },
-          [this](const Answer& answer) { tell(answer); },
+          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { tell(answer); },
           [this](const QString& what) {
               working_ = false;
+              card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
     connect(&session_, &Session::pictureReady, this, [this] {
@@ -106,6 +104,7 @@ void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
 void MarkedEdges::use(const EdgeMarks& marks) {
     marks_ = marks;
     if (marks_.empty()) {
+        wanted_ = 0;
         putBack();
         proposals_.clear();
         if (card_ != nullptr) card_->hide();
@@ -131,28 +130,58 @@ void MarkedEdges::propose() {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("The sweep is still growing: wait for its end, or hold it."));
         return;
     }
+    if (card_ == nullptr) makeCard();
+    const Settings before = before_.value_or(session_.settings());
+    putBack();
     working_ = true;
-    worker_.post({session_.picture()->detection->scan, before_.value_or(session_.settings()), marks_});
+    wanted_ = ++questions_;
+    card_->begin();
+    showStage(questions_, 0);
+    worker_.post({questions_, session_.picture()->detection->scan, before, marks_});
+}
+
+// One question per method: what it asks says how far the work is.
+MarkedEdges::Answer MarkedEdges::run(const Question& question) {
+    int method = 0;
+    const auto goOn = [&] {
+        QMetaObject::invokeMethod(
+            this, [this, number = question.number, method] { showStage(number, method); }, Qt::QueuedConnection);
+        ++method;
+        return wanted_ == question.number;
+    };
+    return {question, edgeProposals(question.scan, question.settings, question.marks, goOn)};
+}
+
+void MarkedEdges::showStage(std::uint64_t number, int method) {
+    if (number != wanted_ || !card_->working()) return;
+    const auto methods = static_cast<int>(methodTraits().size());
+    card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
+                     methods);
+}
+
+void MarkedEdges::makeCard() {
+    card_ = new ProposalsCard(notice_.window());
+    connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
+        if (!before_ || session_.settings() != previewed_) before_ = session_.settings();
+        previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
+        session_.setSettings(previewed_);
+    });
+    connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
+        const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
+        putBack(); // so that undo leads back to what was set before the preview
+        undo_.push(new AdoptedSettings(session_, adopted));
+        card_->hide();
+    });
+    connect(card_, &QDialog::rejected, this, [this] {
+        if (card_->working()) wanted_ = 0; // given up
+        putBack();
+    });
 }
 
 void MarkedEdges::tell(const Answer& answer) {
     working_ = false;
-    if (marks_.empty() || session_.picture()->detection->scan != answer.asked.scan) return;
-    if (card_ == nullptr) {
-        card_ = new ProposalsCard(notice_.window());
-        connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
-            if (!before_ || session_.settings() != previewed_) before_ = session_.settings();
-            previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
-            session_.setSettings(previewed_);
-        });
-        connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
-            const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
-            putBack(); // so that undo leads back to what was set before the preview
-            undo_.push(new AdoptedSettings(session_, adopted));
-            card_->hide();
-        });
-        connect(card_, &QDialog::rejected, this, &MarkedEdges::putBack);
-    }
+    if (answer.asked.number != wanted_) return;
+    if (marks_.empty() || session_.picture()->detection->scan != answer.asked.scan) return card_->hide();
     putBack();
     proposals_ = answer.proposals;
     QStringList rows;

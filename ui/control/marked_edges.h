@@ -32,7 +32,7 @@ public:
     /// All of them, as one step of undo.
     void restore(const EdgeMarks& marks);
     /// Works out on a thread of its own which settings agree, and shows them.
-    ~MarkedEdges() override { ending_ = true; }
+    ~MarkedEdges() override { wanted_ = 0; }
     void propose();
     [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
     [[nodiscard]] bool settled() const { return !working_; }
@@ -45,6 +45,7 @@ signals:
 private:
     friend class MarksChange;
     struct Question {
+        std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
         Settings settings;
         EdgeMarks marks;
@@ -55,6 +56,9 @@ private:
     };
     void change(const QString& what, const EdgeMarks& after);
     void use(const EdgeMarks& marks);
+    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    void makeCard();
+    void showStage(std::uint64_t number, int method);
     void tell(const Answer& answer);
     void show();
     void putBack();
@@ -69,7 +73,8 @@ private:
     std::vector<EdgeProposal> proposals_;
     std::optional<Settings> before_; // while a proposal is previewed
     Settings previewed_;
-    std::atomic<bool> ending_{false};
+    std::uint64_t questions_ = 0;
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
     ProposalsCard* card_ = nullptr;
     bool working_ = false;
     Newest<Question, Answer> worker_; // last

@@ -16,6 +16,7 @@
 #include <QUndoCommand>
 
 #include <functional>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -102,7 +103,17 @@ void Tuning::showResult() {
 
 void Tuning::change(const Settings& settings, bool dragging) {
     if (settings == session_.settings()) return;
+    std::vector<const Parameter*> differs;
+    for (const Parameter& p : parameters()) {
+        if (formatValue(p, p.get(settings)) != formatValue(p, p.get(session_.settings()))) differs.push_back(&p);
+    }
+    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
     undo_.push(new SettingsChange(session_, settings, dragging ? drag_ : 0));
+}
+
+const Parameter& Tuning::lastTurned() const {
+    const Settings& settings = session_.settings();
+    return turned_ != nullptr && turned_->usedBy(settings) ? *turned_ : sweptParameter(settings.method);
 }
 
 void Tuning::usePreset(const Preset& preset) {

@@ -1,6 +1,7 @@
 // The settings: sliders, presets, undo, and what the panel tells of the result.
 #pragma once
 
+#include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 #include "ui/session/session.h"
 
@@ -27,6 +28,8 @@ public:
     void turn(const char* key, double value);
     /// As the command line wants it: this start only, nothing of it is remembered until somebody changes a setting.
     void startWith(const Preset& preset, const Settings& settings);
+    /// The number or choice that somebody turned last, as long as the method reads it; else the threshold that it is mostly turned by.
+    [[nodiscard]] const Parameter& lastTurned() const;
     void askOpenPreset();
     void askSavePreset();
 
@@ -48,6 +51,7 @@ private:
     EdgeCounts* counts_; // child
     int drag_ = 1;       // number of the drag, for undo
     bool starting_ = false;
+    const Parameter* turned_ = nullptr;
     QElapsedTimer sinceChange_;
     double updateMs_ = 0.0;
     std::shared_ptr<const Scan> shownScan_;

@@ -4,12 +4,14 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace edgescan::ui {
 
-ProposalsCard::ProposalsCard(QWidget* parent) : QDialog(parent), verdict_(new QLabel), list_(new QListWidget), adopt_(nullptr) {
+ProposalsCard::ProposalsCard(QWidget* parent)
+    : QDialog(parent), verdict_(new QLabel), progress_(new QProgressBar), list_(new QListWidget), adopt_(nullptr) {
     setObjectName("proposals");
     setWindowTitle(tr("Settings for these marks"));
     verdict_->setWordWrap(true);
@@ -21,6 +23,8 @@ ProposalsCard::ProposalsCard(QWidget* parent) : QDialog(parent), verdict_(new QL
     adopt_->setEnabled(false);
     auto* column = new QVBoxLayout(this);
     column->addWidget(verdict_);
+    column->addWidget(progress_);
+    progress_->hide();
     column->addWidget(new QLabel(tr("A click on a row shows it; Adopt keeps it, Close brings back what was set before.")));
     column->addWidget(list_, 1);
     column->addWidget(buttons);
@@ -34,7 +38,25 @@ ProposalsCard::ProposalsCard(QWidget* parent) : QDialog(parent), verdict_(new QL
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+void ProposalsCard::begin() {
+    working_ = true;
+    list_->clear();
+    adopt_->setEnabled(false);
+    progress_->setRange(0, 0);
+    progress_->show();
+    show();
+    raise();
+}
+
+void ProposalsCard::showStage(const QString& words, int done, int of) {
+    verdict_->setText(words);
+    progress_->setRange(0, of);
+    progress_->setValue(done);
+}
+
 void ProposalsCard::tell(const QString& verdict, const QStringList& rows) {
+    working_ = false;
+    progress_->hide();
     verdict_->setText(verdict);
     list_->clear();
     list_->addItems(rows);

@@ -6,6 +6,7 @@
 
 class QLabel;
 class QListWidget;
+class QProgressBar;
 class QPushButton;
 
 namespace edgescan::ui {
@@ -16,6 +17,10 @@ class ProposalsCard : public QDialog {
 public:
     explicit ProposalsCard(QWidget* parent);
 
+    /// It is being worked out: nothing to choose yet. Closing gives up.
+    void begin();
+    void showStage(const QString& words, int done, int of);
+    [[nodiscard]] bool working() const { return working_; }
     /// `verdict`: one line. The rows are kept in order; none is chosen.
     void tell(const QString& verdict, const QStringList& rows);
     [[nodiscard]] QListWidget* list() const { return list_; }
@@ -28,6 +33,8 @@ signals:
 
 private:
     QLabel* verdict_;
+    QProgressBar* progress_;
+    bool working_ = false;
     QListWidget* list_;
     QPushButton* adopt_;
 };

@@ -5,6 +5,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/control/contact_sheets.h"
 #include "ui/control/key_editing.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/sheets.h"
@@ -234,6 +235,7 @@ Command scanMenu(MainWindow& w) {
 Command edgesMenu(MainWindow& w) {
     Tuning& tuning = w.tuning();
     EdgesPanel& panel = w.panel();
+    auto* sheets = new ContactSheets(w.session(), tuning, w.notice(), &w);
     Command presets = submenu("&Presets", {});
     for (const Preset& preset : builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
@@ -254,6 +256,7 @@ Command edgesMenu(MainWindow& w) {
             command("This &Is an Edge", "Shift+E", [&w] { w.markedEdges().mark(w.views().marked(), true); }),
             command("This Is &No Edge", "Shift+X", [&w] { w.markedEdges().mark(w.views().marked(), false); }),
             command("Settings for These &Marks…", "", [&w] { w.markedEdges().propose(); }),
+            command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&w] { w.markedEdges().clear(); }),
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),

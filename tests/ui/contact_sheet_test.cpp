@@ -1,0 +1,80 @@
+// The contact sheet in the real window: pictures come one after the other, a click takes the value and can be undone, closing gives up.
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/control/contact_sheets.h"
+#include "ui/dialogs/contact_card.h"
+
+#include <QAction>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ContactSheetTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+private slots:
+    void initTestCase() {
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(150, 170, 3, 0.02), scan_)));
+    }
+
+    void aClickTakesAValueAndUndoBringsTheOldOneBack() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        auto* sheets = on.window.findChild<ContactSheets*>();
+        on.window.views().cloud().setFocus();
+        QTest::keyClick(&on.window, Qt::Key_S, Qt::ShiftModifier);
+        QTRY_VERIFY(sheets->card() != nullptr && sheets->card()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!sheets->card()->working(), 20000);
+        const std::vector<QToolButton*> pictures = sheets->card()->pictures();
+        QVERIFY(pictures.size() >= 6);
+        QCOMPARE(sheets->entries().size(), pictures.size());
+        const double before = on.window.session().settings().sensitivity;
+        int inUse = 0, steady = 0;
+        for (std::size_t n = 0; n < pictures.size(); ++n) {
+            inUse += pictures[n]->text().contains("now") ? 1 : 0;
+            steady += pictures[n]->text().contains("steady") ? 1 : 0;
+            QCOMPARE(pictures[n]->text().contains("steady"), sheets->entries()[n].steady);
+        }
+        QCOMPARE(inUse, 1);
+        QVERIFY(steady != 1);
+        // What is shown at a value is what the window shows once it is taken.
+        const std::size_t last = pictures.size() - 1;
+        QTest::mouseClick(pictures[last], Qt::LeftButton);
+        QCOMPARE(on.window.session().settings().sensitivity, sheets->entries()[last].value);
+        QVERIFY(on.settled());
+        QCOMPARE(on.picture().detection->edges->size(), sheets->entries()[last].edges);
+        on.window.undoStack().undo();
+        QCOMPARE(on.window.session().settings().sensitivity, before);
+    }
+
+    void theSliderThatWasTurnedLastIsTheOneOfTheSheet() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.tuning().turn("crease", 40);
+        QVERIFY(on.settled());
+        QCOMPARE(QString(on.window.tuning().lastTurned().key), QString("crease"));
+        auto* sheets = on.window.findChild<ContactSheets*>();
+        sheets->show();
+        QTRY_VERIFY_WITH_TIMEOUT(!sheets->card()->working(), 20000);
+        QTest::mouseClick(sheets->card()->pictures().front(), Qt::LeftButton);
+        QVERIFY(on.window.session().settings().creaseDeg < 40);
+    }
+
+    void closingItGivesUp() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        auto* sheets = on.window.findChild<ContactSheets*>();
+        sheets->show();
+        sheets->card()->close();
+        sheets->show(); // and again, at once
+        QTRY_VERIFY_WITH_TIMEOUT(!sheets->card()->working(), 20000);
+        QCOMPARE(sheets->entries().size(), sheets->card()->pictures().size());
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ContactSheetTest>(argc, argv); }
+#include "contact_sheet_test.moc"
