@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 #if !defined(__x86_64__) || !defined(__GNUC__) || defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -36,12 +35,6 @@ inline __attribute__((always_inline)) void load(Lanes& lanes, const float* from)
 template <class Lanes>
 inline __attribute__((always_inline)) void store(float* to, const Lanes& lanes) {
     std::memcpy(to, &lanes, sizeof lanes);
-}
-/// 0 or 1 times 0 or 1, by the bits: a product takes four times as long.
-template <class Lanes>
-inline __attribute__((always_inline)) void both(Lanes& a, const Lanes& b) {
-    using Bits = decltype(a < b);
-    a = std::bit_cast<Lanes>(std::bit_cast<Bits>(a) & std::bit_cast<Bits>(b));
 }
 /// The largest of `kCount` values, a power of two, by halves.
 template <int kCount>

@@ -77,6 +77,7 @@ void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     inBands(bands, bands, [&](int first, int) {
         const auto band = static_cast<std::size_t>(first);
         std::string& part = band == 0 ? text : parts[band];
+        if (band > 0) part.reserve(kUsualNumber * cloud.columns.size() * (rows / parts.size() + 1));
         appendRowsOf(part, cloud, rows * band / parts.size(), rows * (band + 1) / parts.size(), separator);
     });
     for (const std::string& part : parts) text += part;

@@ -45,12 +45,12 @@ struct Goal {
     [[nodiscard]] bool isHeld(double ratio) const { return smallIsGood ? ratio <= limit() : ratio >= limit(); }
 };
 
-constexpr Goal kPlusToThesis{"EdgeScan+, one thread / thesis's recipe in plain OpenCV", 2.8, 2, 8, true};
+constexpr Goal kPlusToThesis{"EdgeScan+, one thread / thesis's recipe in plain OpenCV", 2.8, 2, 6, true};
 constexpr Goal kPlusWallToThesis{"EdgeScan+, two threads / thesis's recipe in plain OpenCV, wall", 1.8, 1.2, 8, true};
 constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9, 1.2};
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
-constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 8};
+constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 12};
 constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.2}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.5};
 constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
 constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 15};
