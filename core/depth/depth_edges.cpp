@@ -200,7 +200,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
                           static_cast<double>(limits.jumpMm),
                           surface.scales,
                           limits.foldNoise,
-                          surface.memory.windowMm > 0 ? surface.memory.cells : 1.0,
+                          surface.memory.windowMm > 0,
                           borderCells(support),
                           silhouetteCells(surface.inverse, surface.steps, limits)};
     inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {

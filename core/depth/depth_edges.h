@@ -42,7 +42,7 @@ struct DepthResponses {
     double jumpMm = 0;                      ///< J0, automatic or typed
     NoiseScales scales;                     ///< of the noise as measured
     RangeNoise foldNoise;                   ///< what folds are compared with: `noise` where it is white
-    double cellsAlike = 1;                  ///< that err alike; 1: white
+    bool neighboursAlike = false;           ///< the noise has memory, or was said to have
     std::vector<std::uint32_t> border;      ///< measured cells beside a void of more than 4 cells, ascending
     std::vector<std::uint32_t> silhouettes; ///< of these, the near sides of an outline (core/depth/silhouettes.h), ascending
 };

@@ -179,6 +179,7 @@ DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int l
     DepthProbe& probe = prober.probe;
     probe.support = inputs.inverse.support.at(line, beam);
     probe.noiseMm = inputs.limits.noise.at(1.0 / static_cast<double>(inputs.inverse.u.at(line, beam)));
+    probe.foldNoiseMm = inputs.limits.foldNoise.at(1.0 / static_cast<double>(inputs.inverse.u.at(line, beam)));
     probe.noiseAt5mMm = inputs.limits.noise.at(kReferenceM);
     probe.creaseDeg = static_cast<double>(inputs.limits.creaseDeg);
     probe.interlaced = inputs.slips.interlaced;

@@ -52,6 +52,7 @@ struct DepthProbe {
     Support support = Support::Void;
     double noiseMm = 0.0;               ///< sigma used, at the cell's range
     double noiseAt5mMm = 0.0;           ///< at 5 m
+    double foldNoiseMm = 0.0;           ///< what folds are compared with at the cell's range: more where neighbours err alike
     double creaseDeg = 0.0;             ///< C0
     bool interlaced = false;            ///< the beams are interlaced
     bool grazingRaised = false;         ///< and so g is larger than typed

@@ -128,8 +128,11 @@ std::string depthText(const Why& why) {
     if (!depth.folds.empty()) text += "\n" + foldText(why, depth.folds.front());
     if (depth.folds.size() > 1 && std::abs(depth.crease.before) > 1.005F * static_cast<float>(depth.folds.front().strength))
         text += " Together with the other way " + number(static_cast<double>(std::abs(depth.crease.before))) + ".";
-    if (depth.support != Support::Void)
+    if (depth.support != Support::Void) {
         text += "\nRange noise used: sigma " + number(depth.noiseMm) + " mm here, " + number(depth.noiseAt5mMm) + " mm at 5 m.";
+        if (depth.foldNoiseMm != depth.noiseMm)
+            text += " Neighbours err alike, so for folds it counts as " + number(depth.foldNoiseMm) + " mm here.";
+    }
     return text;
 }
 

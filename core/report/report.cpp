@@ -82,15 +82,14 @@ json noiseReport(const DepthResponses& responses) {
     const NoiseScales& scales = responses.scales;
     json byLag = json::object();
     for (std::size_t n = 0; n < kNoiseLags.size(); ++n) byLag[std::to_string(kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
-    return {{"kind", responses.cellsAlike > 1 ? "neighbours_alike"
-                     : scales.inSteps         ? "in_steps"
-                                              : "white"},
+    return {{"kind", responses.neighboursAlike ? "neighbours_alike"
+                     : scales.inSteps          ? "in_steps"
+                                               : "white"},
             {"at_m", tidy(scales.rangeM, 1000)},
             {"mm", tidy(responses.noise.at(scales.rangeM), 1000)},
             {"mm_by_lag_in_cells", byLag},
             {"nil_differences", tidy(scales.nilShare, 1000)},
             {"mm_for_folds", tidy(responses.foldNoise.at(scales.rangeM), 1000)},
-            {"cells_alike", tidy(responses.cellsAlike, 10)},
             {"law_mm",
              {{"at_0_m", tidy(responses.noise.offsetMm, 1000)},
               {"per_m", tidy(responses.noise.perMetreMm, 1000)},

@@ -62,6 +62,7 @@ json depthReport(const DepthProbe& depth) {
                 {"mixed_pixel_taken_at_mm", depth.snappedMm ? json(*depth.snappedMm) : json(nullptr)},
                 {"noise_mm", depth.noiseMm},
                 {"noise_mm_at_5_m", depth.noiseAt5mMm},
+                {"noise_mm_for_folds", depth.foldNoiseMm},
                 {"interlaced", depth.interlaced}};
     report["steps"] = json::array();
     for (const DepthStepAtCell& step : depth.steps) report["steps"].push_back(stepReport(step));

@@ -779,6 +779,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
+<message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
+<message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si cada celda yerra por sí misma, como con un láser, o si las vecinas yerran juntas, como con una cámara de profundidad cuya profundidad viene en escalones: los pliegues deben entonces superar lo que parecen tales escalones.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
@@ -825,6 +827,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vecinas</translation></message>
 <message><source>8 neighbours</source><translation>8 vecinas</translation></message>
+<message><source>as measured</source><translation>según lo medido</translation></message>
+<message><source>laser: each cell for itself</source><translation>láser: cada celda por sí misma</translation></message>
+<message><source>depth camera: neighbours alike</source><translation>cámara de profundidad: vecinas parecidas</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contornos de rocas</translation></message>
 <message><source>Jumps</source><translation>Saltos</translation></message>

@@ -779,6 +779,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
+<message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
+<message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si chaque cellule se trompe pour elle-même, comme avec un laser, ou si les voisines se trompent ensemble, comme avec une caméra de profondeur dont la profondeur vient par paliers : les plis doivent alors dépasser ce à quoi ressemblent ces paliers.</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
@@ -825,6 +827,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 voisines</translation></message>
 <message><source>8 neighbours</source><translation>8 voisines</translation></message>
+<message><source>as measured</source><translation>tel que mesuré</translation></message>
+<message><source>laser: each cell for itself</source><translation>laser : chaque cellule pour elle-même</translation></message>
+<message><source>depth camera: neighbours alike</source><translation>caméra de profondeur : voisines semblables</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contours des blocs</translation></message>
 <message><source>Jumps</source><translation>Sauts</translation></message>

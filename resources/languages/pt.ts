@@ -779,6 +779,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
+<message><source>Noise from cell to cell</source><translation>Ruído de célula a célula</translation></message>
+<message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Se cada célula erra por si, como com um laser, ou se as vizinhas erram juntas, como com uma câmara de profundidade cuja profundidade vem em degraus: as dobras têm então de exceder o que tais degraus parecem.</translation></message>
 <message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
@@ -825,6 +827,9 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
 <message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
+<message><source>as measured</source><translation>conforme medido</translation></message>
+<message><source>laser: each cell for itself</source><translation>laser: cada célula por si</translation></message>
+<message><source>depth camera: neighbours alike</source><translation>câmara de profundidade: vizinhas semelhantes</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contornos de rochas</translation></message>
 <message><source>Jumps</source><translation>Saltos</translation></message>

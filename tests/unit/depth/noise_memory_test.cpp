@@ -121,11 +121,11 @@ TEST(NoiseMemory, StepsThatSpanCellsAreTold) {
 
 // The sensor's own folds are no edges; a real one stays.
 TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
-    const Grid<double> noise = sharedNoise(4, 8);
+    const Grid<double> noise = sharedNoise(6, 8);
     const auto scan = [&](bool roof) {
         Scan made = test::makeScan(kNoiseLines, kNoiseBeams, [&](int i, int j) {
             const double fold = roof ? 0.0025 * std::abs(j - 170) : 0.0; // both sides slant by about 52 degrees
-            const double u = 1.0 / planeM(i, j) - fold + 0.0015 * noise.at(i, j);
+            const double u = 1.0 / planeM(i, j) - fold + 0.002 * noise.at(i, j);
             return 1000.0 / (std::round(u / 0.0025) * 0.0025);
         });
         PolarGeometry& polar = std::get<PolarGeometry>(made.geometry);
@@ -148,10 +148,10 @@ TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
         return count;
     };
     const Scan wall = scan(false), roof = scan(true);
-    EXPECT_GT(folds(wall, NoiseKind::Laser, 20, 320), 300U); // what the white noise of neighbours promises is far too little
-    EXPECT_LT(folds(wall, NoiseKind::Measured, 20, 320), 30U);
-    EXPECT_EQ(folds(wall, NoiseKind::Measured, 20, 320), folds(wall, NoiseKind::Camera, 20, 320));
-    EXPECT_GT(folds(roof, NoiseKind::Measured, 167, 174), 200U); // of 260 lines
+    const std::size_t asWhite = folds(wall, NoiseKind::Laser, 20, 320), asCamera = folds(wall, NoiseKind::Camera, 20, 320);
+    EXPECT_GT(asWhite, 300U); // what the white noise of neighbours promises is too little
+    EXPECT_LT(10 * asCamera, asWhite);
+    EXPECT_GT(folds(roof, NoiseKind::Camera, 167, 174), 200U); // of 260 lines
 }
 
 TEST(NoiseMemory, GrowthWithTheRangeOrItsSquareIsTold) {
