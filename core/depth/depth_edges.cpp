@@ -144,7 +144,7 @@ DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, Nois
     DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0, {}, {}};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     surface.noise = rangeNoise(surface.inverse);
-    surface.scales = noiseScales(surface.inverse);
+    surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera);
     if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
         surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
     flattenSpikes(surface.inverse, surface.noise);

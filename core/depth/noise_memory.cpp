@@ -205,26 +205,30 @@ int reachOfFold(double rangeM, double angleRad, double windowMm) {
 
 } // namespace
 
-NoiseScales noiseScales(const InverseRange& inverse) {
+NoiseScales noiseScales(const InverseRange& inverse, bool all) {
     NoiseScales scales;
     std::vector<float> ranges;
     forSome(inverse, kCellsLookedAt, [&](int i, int j) {
         if (inverse.isMeasured(i, j)) ranges.push_back(1.0F / inverse.u.at(i, j));
     });
     scales.rangeM = static_cast<double>(median(std::move(ranges)));
-    for (std::size_t n = 0; n < kNoiseLags.size(); ++n) {
+    const auto measure = [&](std::size_t n) {
         std::vector<float> sizes;
         for (std::vector<float>& bin :
              differencesByRange(inverse, kNoiseLags[n], n < kLagsThatDecide ? kCellsLookedAt : kCellsLookedAt / 2))
             sizes.insert(sizes.end(), bin.begin(), bin.end());
         scales.sigmaMm[n] = trimmedRms(sizes);
-        if (n > 0 || sizes.empty()) continue;
+        if (n > 0 || sizes.empty()) return;
         const auto nil =
             std::count_if(sizes.begin(), sizes.end(), [&](float size) { return static_cast<double>(size) < kNil * scales.sigmaMm[0]; });
         scales.nilShare = static_cast<double>(nil) / static_cast<double>(sizes.size());
-    }
+    };
+    for (std::size_t n = 0; n < kLagsThatDecide; ++n) measure(n);
     scales.inSteps = scales.nilShare > kMostNil;
     scales.remembered = scales.inSteps && scales.sigmaMm[1] > kGrows * scales.sigmaMm[0];
+    // The others look far along the columns, which takes longer than all the rest: not for the noise of a laser.
+    if (all || scales.remembered)
+        for (std::size_t n = kLagsThatDecide; n < kNoiseLags.size(); ++n) measure(n);
     return scales;
 }
 

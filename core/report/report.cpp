@@ -81,7 +81,9 @@ json pointsReport(const Scan& scan) { return {{"in_file", scan.pointsRead}, {"wi
 json noiseReport(const DepthResponses& responses) {
     const NoiseScales& scales = responses.scales;
     json byLag = json::object();
-    for (std::size_t n = 0; n < kNoiseLags.size(); ++n) byLag[std::to_string(kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
+    for (std::size_t n = 0; n < kNoiseLags.size(); ++n) {
+        if (scales.sigmaMm[n] > 0) byLag[std::to_string(kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
+    }
     return {{"kind", responses.neighboursAlike ? "neighbours_alike"
                      : scales.inSteps          ? "in_steps"
                                                : "white"},

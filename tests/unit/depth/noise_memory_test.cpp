@@ -90,7 +90,7 @@ double foldNoiseByHand(const InverseRange& inverse, int reach) {
 TEST(NoiseMemory, WhiteNoiseReadsTheSameAtEveryLag) {
     const Grid<double> noise = sharedNoise(1, 3);
     const InverseRange inverse = sweepOf([&](int i, int j) { return planeM(i, j) + 0.004 * noise.at(i, j); });
-    const NoiseScales scales = noiseScales(inverse);
+    const NoiseScales scales = noiseScales(inverse, true);
     for (const double sigma : scales.sigmaMm) EXPECT_NEAR(sigma, 4.0, 0.25);
     EXPECT_NEAR(scales.nilShare, 0.04, 0.02);
     EXPECT_NEAR(scales.rangeM, 0.8, 0.02);
@@ -104,12 +104,12 @@ TEST(NoiseMemory, CoarseStepsOfWhiteNoiseHaveNone) {
     const Grid<double> noise = sharedNoise(1, 3);
     // Whole centimetres, and noise of about as much.
     const InverseRange inverse = sweepOf([&](int i, int j) { return std::round(100 * (planeM(i, j) + 0.006 * noise.at(i, j))) / 100; });
-    EXPECT_FALSE(noiseScales(inverse).remembered);
+    EXPECT_FALSE(noiseScales(inverse, true).remembered);
 }
 
 TEST(NoiseMemory, StepsThatSpanCellsAreTold) {
     const InverseRange inverse = cameraWall();
-    const NoiseScales scales = noiseScales(inverse);
+    const NoiseScales scales = noiseScales(inverse, true);
     EXPECT_TRUE(scales.remembered);
     EXPECT_GT(scales.nilShare, 0.2);
     EXPECT_GT(scales.sigmaMm[2], 1.5 * scales.sigmaMm[0]);
@@ -162,7 +162,7 @@ TEST(NoiseMemory, GrowthWithTheRangeOrItsSquareIsTold) {
             const double r = 1.0 / (1.9 - 0.005 * i);
             return r + sigmaM(r) * noise.at(i, j);
         });
-        const MemoryNoise found = memoryNoise(inverse, cameraLike(), noiseScales(inverse), 50);
+        const MemoryNoise found = memoryNoise(inverse, cameraLike(), noiseScales(inverse, true), 50);
         for (const double r : {0.6, 1.0, 2.0}) EXPECT_NEAR(found.range.at(r), 1000 * sigmaM(r), 150 * sigmaM(r)) << square << " " << r;
         EXPECT_EQ(found.range.perSquareMetreMm > 0, square);
     }
