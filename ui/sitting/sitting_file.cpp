@@ -1,6 +1,8 @@
 // PNG text and session files.
 #include "ui/sitting/sitting_file.h"
 
+#include "ui/base/shown_text.h"
+
 #include <QFileInfo>
 #include <QImageReader>
 
@@ -18,7 +20,7 @@ bool isSittingName(const QString& path) { return path.endsWith(kSittingEnding, Q
 
 QImage withSitting(QImage picture, const std::string& text) {
     if (!text.empty() && text.size() <= kMostCarried)
-        picture.setText(kSittingKey, QString::fromLatin1(QByteArray::fromStdString(text).toBase64()));
+        picture.setText(kSittingKey, exactText(QByteArray::fromStdString(text).toBase64().toStdString()));
     return picture;
 }
 

@@ -61,7 +61,7 @@ QImage pictureOf(const Scan& scan) {
 }
 
 void keep(QImage picture, const QString& words, const QString& path) {
-    picture.setText(kWordsKey, QString::fromLatin1(words.toUtf8().toBase64()));
+    picture.setText(kWordsKey, exactText(words.toUtf8().toBase64().toStdString()));
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);

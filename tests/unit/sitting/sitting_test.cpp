@@ -79,7 +79,7 @@ TEST(Sitting, RefusesWhatDoesNotFitItsScan) {
     refused("edgescan-session/1", "edgescan-session/9", "this is no session");
     refused("\"active\": 77", "\"active\": 120000", "active");
     refused("\"lines\": 100", "\"lines\": 0", "scan.lines");
-    refused("\"beams\": 1200", "\"beams\": 1000000", "cell");
+    refused("\"beams\": 1200", "\"beams\": 1000001", "scan.beams");
     refused("\"switches\": {", "\"switches\": {\"x\": 3, ", "switches");
     refused("\"kind\": \"file\"", "\"kind\": \"moon\"", "scan.kind");
     refused("\"preset\"", "\"pre set\"", "pre set");
