@@ -267,7 +267,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● actual</translation></message>
-<message><source>▭ steady</source><translation>▭ estable</translation></message>
+<message><source>▭ steady</source><translation>▭ constante</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>

@@ -267,7 +267,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
 <message><source>● now</source><translation>● actuel</translation></message>
-<message><source>▭ steady</source><translation>▭ stable</translation></message>
+<message><source>▭ steady</source><translation>▭ constant</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>

@@ -267,7 +267,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● atual</translation></message>
-<message><source>▭ steady</source><translation>▭ estável</translation></message>
+<message><source>▭ steady</source><translation>▭ constante</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>

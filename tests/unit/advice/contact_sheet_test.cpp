@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace edgescan {
@@ -43,7 +45,9 @@ TEST(ContactSheet, TheValueInUseIsOneOfThemAndNoneIsThereTwice) {
         EXPECT_LE(values.size(), 12u);
         EXPECT_TRUE(std::ranges::is_sorted(values)) << parameter.key;
         EXPECT_EQ(std::ranges::adjacent_find(values), values.end()) << parameter.key;
-        if (!std::isnan(now)) EXPECT_EQ(std::ranges::count(values, now), 1) << parameter.key;
+        if (!std::isnan(now)) {
+            EXPECT_EQ(std::ranges::count(values, now), 1) << parameter.key;
+        }
         for (const double value : values) EXPECT_EQ(snapped(parameter, value), value) << parameter.key;
     }
 }
