@@ -80,6 +80,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
+<message><source>Working out why …</source><translation>Buscando la razón …</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>

@@ -80,6 +80,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>Working out why …</source><translation>Recherche de la raison …</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>

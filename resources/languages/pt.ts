@@ -80,6 +80,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
+<message><source>Working out why …</source><translation>À procura da razão …</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
