@@ -13,8 +13,9 @@ inline constexpr std::array<int, 5> kNoiseLags{1, 2, 4, 8, 16};
 
 /// The noise by scale, measured along the beams and along the lines.
 struct NoiseScales {
-    double rangeM = 0;                               ///< median range of the cells looked at
-    std::array<double, kNoiseLags.size()> sigmaMm{}; ///< by lag: white noise reads alike at every lag; 0 where there is too little to tell, or it was not asked
+    double rangeM = 0; ///< median range of the cells looked at
+    std::array<double, kNoiseLags.size()>
+        sigmaMm{};           ///< by lag: white noise reads alike at every lag; 0 where there is too little to tell, or it was not asked
     double nilShare = 0;     ///< of the second differences, those under a twentieth of their RMS: 0.04 for normal noise
     bool inSteps = false;    ///< so many are nil that the ranges come in coarse steps
     bool remembered = false; ///< in steps that span cells: noise with memory

@@ -30,10 +30,10 @@ struct Comparison {
     ComparisonAsked asked;
     SceneChange change;
     std::shared_ptr<const Picture> earlier; ///< A; of another scan with the settings of the picture now: a slider is no blast
-    std::shared_ptr<const Picture> before; ///< on the grid of the picture now: what is shown while the two are flipped
-    EdgeCells edges;                       ///< by class: gained, lost, kept, unseen
-    std::shared_ptr<const QImage> map;     ///< beams x lines: edges by their change on black
-    std::shared_ptr<const QImage> overlay; ///< the same and the surfaces that changed, transparent elsewhere
+    std::shared_ptr<const Picture> before;  ///< on the grid of the picture now: what is shown while the two are flipped
+    EdgeCells edges;                        ///< by class: gained, lost, kept, unseen
+    std::shared_ptr<const QImage> map;      ///< beams x lines: edges by their change on black
+    std::shared_ptr<const QImage> overlay;  ///< the same and the surfaces that changed, transparent elsewhere
     std::shared_ptr<const std::vector<std::uint32_t>>
         points; ///< by cell, bytes red, green, blue, 255; the cloud dimmed where nothing changed
 
