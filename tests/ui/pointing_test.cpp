@@ -115,7 +115,7 @@ private slots:
         QTest::keyClick(window_, Qt::Key_W);
         QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
         const QString words = QString("line %1, beam %2:").arg(pinned / 160).arg(pinned % 160);
-        QVERIFY2(window_->explanation().card()->text().startsWith(words), qPrintable(window_->explanation().card()->text()));
+        QTRY_VERIFY2(window_->explanation().card()->text().startsWith(words), qPrintable(window_->explanation().card()->text()));
         // Another setting leaves it where it is, too.
         Settings other;
         other.creaseDeg = 50;
@@ -140,7 +140,7 @@ private slots:
         const std::uint32_t cell = *cloud.cellAt(*at);
         QVERIFY(chooseInMenu(cloud, *at, "Why"));
         QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
-        QVERIFY(window_->explanation().card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
+        QTRY_VERIFY(window_->explanation().card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
         QCOMPARE(*window_->views().pinned(), static_cast<std::size_t>(cell));
         QVERIFY(chooseInMenu(cloud, *at, "Let go"));
         QVERIFY(!window_->views().pinned());

@@ -33,8 +33,8 @@ class ThresholdsTest : public QObject {
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
-        QVERIFY(
-            QTest::qWaitFor([&] { return window_->explanation().card() != nullptr && window_->explanation().card()->isVisible(); }, 10000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return window_->explanation().card() != nullptr && window_->explanation().card()->text().startsWith("line "); }, 10000));
     }
     [[nodiscard]] QString meaning() const { return window_->panel().findChild<QLabel*>("meaning")->text(); }
 

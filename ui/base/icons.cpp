@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -85,8 +84,12 @@ void addArc(QPainterPath& path, double rx, double ry, bool large, bool clockwise
     path.arcTo(QRectF(centre.x() - rx, centre.y() - ry, 2 * rx, 2 * ry), -angle(from) * degrees, -sweep * degrees);
 }
 
+// Of ASCII alone: what <cctype> says depends on the country.
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
+constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
+
 int numbersOf(char command) {
-    switch (std::toupper(command)) {
+    switch (upper(command)) {
     case 'M':
     case 'L':
         return 2;
@@ -104,8 +107,8 @@ int numbersOf(char command) {
 
 void add(QPainterPath& path, char command, const std::array<double, 7>& n) {
     const QPointF at = path.currentPosition();
-    const QPointF base = std::islower(command) != 0 ? at : QPointF();
-    switch (std::toupper(command)) {
+    const QPointF base = upper(command) != command ? at : QPointF();
+    switch (upper(command)) {
     case 'M':
         return path.moveTo(base + QPointF(n[0], n[1]));
     case 'L':
@@ -161,8 +164,8 @@ QPainterPath pathOf(const char* words) {
             ++words;
             continue;
         }
-        if (std::isalpha(static_cast<unsigned char>(*words)) != 0) command = *words++;
-        if (std::toupper(command) == 'Z') {
+        if (isLetter(*words)) command = *words++;
+        if (upper(command) == 'Z') {
             path.lineTo(start);
             path.moveTo(start);
             command = 0;
@@ -173,7 +176,7 @@ QPainterPath pathOf(const char* words) {
         if (count == 0) return path;
         for (int k = 0; k < count; ++k) {
             while (*words == ' ' || *words == ',') ++words;
-            const bool flag = std::toupper(command) == 'A' && (k == 3 || k == 4); // one digit, the next number may follow at once
+            const bool flag = upper(command) == 'A' && (k == 3 || k == 4); // one digit, the next number may follow at once
             if (flag) {
                 n[static_cast<std::size_t>(k)] = *words == '1' ? 1.0 : 0.0;
                 if (*words != '\0') ++words;
@@ -184,7 +187,7 @@ QPainterPath pathOf(const char* words) {
             words = read.ptr;
         }
         add(path, command, n);
-        if (std::toupper(command) == 'M') {
+        if (upper(command) == 'M') {
             start = path.currentPosition();
             command = command == 'M' ? 'L' : 'l'; // further pairs are lines
         }

@@ -42,22 +42,24 @@ void ScanReport::ask() {
 
 std::string ScanReport::commandFor(const Detection& detection, const QString& path) const {
     const Scan& scan = *detection.scan;
+    std::string missing; // a remark of the shell
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
     std::string command = "edgescan-cli report " + shellQuoted(QFileInfo(exactText(scan.path)).absoluteFilePath().toStdString()) + " -o " +
                           shellQuoted(path.toStdString());
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
+    if (!targets_.notebook().empty() && targets_.keptIn().isEmpty()) missing = " # without what was pinned and measured: no file keeps it";
     if (!targets_.notebook().empty() && !targets_.keptIn().isEmpty())
         command += " --targets " + shellQuoted(targets_.keptIn().toStdString());
     if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
         const std::string& before = compared->asked.before->detection->scan->path;
         if (!before.empty()) command += " --before " + shellQuoted(QFileInfo(exactText(before)).absoluteFilePath().toStdString());
     }
-    if (!rocks_.shown()) return command;
+    if (!rocks_.shown()) return command + missing;
     command += " --rocks";
-    if (!rocks_.keptIn().empty()) return command + " --edits " + shellQuoted(rocks_.keptIn());
+    if (!rocks_.keptIn().empty()) return command + " --edits " + shellQuoted(rocks_.keptIn()) + missing;
     const std::string flags = rockSettingsFlags(rocks_.settings());
-    return flags.empty() ? command : command + " " + flags;
+    return (flags.empty() ? command : command + " " + flags) + missing;
 }
 
 void ScanReport::writeTo(const QString& path) {

@@ -79,7 +79,7 @@ PlainFit plainFit(const float* at, const std::uint8_t* link, std::ptrdiff_t s, d
     const int fewer = std::min(left.cells, right.cells);
     fit.fitted = fewer >= 2;
     const double n = std::max(fewer, 1) + 1;
-    fit.noise = 1.41 * 0.55 * 0.001 * (limits.noise.offsetMm + limits.noise.perMetreMm / u) * std::sqrt(12 / (n * (n * n - 1))) * u / angle;
+    fit.noise = 1.41 * 0.55 * 0.001 * limits.foldNoise.at(1 / u) * std::sqrt(12 / (n * (n * n - 1))) * u / angle;
     fit.misfitMm = std::abs(1000 / (u + left.height) - 1000 / (u + right.height));
     return fit;
 }
@@ -112,6 +112,7 @@ TEST(DepthFormulas, JumpsAndFoldsAreThoseOfTheMethod) {
         limits.noisy = random() % 2 == 0;
         limits.windowMm = static_cast<float>(20 + random() % 200);
         limits.noise = {4.0, 0.2};
+        limits.foldNoise = round % 2 == 0 ? limits.noise : RangeNoise{3.0, 0.1, 0.05};
         const InverseRange inverse = inverseRange(scan);
         const AngularSteps steps = angularSteps(scan);
         const SweepSlips slips = noSlips(lines);

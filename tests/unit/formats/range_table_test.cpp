@@ -32,7 +32,7 @@ struct TableStyle {
     bool index = true, header = true, headerOfIndex = true;
     double unitMm = 1;
     std::string separator = ",";
-    std::string missing;
+    std::string missing{};
     const char* format = "%.10g";
     bool decimalComma = false;
     std::string columnName{}, indexName{}, lineEnd = "\n", comment{};
