@@ -121,6 +121,9 @@ private slots:
         other.creaseDeg = 50;
         QVERIFY(on_->use(other));
         QCOMPARE(*window_->views().pinned(), pinned);
+        escape(); // what lies on top first
+        QVERIFY(!window_->explanation().card()->isVisible());
+        QCOMPARE(*window_->views().pinned(), pinned);
         escape();
         QVERIFY(!window_->views().pinned());
         move(gray, pixelOf(gray, 100, 20));
