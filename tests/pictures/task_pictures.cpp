@@ -45,10 +45,12 @@ const Rock& rockInTheMiddle(WindowFixture& on) {
         const QPoint at = on.window.views().placeOf(rock.cell);
         return std::hypot(at.y() - shown.labels.lines * 0.5, at.x() - shown.labels.beams * 0.5);
     };
-    const Rock* best = &shown.study.rocks.front();
+    const auto middle = 0.15 * shown.labels.beams;
+    const Rock* best = nullptr;
     for (const Rock& rock : shown.study.rocks) {
-        if (rock.longM > 0.5 && away(rock) < away(*best)) best = &rock;
+        if (away(rock) < middle && (best == nullptr || rock.longM > best->longM)) best = &rock;
     }
+    if (best == nullptr) best = &shown.study.rocks.front();
     return *best;
 }
 
