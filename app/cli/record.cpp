@@ -146,6 +146,7 @@ int run(const Record& record) {
     const LiveStatus last = feed.status();
     status.sweep = last.sweep;           // with the end of its last sweep
     status.statistics = last.statistics; // with what came meanwhile
+    status.lines = last.lines;           // likewise: those are in the recording too
     if (const std::string lag = status.recording ? lagText(*status.recording) : std::string(); !lag.empty())
         complain(lag + "; waiting some seconds for it.");
     const Result<RecordingState> closed = feed.stopRecording();
