@@ -2,6 +2,7 @@
 #include "core/depth/depth_settings.h"
 
 #include "core/settings/method_traits.h"
+#include "core/settings/parameters.h"
 
 #include <cmath>
 
@@ -34,8 +35,7 @@ const char* edgeClassName(DepthEdge kind) {
 }
 
 const char* edgeClassLabel(DepthEdge kind) {
-    static constexpr const char* kLabels[]{"none", "jump", "convex", "concave", "data border", "outline before a void"};
-    return kLabels[static_cast<std::size_t>(kind)];
+    return kind == DepthEdge::None ? "none" : findParameter("classes")->choices[static_cast<std::size_t>(kind) - 1].label;
 }
 
 } // namespace edgescan

@@ -6,6 +6,7 @@
 #include "core/base/memory.h"
 #include "core/points/point_columns.h"
 #include "core/points/text_layout.h"
+#include "core/points/text_words.h"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +17,6 @@ namespace edgescan {
 namespace {
 
 constexpr std::size_t kNumbers = 4; ///< string number, northing, easting, elevation
-
-std::string_view withoutBlanks(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 /// The first cells of a line between commas, and what follows them.
 struct StringRow {
@@ -39,10 +34,10 @@ StringRow rowOf(std::string_view line) {
     std::size_t at = 0;
     while (at <= line.size() && row.count < kNumbers) {
         const std::size_t comma = std::min(line.find(',', at), line.size());
-        row.cells[row.count++] = withoutBlanks(line.substr(at, comma - at));
+        row.cells[row.count++] = trimmed(line.substr(at, comma - at));
         at = comma + 1;
     }
-    row.rest = at < line.size() ? withoutBlanks(line.substr(at)) : std::string_view();
+    row.rest = at < line.size() ? trimmed(line.substr(at)) : std::string_view();
     return row;
 }
 
@@ -101,7 +96,7 @@ Result<PointTable> readSurpacPoints(const Source& source) {
     bool described = false;
     bool ended = false;
     while (!ended && lines.next()) {
-        if (withoutBlanks(lines.line()).empty()) continue;
+        if (trimmed(lines.line()).empty()) continue;
         const StringRow row = rowOf(lines.line());
         ended = row.endsFile();
         if (row.ends()) continue;
@@ -114,8 +109,8 @@ Result<PointTable> readSurpacPoints(const Source& source) {
     if (table.points.empty()) return source.refused("this Surpac file has no points", "choose another file");
     if (!ended) table.remarks.emplace_back("The file does not end with END: it may have been cut off; compare it with the original.");
     if (described) table.remarks.emplace_back("Descriptions of points (D1 and further) are not read.");
-    if (ended && !withoutBlanks(source.text().substr(std::min(lines.nextByte(), source.text().size()))).empty() && lines.next() &&
-        !withoutBlanks(lines.line()).empty())
+    if (ended && !trimmed(source.text().substr(std::min(lines.nextByte(), source.text().size()))).empty() && lines.next() &&
+        !trimmed(lines.line()).empty())
         table.remarks.emplace_back("What stands behind END is not read.");
     table.width = table.points.size();
     table.precision = precisionOf(digits);

@@ -1,4 +1,4 @@
-// Lines of a text of numbers cut into words and cells. For the files of this folder that find out how a text is laid out.
+// Lines of a text of numbers cut into words and cells. For what finds out how a text is laid out, and for readers of lines.
 #pragma once
 
 #include "core/points/text_layout.h"

@@ -36,16 +36,12 @@ Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& 
 void Explanation::explain(std::size_t cell) {
     const std::shared_ptr<const Picture> picture = views_.shown();
     if (!picture) return;
-    openCard();
-    card_->tell(tr("Working out why …"));
-    worker_.post({picture, cell});
-}
-
-void Explanation::openCard() {
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
     }
+    card_->tell(tr("Working out why …"));
+    worker_.post({picture, cell});
 }
 
 bool Explanation::closeCard() {
@@ -57,7 +53,6 @@ bool Explanation::closeCard() {
 void Explanation::tell(const Answer& answer) {
     const auto& [picture, given] = answer;
     const Why& why = *given;
-    openCard();
     QString text = shownText(whyText(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");

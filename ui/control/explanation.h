@@ -39,7 +39,6 @@ private:
         std::shared_ptr<const Picture> picture;
         std::shared_ptr<const Why> why;
     };
-    void openCard();
     void tell(const Answer& answer);
     void showTrail(const Why& why);
 

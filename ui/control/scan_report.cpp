@@ -42,15 +42,19 @@ void ScanReport::ask() {
 
 std::string ScanReport::commandFor(const Detection& detection, const QString& path) const {
     const Scan& scan = *detection.scan;
-    std::string missing; // a remark of the shell
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
     std::string command = "edgescan-cli report " + shellQuoted(QFileInfo(exactText(scan.path)).absoluteFilePath().toStdString()) + " -o " +
                           shellQuoted(path.toStdString());
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
-    if (!targets_.notebook().empty() && targets_.keptIn().isEmpty()) missing = " # without what was pinned and measured: no file keeps it";
-    if (!targets_.notebook().empty() && !targets_.keptIn().isEmpty())
-        command += " --targets " + shellQuoted(targets_.keptIn().toStdString());
+    std::string missing; // a remark of the shell
+    if (!targets_.notebook().empty()) {
+        const QString kept = targets_.keptIn();
+        if (kept.isEmpty())
+            missing = " # without what was pinned and measured: no file keeps it";
+        else
+            command += " --targets " + shellQuoted(kept.toStdString());
+    }
     if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
         const std::string& before = compared->asked.before->detection->scan->path;
         if (!before.empty()) command += " --before " + shellQuoted(QFileInfo(exactText(before)).absoluteFilePath().toStdString());

@@ -305,7 +305,8 @@ void MainWindow::remember() {
 
 void MainWindow::restoreLayout() {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
-    resize(usualWindow(screen.adjusted(0, 0, 0, -style()->pixelMetric(QStyle::PM_TitleBarHeight))));
+    const QSize title(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
+    resize(usualWindow({screen.topLeft(), screen.size() - title}));
     restoreGeometry(memory_.bytes("window/geometry"));
     restoreState(memory_.bytes("window/state"));
     images_->restoreState(memory_.bytes("window/images"));
@@ -319,8 +320,7 @@ void MainWindow::restoreLayout() {
         if (each->availableGeometry().intersects(geometry())) at = each;
     }
     const QRect room = at != nullptr ? at->availableGeometry() : screen;
-    if (!isMaximized() && !isFullScreen())
-        resize(size().boundedTo(room.size() - QSize(0, style()->pixelMetric(QStyle::PM_TitleBarHeight))));
+    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room.size() - title));
     if (at == nullptr) move(room.topLeft());
 }
 
