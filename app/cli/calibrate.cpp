@@ -42,9 +42,8 @@ Result<Done> calibrate(const Calibrate& asked) {
     std::vector<std::shared_ptr<const Scan>> scans;
     std::vector<CalibrationSource> sources;
     for (const std::string& file : asked.files) {
-        Result<Scan> scan = openAsAsked(file, readingOptions(asked.read));
+        Result<Scan> scan = openAndTell(file, asked.read);
         if (!scan) return scan.error();
-        for (const std::string& warning : scan->warnings) complain(file + ": " + warning);
         const Result<std::string> hash = sha256OfFile(file);
         if (!hash) return hash.error();
         sources.push_back({std::filesystem::path(file).filename().string(), *hash});

@@ -24,7 +24,7 @@ struct ChangeFlags {
 };
 
 Result<std::shared_ptr<const Detection>> detected(const ChangeFlags& flags, const std::string& file) {
-    Result<Scan> scan = openAsAsked(file, readingOptions(flags.read));
+    Result<Scan> scan = openAndTell(file, flags.read);
     if (!scan) return scan.error();
     if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(flags.method, *scan);

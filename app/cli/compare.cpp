@@ -103,7 +103,7 @@ Result<Done> compare(const CompareFlags& flags) {
         settings.repeats = 1;
         return compareTwo({flags.files, flags.poses, flags.json, flags.refine, flags.matchRadiusM, settings, flags.read}, progress);
     }
-    Result<Scan> opened = openAsAsked(flags.files.front(), readingOptions(flags.read));
+    Result<Scan> opened = openAndTell(flags.files.front(), flags.read);
     if (!opened) return opened.error();
     if (auto enough = checkMemoryFor(Work::Compare, *opened); !enough) return enough.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));

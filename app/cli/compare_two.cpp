@@ -13,7 +13,7 @@ namespace {
 constexpr double kReachM = 0.5; // how far rough poses may be off
 
 Result<std::shared_ptr<const Scan>> opened(const std::string& file, const ReadFlags& read) {
-    Result<Scan> scan = openAsAsked(file, readingOptions(read));
+    Result<Scan> scan = openAndTell(file, read);
     if (!scan) return scan.error();
     if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
     return std::make_shared<const Scan>(std::move(*scan));

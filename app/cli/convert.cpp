@@ -22,7 +22,7 @@ int run(const Convert& convert) {
         complain({"the extension names no format that can be written", convert.out, "use " + writtenExtensions(true)});
         return kWrongUsage;
     }
-    Result<Scan> opened = openAsAsked(convert.in, readingOptions(convert.read));
+    Result<Scan> opened = openAndTell(convert.in, convert.read);
     if (!opened) {
         complain(opened.error());
         return kRefused;
@@ -36,9 +36,7 @@ int run(const Convert& convert) {
     const std::vector<std::string> lost = lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
-    for (const auto& sentences : {scan.warnings, lost}) {
-        for (const std::string& sentence : sentences) complain(printable(convert.in) + ": " + sentence);
-    }
+    for (const std::string& sentence : lost) complain(printable(convert.in) + ": " + sentence);
     const auto saved = exportWithProvenance(ExportContent::WholeScan, detection, convert.out, options);
     if (saved) return kDone;
     complain(saved.error());

@@ -87,13 +87,12 @@ std::string filledText(const Detection& detection) {
 
 Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Scan> opened = openAsAsked(file, readingOptions(detect.read));
+    Result<Scan> opened = openAndTell(file, detect.read);
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     if (auto enough = checkMemoryFor(Work::Detect, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
-    if (const auto sentence = leftOutSentence(*opened)) complain(file + ": " + *sentence);
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (nothingAskedFor(out)) {

@@ -82,7 +82,7 @@ Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
         if (evaluate.ranges.empty()) return one;
     }
     const std::string& file = evaluate.ranges.empty() ? evaluate.files[n] : evaluate.ranges[n];
-    Result<Scan> scan = openAsAsked(file, readingOptions(evaluate.read));
+    Result<Scan> scan = openAndTell(file, evaluate.read);
     if (!scan) return scan.error();
     if (auto fits = checkShape(file, scan->lines(), scan->beams(), wanted); !fits) return fits.error();
     if (auto fits = checkTruthFits(*scan, one.truth, evaluate.truths[n]); !fits) return fits.error();

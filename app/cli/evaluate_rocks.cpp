@@ -27,7 +27,7 @@ struct OpenScene {
 Result<OpenScene> openScene(const EvaluateRocks& evaluate, std::size_t n) {
     Result<TrueRocks> truth = readTrueRocks(evaluate.truths[n]);
     if (!truth) return truth.error();
-    Result<Scan> scan = openAsAsked(evaluate.files[n], readingOptions(evaluate.read));
+    Result<Scan> scan = openAndTell(evaluate.files[n], evaluate.read);
     if (!scan) return scan.error();
     const Grid<std::uint16_t> clean = truth->cleanMm;
     Result<RockScene> scene = rockScene(*scan, std::move(*truth), evaluate.files[n]);

@@ -44,7 +44,7 @@ Result<Notebook> notebookOf(const ReportCommand& report, const Scan& scan) {
 }
 
 Result<SceneChange> changeSince(const ReportCommand& report, const Detection& now) {
-    Result<Scan> before = openAsAsked(report.before, readingOptions(report.read));
+    Result<Scan> before = openAndTell(report.before, report.read);
     if (!before) return before.error();
     if (auto enough = checkMemoryFor(Work::Compare, *before); !enough) return enough.error();
     const auto earlier = detectEdges(std::make_shared<const Scan>(std::move(*before)), now.settings);
@@ -52,7 +52,7 @@ Result<SceneChange> changeSince(const ReportCommand& report, const Detection& no
 }
 
 Result<Done> make(const ReportCommand& report) {
-    Result<Scan> opened = openAsAsked(report.file, readingOptions(report.read));
+    Result<Scan> opened = openAndTell(report.file, report.read);
     if (!opened) return opened.error();
     if (auto enough = checkMemoryFor(report.withRocks ? Work::Rocks : Work::Detect, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(report.method, *opened);

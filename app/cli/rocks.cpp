@@ -160,14 +160,13 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
 }
 
 Result<Done> findRocks(const RocksFlags& flags) {
-    Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
+    Result<Scan> opened = openAndTell(flags.file, flags.read);
     if (!opened) return opened.error();
     if (auto enough = checkMemoryFor(Work::Rocks, *opened); !enough) return enough.error();
     const Result<Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
     const auto preset = presetOf(flags.rocks, *opened);
     if (!preset) return preset.error();
-    if (const auto sentence = leftOutSentence(*opened)) complain(flags.file + ": " + *sentence);
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, KeepFor::Rocks);
     const RockInputs inputs = rockInputs(*detection);
     auto study = std::make_shared<RockStudy>(studyRocks(inputs, *preset->settings, preset->edits));

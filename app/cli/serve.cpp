@@ -45,7 +45,7 @@ struct Served {
     std::string recordFlags;
 };
 Result<Served> start(const Serve& serve) {
-    const Result<Scan> scan = openAsAsked(serve.file, readingOptions(serve.read));
+    const Result<Scan> scan = openAndTell(serve.file, serve.read);
     if (!scan) return scan.error();
     TelegramStyle style;
     style.remission = serve.remission;

@@ -23,7 +23,7 @@ struct WhyFlags {
 };
 
 Result<Done> explain(const WhyFlags& flags) {
-    Result<Scan> opened = openAsAsked(flags.file, readingOptions(flags.read));
+    Result<Scan> opened = openAndTell(flags.file, flags.read);
     if (!opened) return opened.error();
     if (!opened->rangeMm.contains(flags.line, flags.beam)) {
         return Error{"there is no cell at line " + std::to_string(flags.line) + ", beam " + std::to_string(flags.beam), flags.file,

@@ -1,7 +1,9 @@
 // Flags that several commands share.
 #include "app/shared/options.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
+#include "core/georef/placed_points.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 
@@ -104,6 +106,15 @@ ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
     if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellStage;
     return options;
+}
+
+Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags) {
+    Result<Scan> scan = openAsAsked(file, readingOptions(flags));
+    if (!scan) return scan;
+    for (const auto& sentences : {scan->warnings, placeWarnings(*scan)}) {
+        for (const std::string& sentence : sentences) complain(printable(file) + ": " + sentence);
+    }
+    return scan;
 }
 
 void addMethodFlags(CLI::App& command, MethodFlags& flags) {

@@ -29,6 +29,9 @@ void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 /// The options to open with; progress goes to stderr, on a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
+/// The scan; what was assumed, repaired or left out on reading is said on stderr, beside the result that follows.
+[[nodiscard]] Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags);
+
 /// --frame --ascii --include-attached --operator --role, and the choices of formats.
 void addWriteFlags(CLI::App& command, WriteFlags& flags);
 

@@ -20,6 +20,8 @@ using namespace std::string_view_literals;
 constexpr const char* kNoScan = "choose a scan file";
 constexpr const char* kFromSite = "it may be what a site sent instead of the file: download the file again, or choose a scan file";
 constexpr const char* kUnpack = "unpack it and open the scan in it";
+constexpr const char* kFromMeshLab = "save its points as PLY in MeshLab";
+constexpr const char* kFromRaster = "choose the scan that it was made from";
 constexpr const char* kAsNumbers = "save the ranges as .npy or .csv";
 
 constexpr std::array<ForeignKind, 27> kByBytes{{
@@ -62,13 +64,21 @@ constexpr std::array<ForeignKind, 27> kByBytes{{
 }};
 
 /// Documents of text, in any case of letters, behind white space and a byte order mark.
-constexpr std::array<ForeignKind, 6> kByText{{
+constexpr std::array<ForeignKind, 14> kByText{{
     {"<!doctype html"sv, "a web page (HTML), not a scan", kFromSite},
     {"<html"sv, "a web page (HTML), not a scan", kFromSite},
     {"<svg"sv, "an SVG picture, not a scan", kNoScan},
     {"<?xml"sv, "an XML document, not a scan", kNoScan},
     {"{\\rtf"sv, "a text document (RTF), not a scan", kNoScan},
     {"%!ps"sv, "a PostScript document, not a scan", kNoScan},
+    {"# vtk DataFile"sv, "a file of VTK, which is not read", "save its points as PLY, or as CSV from ParaView's table"},
+    {"OFF\n"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"OFF\r\n"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"COFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"NOFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"#VRML"sv, "a VRML scene, which is not read", kFromMeshLab},
+    {"ncols "sv, "a raster of heights (Esri ASCII grid), not a scan", kFromRaster},
+    {"DSAA"sv, "a raster of heights (Surfer grid), not a scan", kFromRaster},
 }};
 
 constexpr const char* kFromScene = "export it as E57 with FARO SCENE";

@@ -7,6 +7,7 @@
 #include "core/points/column_names.h"
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
+#include "core/points/text_words.h"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,43 @@
 namespace edgescan {
 namespace {
 
+constexpr std::size_t kRowsLookedAt = 200;
+
 struct Columns {
     std::array<std::size_t, 3> xyz{0, 1, 2};
     NamedColumns named;
     std::size_t needed = 3; ///< columns a row must have
 };
+
+/// Names of a table rather than a title between blanks or the numbers of its columns.
+bool areWords(const TextLayout& layout) {
+    const auto isNumber = [](const std::string& name) { return name.find_first_not_of("0123456789.") == std::string::npos; };
+    return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// Without names: a column of whole numbers before three with decimals is an intensity, a class or a time, not x.
+bool wholeNumbersComeFirst(const Source& source, const TextLayout& layout) {
+    if (layout.columns < 4 || !layout.names.empty()) return false;
+    std::array<PrintedDigits, 4> digits;
+    std::size_t at = layout.firstByte;
+    for (std::size_t row = 0; row < kRowsLookedAt && at < source.text().size(); ++row) {
+        const TextLine line = textLineAt(source.text(), at);
+        at = line.next;
+        const auto cells = cellsIn(line.text, layout);
+        if (cells.empty()) continue;
+        const std::size_t first = layout.labels ? 1 : 0;
+        if (cells.size() < first + digits.size()) return false;
+        for (std::size_t i = 0; i < digits.size(); ++i) countDigits(cells[first + i], digits[i]);
+    }
+    const auto hasDecimals = [](const PrintedDigits& d) { return d.decimals >= 2; };
+    return digits[0].decimals == 0 && !digits[0].powers && std::ranges::all_of(std::span(digits).subspan(1), hasDecimals);
+}
 
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (layout.columns < 3) {
@@ -28,9 +61,14 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     }
     Columns columns;
     columns.named = columnsNamed(layout.names);
+    if (const auto other = contentsNamed(layout.names)) {
+        return source.refused("its heading names " + *other + " (" + joined(layout.names) + "), and points need x, y and z in metres",
+                              "write x, y and z, or ranges as a table with a row per scan line");
+    }
     if (columns.named.hasPoint()) {
         for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
     }
+    if (wholeNumbersComeFirst(source, layout)) columns.xyz = {1, 2, 3};
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
         const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
@@ -40,10 +78,20 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     return columns;
 }
 
-/// Names of a table rather than a title between blanks or the numbers of its columns.
-bool areWords(const TextLayout& layout) {
-    const auto isNumber = [](const std::string& name) { return name.find_first_not_of("0123456789.") == std::string::npos; };
-    return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
+/// What was taken for x, y and z where no heading says it; empty where one does, or where numbers are all that there is.
+std::optional<std::string> guessedColumns(const Columns& columns, const TextLayout& layout) {
+    if (columns.named.hasPoint()) return std::nullopt;
+    if (columns.xyz[0] == 1)
+        return "No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.";
+    if (areWords(layout)) {
+        return "The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " + layout.names[1] +
+               ", " + layout.names[2] + ").";
+    }
+    if (!layout.unusedHeading.empty()) {
+        return "The heading does not name as many columns as there are (" + layout.unusedHeading +
+               "): the first three were taken for x, y and z.";
+    }
+    return std::nullopt;
 }
 
 /// Room for as many rows as the text has line ends, but for no more than its bytes suffice for.
@@ -122,10 +170,7 @@ Result<PointTable> readTextPoints(const Source& source) {
     table.unitMm = named.unitMm;
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
-    if (!named.hasPoint() && areWords(layout)) {
-        table.remarks.push_back("The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " +
-                                layout.names[1] + ", " + layout.names[2] + ").");
-    }
+    if (auto guess = guessedColumns(*columns, layout)) table.remarks.push_back(std::move(*guess));
     if (source.extension() == ".3d") {
         table.format = "3DTK scan";
         table.unitMm = 10.0; // 3DTK: centimetres, left-handed

@@ -15,7 +15,7 @@ struct KnownName {
 using Role = ColumnRole;
 
 // A role's usual name first. Lower case, letters and digits only.
-constexpr std::array<KnownName, 69> kNames{{
+constexpr KnownName kNames[]{
     {"x", Role::X},
     {"easting", Role::X},
     {"eastings", Role::X},
@@ -85,14 +85,61 @@ constexpr std::array<KnownName, 69> kNames{{
     {"rssi1", Role::Intensity},
     {"remission", Role::Intensity},
     {"amplitude", Role::Intensity},
-}};
+    {"este", Role::X}, // Spanish and Portuguese; French below
+    {"leste", Role::X},
+    {"norte", Role::Y},
+    {"cota", Role::Z},
+    {"elevacion", Role::Z},
+    {"elevacao", Role::Z},
+    {"altura", Role::Z},
+    {"altitud", Role::Z},
+    {"est", Role::X},
+    {"nord", Role::Y},
+    {"cote", Role::Z},
+    {"xpt", Role::X}, // Datamine
+    {"ypt", Role::Y},
+    {"zpt", Role::Z},
+    {"x1", Role::X}, // of the first return, as Ouster writes it
+    {"y1", Role::Y},
+    {"z1", Role::Z},
+};
+
+/// Letters with marks in UTF-8 or Latin-1 that names of columns are spelled with, and what they are spelled without: Höhe, Elevación.
+struct MarkedLetter {
+    std::string_view bytes;
+    std::string_view plain;
+};
+constexpr MarkedLetter kMarkedLetters[]{{"\xc3\xb6", "oe"}, {"\xf6", "oe"}, {"\xc3\xb3", "o"}, {"\xf3", "o"},
+                                        {"\xc3\xa7", "c"},  {"\xe7", "c"},  {"\xc3\xa3", "a"}, {"\xe3", "a"}};
+
+std::string withoutMarks(std::string_view text) {
+    std::string plain;
+    while (!text.empty()) {
+        const auto* const marked = std::ranges::find_if(kMarkedLetters, [&](const auto& m) { return text.starts_with(m.bytes); });
+        plain += marked == std::end(kMarkedLetters) ? text.substr(0, 1) : marked->plain;
+        text.remove_prefix(marked == std::end(kMarkedLetters) ? 1 : marked->bytes.size());
+    }
+    return plain;
+}
+
+/// Letters and digits between anything else, in lower case.
+std::vector<std::string> wordsOf(std::string_view given) {
+    std::vector<std::string> words(1);
+    for (char c : withoutMarks(given)) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (letter)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
 
 std::string plain(std::string_view text) {
     std::string letters;
-    for (char c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) letters += c;
-    }
+    for (const std::string& word : wordsOf(text)) letters += word;
     return letters;
 }
 
@@ -107,20 +154,60 @@ std::optional<double> unitNamed(const std::string& text) {
     return std::nullopt;
 }
 
-/// "Easting [m]", "x_mm", "z(m)": the name without its unit, and millimetres per unit.
+/// "Easting [m]", "x_mm", "z(m)", "Xmm": the name without its unit, and millimetres per unit.
 struct Name {
-    std::string text;
+    std::string_view given; ///< without the unit
     std::optional<double> unitMm;
 };
 Name nameOf(std::string_view given) {
     const std::size_t cut = given.find_last_of("_ ([/");
     if (cut != std::string_view::npos && cut > 0) {
         if (const auto unit = unitNamed(plain(given.substr(cut)))) {
-            Name name{plain(given.substr(0, cut)), unit};
-            if (name.text != "range") return name; // range_mm is a name of its own
+            if (plain(given.substr(0, cut)) != "range") return {given.substr(0, cut), unit}; // range_mm is a name of its own
         }
     }
-    return {plain(given), std::nullopt};
+    const bool glued = given.size() > 1 && std::string_view("xyzXYZ").find(given.front()) != std::string_view::npos;
+    if (const auto unit = glued ? unitNamed(plain(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
+    return {given, std::nullopt};
+}
+
+/// Words that say what all three columns are of, and not which one a column is.
+bool saysNothing(std::string_view word) {
+    static constexpr std::string_view kWords[]{"point",      "points", "pos",         "position",  "positions", "coord", "coords",
+                                               "coordinate", "field",  "coordinates", "cartesian", "xyz",       "m",     "pt"};
+    return std::ranges::find(kWords, word) != std::end(kWords);
+}
+
+std::size_t rankIn(const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find_if(kNames, [&](const KnownName& k) { return name == k.name; }) - kNames);
+}
+
+/// "Point X", "pos_x", "field.x", "cartesianX", ParaView's "Points:0".
+std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
+    const bool some = std::erase_if(words, saysNothing) > 0;
+    if (words.size() != 1) return std::nullopt;
+    const std::string_view word = words[0];
+    for (const auto& [digit, axis] : {std::pair{'0', "x"}, {'1', "y"}, {'2', "z"}}) {
+        const bool alone = word.size() == 1 && (word[0] == digit || word[0] == axis[0]);
+        const bool joined = word.back() == axis[0] && saysNothing(word.substr(0, word.size() - 1));
+        if ((some && alone) || joined) return axis;
+    }
+    return std::nullopt;
+}
+
+/// Place in the table; a name that is only found without some of its words stands behind all that are found whole.
+std::optional<std::size_t> rankOf(std::string_view given) {
+    const std::size_t whole = rankIn(plain(given));
+    if (whole < std::size(kNames)) return whole;
+    const std::size_t bracket = given.find_first_of("([", 1); // "Easting (X)"
+    const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(plain(given.substr(0, bracket)));
+    if (before < std::size(kNames)) return std::size(kNames) + before;
+    const auto axis = axisAmongWords(wordsOf(given));
+    return axis ? std::optional(2 * std::size(kNames) + rankIn(*axis)) : std::nullopt;
+}
+
+bool isOneOf(const std::string& name, std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, name) != names.end();
 }
 
 } // namespace
@@ -129,20 +216,36 @@ NamedColumns columnsNamed(std::span<const std::string> names) {
     NamedColumns found;
     std::array<std::size_t, kColumnRoles> rank{};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const Name name = nameOf(names[i]);
-        const auto known = std::find_if(kNames.begin(), kNames.end(), [&](const KnownName& k) { return name.text == k.name; });
-        if (known == kNames.end()) continue;
-        const auto role = static_cast<std::size_t>(known->role);
-        const auto itsRank = static_cast<std::size_t>(known - kNames.begin());
-        if (found.of[role] && rank[role] <= itsRank) continue;
+        const auto itsRank = rankOf(nameOf(names[i]).given);
+        if (!itsRank) continue;
+        const auto role = static_cast<std::size_t>(kNames[*itsRank % std::size(kNames)].role);
+        if (found.of[role] && rank[role] <= *itsRank) continue;
         found.of[role] = i;
-        rank[role] = itsRank;
+        rank[role] = *itsRank;
     }
     if (!found.hasPoint()) return found;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (const auto unit = nameOf(names[*found.of[axis]]).unitMm) found.unitMm = unit;
     }
     return found;
+}
+
+std::optional<std::string> contentsNamed(std::span<const std::string> names) {
+    const NamedColumns named = columnsNamed(names);
+    if (named.hasPoint()) return std::nullopt;
+    const auto has = [&](std::initializer_list<std::string_view> any) {
+        return std::ranges::any_of(names, [&](const std::string& name) {
+            const auto words = wordsOf(name);
+            return isOneOf(plain(name), any) || std::ranges::any_of(words, [&](const std::string& word) { return isOneOf(word, any); });
+        });
+    };
+    if (has({"lat", "latitude"}) && has({"lon", "long", "lng", "longitude"})) return "degrees of latitude and longitude";
+    if (has({"range", "ranges", "distance", "dist", "radius", "rho", "r", "rangemm"}) &&
+        has({"angle", "azimuth", "az", "theta", "phi", "bearing", "inclination", "zenith", "deg", "hz"}))
+        return "angles and ranges";
+    const int axes = int{named.of[0].has_value()} + int{named.of[1].has_value()} + int{named.of[2].has_value()};
+    if (axes == 2) return "two coordinates of a point and not the third";
+    return std::nullopt;
 }
 
 } // namespace edgescan

@@ -11,7 +11,8 @@ namespace edgescan {
 namespace {
 
 constexpr std::size_t kSampleRows = 20;
-constexpr std::size_t kWide = 16; ///< columns that are no point's
+constexpr std::size_t kMostHeading = 120; ///< bytes of a heading that are told
+constexpr std::size_t kWide = 16;         ///< columns that are no point's
 
 /// Blanks behind it do not count.
 bool endsWith(std::string_view row, char separator) {
@@ -183,6 +184,8 @@ void nameColumns(std::string_view header, std::size_t cells, std::string_view te
     if (layout.labels && names.size() == cells) names.erase(names.begin());
     layout.columns = cells - (layout.labels ? 1 : 0);
     layout.names = names.size() == layout.columns ? std::move(names) : std::vector<std::string>();
+    const bool isHeading = layout.separator != ' ' && header.find(layout.separator) != header.npos;
+    if (layout.names.empty() && isHeading) layout.unusedHeading = std::string(trimmed(header).substr(0, kMostHeading));
 }
 
 /// Columns that nothing is read from.
@@ -249,8 +252,30 @@ std::optional<TextLayout> layoutAmongWords(std::string_view text) {
     return std::nullopt;
 }
 
+/// Numbers and words in one row, as total stations write points: "12,350012.33,7650004.10,-812.4,ROCK".
+bool hasNumbersAmongWords(std::string_view text) {
+    std::size_t at = 0;
+    for (std::size_t number = 0; at < text.size() && number < kSampleRows; ++number) {
+        const TextLine line = textLineAt(text, at);
+        at = line.next;
+        if (std::ranges::count_if(wordsIn(line.text), isNumber) >= 3) return true;
+    }
+    return false;
+}
+
 Error noNumbers(const Source& source) {
+    if (hasNumbersAmongWords(source.text())) {
+        return source.refused("there are words among the numbers of its rows, and no heading names x, y and z",
+                              "write a first row with the names of the columns, such as id,x,y,z,code");
+    }
     return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
+}
+
+/// "3,48,-0,30,0,0" below "x,y,z": a comma is both, and twice as many cells as names.
+bool hasCommasForBoth(std::string_view header, std::span<const std::string_view> cells, const TextLayout& layout) {
+    const auto whole = [](std::string_view cell) { return isNumber(cell) && cell.find_first_of(".eE") == std::string_view::npos; };
+    const std::size_t names = namesIn(header, layout).size();
+    return layout.separator == ',' && names >= 3 && cells.size() == 2 * names && std::ranges::all_of(cells, whole);
 }
 
 /// "3,5","3,6": a comma is both.
@@ -316,6 +341,10 @@ Result<TextLayout> textLayoutOf(const Source& source) {
     }
     layout.trailingSeparator = layout.trailingSeparator && !endsInEmptyColumn(text, head.header, rows.front(), layout);
     const auto cells = cellsIn(rows.front(), layout);
+    if (hasCommasForBoth(head.header, cells, layout)) {
+        return source.refusedAtLine(layout.firstLine, "holds decimal commas between commas",
+                                    "save the table with semicolons, or with decimal points");
+    }
     if (!labels && isHeaderOfNumbers(cells, std::span(rows).subspan(1), layout)) {
         for (std::size_t at = layout.firstByte; at < firstNumbers; at = textLineAt(text, at).next) ++layout.firstLine;
         layout.firstByte = firstNumbers;

@@ -24,6 +24,7 @@ struct TextLayout {
     bool labels = false;                     ///< every row begins with a label or a count (the index of pandas) that is none of its numbers
     std::size_t columns = 0;                 ///< numbers of the first row
     std::vector<std::string> names;          ///< of the columns, from the header, lower case; empty when there is none
+    std::string unusedHeading;               ///< what stands there as a heading and does not name as many columns as there are
     std::vector<bool> mayBeWords;            ///< by column: what stands there is not needed; empty: all are numbers
     std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
     std::string description;                 ///< JSON of our own "# edgescan " comment lines
