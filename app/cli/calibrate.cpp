@@ -65,7 +65,7 @@ Result<Done> calibrate(const Calibrate& asked) {
         if (Result<Done> saved = savePngRgb(viewsPicture(*scans.front(), found->errors), asked.picture); !saved) return saved;
     }
     if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", estimateJson(*found, sources)));
-    if (!isStandardOutput(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
+    if (!goesToNoFile(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }
 

@@ -76,13 +76,26 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detect
     return writeDocument(out.json, document("detect", detectReport(detection, loadMs)), !lines);
 }
 
-bool nothingAskedFor(const Outputs& out) {
-    return out.json.empty() && out.mask.empty() && out.gray.empty() && out.range.empty() && out.edges.empty() && out.cloud.empty();
+/// A folder, or files; empty where nothing is written.
+std::string placesWrittenTo(const Detect& detect, const Outputs& out) {
+    if (!detect.folder.empty()) return printable(detect.folder);
+    std::string places;
+    for (const std::string& path : {out.json, out.mask, out.gray, out.range, out.edges, out.cloud}) {
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + (goesToNoFile(path) ? "standard output" : printable(path));
+    }
+    return places;
 }
 
 std::string filledText(const Detection& detection) {
     if (!detection.filled) return {};
     return ", " + std::to_string(detection.filled->cells.size()) + " cells filled in " + std::to_string(detection.filled->gaps) + " gaps";
+}
+
+std::string summary(const Detection& detection) {
+    const Scan& scan = *detection.scan;
+    return std::to_string(detection.edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
+           std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams)" + filledText(detection) + ", " +
+           fixedText(detection.totalMs, 1) + " ms";
 }
 
 Result<Done> detectOne(const Detect& detect, const std::string& file) {
@@ -95,14 +108,14 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     if (!settings) return settings.error();
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
-    if (nothingAskedFor(out)) {
-        const Scan& scan = *detection->scan;
-        say(printable(file) + ": " + std::to_string(detection->edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
-            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams)" + filledText(*detection) + ", " +
-            fixedText(detection->totalMs, 1) + " ms");
-        return Done{};
-    }
-    return writeOutputs(detect, out, *detection, loadMs);
+    if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
+    const std::string places = placesWrittenTo(detect, out);
+    const std::string found = printable(file) + ": " + summary(*detection);
+    if (places.empty())
+        say(found);
+    else
+        tellWritten(found + "; written to " + places + ".", detect.read);
+    return Done{};
 }
 
 // One output file cannot hold the results of several scans.
@@ -122,7 +135,7 @@ Result<Done> checkUsage(const Detect& detect) {
     std::set<fs::path> outputs;
     for (const std::string& path : {detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud}) {
         std::error_code ignored;
-        if (path.empty() || path == "-" || path.starts_with("/dev/")) continue;
+        if (path.empty() || goesToNoFile(path)) continue;
         if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
             return Error{"two results cannot have one file", path, "give each a name of its own"};
     }

@@ -3,7 +3,9 @@
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
+#include "core/base/number_text.h"
 #include "core/base/shell_quoted.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
@@ -78,7 +80,11 @@ Result<Done> make(const ReportCommand& report) {
         notes.change = &change.emplace(std::move(*found));
     }
     const std::string page = scanPage(*detection, words, notes);
-    return writeWholeFile(report.out, page);
+    if (auto written = writeWholeFile(report.out, page); !written) return written;
+    tellWritten(printable(report.file) + ": a report of " + fixedText(static_cast<double>(page.size()) / 1e6, 1) + " MB; written to " +
+                    printable(report.out) + ".",
+                report.read);
+    return Done{};
 }
 
 int run(ReportCommand& report) {

@@ -155,7 +155,17 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
-    if (files.empty() && flags.writeEdits.empty() && flags.why.empty()) say(summary(*study, flags.file));
+    if (!flags.why.empty()) return Done{};
+    std::string places = printable(flags.folder);
+    for (const WantedFile& file : files) {
+        if (flags.folder.empty())
+            places += (places.empty() ? "" : ", ") + (goesToNoFile(file.path) ? "standard output" : printable(file.path));
+    }
+    if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
+    if (places.empty())
+        say(summary(*study, flags.file));
+    else
+        tellWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
     return Done{};
 }
 
@@ -196,7 +206,7 @@ Result<Done> checkUsage(RocksFlags& flags) {
                 return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
         }
         std::error_code ignored;
-        if (path.starts_with("-") || path.starts_with("/dev/")) continue;
+        if (goesToNoFile(path)) continue;
         if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
             return Error{"two results cannot have one file", path, "give each a name of its own"};
     }

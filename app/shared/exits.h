@@ -18,6 +18,9 @@ void setProgramName(const std::string& name);
 void complain(const Error& error);
 void complain(const std::string& sentence);
 
+/// Where results go that are no file of their own: standard output ("-", "-.pcd"), or a device.
+[[nodiscard]] inline bool goesToNoFile(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }
+
 /// Results on stdout: lines of our own, in which what comes from outside is made printable.
 void say(const std::string& text);
 /// A report as one line of JSON, or indented.

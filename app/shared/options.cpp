@@ -102,10 +102,20 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command.add_option("--role", flags.role, "As what, for the record")->group(group);
 }
 
+namespace {
+
+bool somebodyWatches(const ReadFlags& flags) { return flags.progress || isatty(STDERR_FILENO) != 0; }
+
+} // namespace
+
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
-    if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = tellStage;
+    if (somebodyWatches(flags)) options.progress = tellStage;
     return options;
+}
+
+void tellWritten(const std::string& sentence, const ReadFlags& flags) {
+    if (somebodyWatches(flags)) complain(sentence);
 }
 
 Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags) {

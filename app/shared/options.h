@@ -29,6 +29,9 @@ void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 /// The options to open with; progress goes to stderr, on a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
+/// What was found and where it was written, on stderr, for whoever sits there: where that is a terminal or --progress is given.
+void tellWritten(const std::string& sentence, const ReadFlags& flags);
+
 /// The scan; what was assumed, repaired or left out on reading is said on stderr, beside the result that follows.
 [[nodiscard]] Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags);
 
