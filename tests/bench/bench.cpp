@@ -139,23 +139,45 @@ cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const Settings& thesis) {
     return edges;
 }
 
-struct LabelledPoint {
-    float x, y, z;
-    std::uint32_t index;
-    std::uint8_t label;
+// The valid cells: index, place and label of each.
+struct LabelledCloud {
+    std::vector<std::uint32_t> index;
+    std::vector<float> x, y, z;
+    std::vector<std::uint8_t> label;
+
+    explicit LabelledCloud(std::size_t points) : index(points), x(points), y(points), z(points), label(points) {}
+    void resize(std::size_t points) {
+        index.resize(points);
+        for (std::vector<float>* axis : {&x, &y, &z}) axis->resize(points);
+        label.resize(points);
+    }
 };
-std::vector<LabelledPoint> labelledCloud(const Scan& scan, const Settings& thesis) {
+LabelledCloud labelledCloud(const Scan& scan, const Settings& thesis) {
     const Grid<std::uint8_t> mask = thesisMask(scan, thesis);
     const CartesianTables tables(scan);
-    std::vector<LabelledPoint> cloud;
-    cloud.reserve(scan.cells());
+    LabelledCloud cloud(scan.cells());
+    std::size_t points = 0;
     for (int i = 0; i < scan.lines(); ++i) {
+        // Written at the place of the next point, and closed up: one that does not count is overwritten.
+        float* const x = cloud.x.data() + points;
+        float* const y = cloud.y.data() + points;
+        float* const z = cloud.z.data() + points;
+        tables.pointsOfLine(i, x, y, z);
+        const CellState* states = scan.state.line(i);
+        const std::uint8_t* labels = mask.line(i);
+        const auto first = static_cast<std::uint32_t>(scan.rangeMm.index(i, 0));
+        std::size_t kept = 0;
         for (int j = 0; j < scan.beams(); ++j) {
-            if (scan.state.at(i, j) != CellState::Valid) continue;
-            const Eigen::Vector3f p = tables.point(i, j).cast<float>();
-            cloud.push_back({p.x(), p.y(), p.z(), static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), mask.at(i, j)});
+            x[kept] = x[j];
+            y[kept] = y[j];
+            z[kept] = z[j];
+            cloud.index[points + kept] = first + static_cast<std::uint32_t>(j);
+            cloud.label[points + kept] = labels[j];
+            kept += states[j] == CellState::Valid ? 1U : 0U;
         }
+        points += kept;
     }
+    cloud.resize(points);
     return cloud;
 }
 
