@@ -15,6 +15,10 @@ public:
     [[nodiscard]] Eigen::Vector3d point(int line, int beam) const;
     [[nodiscard]] Eigen::Vector3d point(std::size_t k) const;
 
+    /// Points of all cells of a line, the same numbers as point(): x, y and z apart, beams values each. For loops over many cells.
+    void pointsOfLine(int line, double* x, double* y, double* z) const;
+    void pointsOfLine(int line, float* x, float* y, float* z) const; ///< rounded to the nearest float
+
     /// Unit direction of the beam, also where there is no return; NaN where an organised cloud holds no point.
     [[nodiscard]] Eigen::Vector3d direction(int line, int beam) const;
 
@@ -22,6 +26,9 @@ public:
     [[nodiscard]] Eigen::Vector3d sensor() const;
 
 private:
+    template <class Number>
+    void fillLine(int line, Number* x, Number* y, Number* z) const;
+
     const Scan* scan_;
     const PolarGeometry* polar_; // null for an organised cloud
     std::vector<double> cosBeam_, sinBeam_, cosLine_, sinLine_;
