@@ -40,7 +40,8 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
     for (std::size_t j = 0; j < beams; ++j) {
         const std::uint32_t here = solid[j];
         std::uint32_t others = here == kVoid ? 1U : 0U;
-        for (const std::uint32_t there : {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
+        for (const std::uint32_t there :
+             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
             others |= (there != here ? 1U : 0U) & (there != kVoid ? 1U : 0U);
         inner[j] = others != 0 ? kOpen : here;
     }
@@ -57,7 +58,7 @@ public:
     Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
         : inverse_(inverse), noise_(noise), leaf_(leaf),
           inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
-          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams), newInner_(static_cast<std::size_t>(leaf.beams)) {
+          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams) {
         const auto beams = static_cast<std::size_t>(leaf.beams);
         for (int i = 0; i < leaf.lines; ++i) {
             const std::size_t first = leaf.index(i, 0);
@@ -90,16 +91,13 @@ public:
             }
         }
         std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
-        std::vector<std::uint8_t> touched(static_cast<std::size_t>(leaf_.lines));
         for (const Move& move : moves) {
             leaf_.at(move.line, move.beam) = move.leaf;
             solid_[marginIndex(move.line, move.beam)] = move.leaf;
-            look(move.line, move.beam, 1);
-            for (int i = std::max(move.line - 1, 0); i <= std::min(move.line + 1, leaf_.lines - 1); ++i)
-                touched[static_cast<std::size_t>(i)] = 1;
         }
-        for (int i = 0; i < leaf_.lines; ++i) {
-            if (touched[static_cast<std::size_t>(i)] != 0) renewInner(i);
+        for (const Move& move : moves) {
+            look(move.line, move.beam, 1);
+            renewInner(move.line, move.beam);
         }
     }
 
@@ -116,13 +114,18 @@ private:
         for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i)
             std::memset(looked_.line(i) + first, 1, static_cast<std::size_t>(last - first + 1));
     }
-    void renewInner(int line) {
-        std::uint32_t* const inner = &inner_[marginIndex(line, 0)];
-        innerOfLine(&solid_[marginIndex(line, 0)], marginBeams_, newInner_.size(), newInner_.data());
-        for (std::size_t j = 0; j < newInner_.size(); ++j) {
-            if (inner[j] == newInner_[j]) continue;
-            inner[j] = newInner_[j];
-            look(line, static_cast<int>(j), kPlaneReach);
+    // Of a cell that has moved, and of its neighbours.
+    void renewInner(int line, int beam) {
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
+            const std::size_t first = marginIndex(i, beam - 1);
+            std::array<std::uint32_t, 3> renewed;
+            innerOfLine(&solid_[first], marginBeams_, renewed.size(), renewed.data());
+            for (std::size_t n = 0; n < renewed.size(); ++n) {
+                const int j = beam - 1 + static_cast<int>(n);
+                if (j < 0 || j >= leaf_.beams || inner_[first + n] == renewed[n]) continue;
+                inner_[first + n] = renewed[n];
+                look(i, j, kPlaneReach);
+            }
         }
     }
     [[nodiscard]] std::uint32_t choice(int line, int beam) const {
@@ -164,8 +167,15 @@ private:
         const auto corner = [&](float one, float then, float other, float next) {
             return counts(std::min(std::max(one, then), std::max(other, next)));
         };
-        return {corner(here[0], up[-1], up[0], above[0]),     counts(up[0]),   corner(here[1], up[1], up[0], above[1]),   counts(here[0]), 0.0, counts(here[1]),
-                corner(here[0], down[-1], down[0], below[0]), counts(down[0]), corner(here[1], down[1], down[0], below[1])};
+        return {corner(here[0], up[-1], up[0], above[0]),
+                counts(up[0]),
+                corner(here[1], up[1], up[0], above[1]),
+                counts(here[0]),
+                0.0,
+                counts(here[1]),
+                corner(here[0], down[-1], down[0], below[0]),
+                counts(down[0]),
+                corner(here[1], down[1], down[0], below[1])};
     }
     // The leaves among the cell and its neighbours, and how many neighbours each has.
     std::size_t choicesAt(std::size_t at, std::array<LeafChoice, kMostChoices>& choices) const {
@@ -196,8 +206,7 @@ private:
     std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
     std::vector<float> u_;
     std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one along the way
-    Grid<std::uint8_t> looked_; // 1 where the next pass looks
-    std::vector<std::uint32_t> newInner_;
+    Grid<std::uint8_t> looked_;                // 1 where the next pass looks
 };
 
 } // namespace

@@ -12,24 +12,27 @@
 namespace edgescan {
 namespace {
 
-std::vector<LeafSums> leafSums(const RockInputs& inputs, const Grid<std::uint32_t>& leaf, std::uint32_t count) {
+// `runs`: along the beams.
+std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafRun>& runs, std::uint32_t count) {
     std::vector<LeafSums> sums(static_cast<std::size_t>(count) + 1);
     const CartesianTables tables(*inputs.scan);
     const InverseRange& inverse = inputs.surface->inverse;
     const AngularSteps& steps = inputs.surface->steps;
-    for (int i = 0; i < leaf.lines; ++i) {
-        for (int j = 0; j < leaf.beams; ++j) {
-            const std::size_t k = leaf.index(i, j);
-            if (leaf[k] == kOpen || inverse.support[k] != Support::Measured) continue;
-            LeafSums& sum = sums[leaf[k]];
+    for (const LeafRun& run : runs) {
+        LeafSums sum = sums[run.leaf];
+        const auto line = static_cast<int>(run.row);
+        for (std::uint32_t j = run.begin; j < run.end; ++j) {
+            const std::size_t k = inverse.support.index(line, static_cast<int>(j));
+            if (inverse.support[k] != Support::Measured) continue;
             const double rangeM = 0.001 * static_cast<double>(inputs.scan->rangeMm[k]);
-            const Eigen::Vector3d point = tables.direction(i, j) * rangeM;
+            const Eigen::Vector3d point = tables.direction(line, static_cast<int>(j)) * rangeM;
             ++sum.cells;
             sum.areaM2 +=
-                rangeM * rangeM * static_cast<double>(steps.beam[static_cast<std::size_t>(j)]) * static_cast<double>(steps.lineAt(i, j));
+                rangeM * rangeM * static_cast<double>(steps.beam[j]) * static_cast<double>(steps.lineAt(line, static_cast<int>(j)));
             sum.sumM += point;
-            sum.sumM2 += point * point.transpose();
+            for (int n = 0; n < 3; ++n) sum.sumM2.col(n) += point * point[n];
         }
+        sums[run.leaf] = sum;
     }
     return sums;
 }
@@ -66,8 +69,8 @@ RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std:
     leaves.borders = leafBorders(inputs, leaves.leaf);
     const std::uint32_t count = leaves.leaf.size() == 0 ? 0 : *std::max_element(leaves.leaf.cells.begin(), leaves.leaf.cells.end());
     refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, leaves.leaf, count);
-    leaves.sums = leafSums(inputs, leaves.leaf, count);
     leaves.beamRuns = runsOf(leaves.leaf, Along::Beams);
+    leaves.sums = leafSums(inputs, leaves.beamRuns, count);
     leaves.lineRuns = runsOf(leaves.leaf, Along::Lines);
     return leaves;
 }
