@@ -47,6 +47,12 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
     }
 }
 
+// One of eight bits for each leaf.
+constexpr std::uint8_t kAnyLeaf = 255;
+std::uint8_t markOf(std::uint32_t leaf) {
+    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf & 7U));
+}
+
 // A leaf that a cell may go to.
 struct LeafChoice {
     std::uint32_t leaf;
@@ -71,7 +77,8 @@ public:
         for (int i = 0; i < leaf.lines; ++i) {
             const std::size_t at = marginIndex(i, 0);
             innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
-            for (std::size_t j = 0; j < beams; ++j) looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? 1 : 0;
+            for (std::size_t j = 0; j < beams; ++j)
+                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kAnyLeaf : 0;
         }
     }
 
@@ -85,7 +92,7 @@ public:
             const std::uint8_t* const look = looked_.line(i);
             for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
                 const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kOpen || solid_[at] == kVoid) continue;
+                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & leavesAround(at)) == 0) continue;
                 const std::uint32_t chosen = choice(i, j);
                 if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
             }
@@ -96,23 +103,36 @@ public:
             solid_[marginIndex(move.line, move.beam)] = move.leaf;
         }
         for (const Move& move : moves) {
-            look(move.line, move.beam, 1);
+            look(move.line, move.beam, 1, kAnyLeaf);
             renewInner(move.line, move.beam);
         }
     }
 
 private:
+    // The next cell of a line that is marked at all, eight at a time.
     [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
-        const void* const found = std::memchr(look + from, 1, static_cast<std::size_t>(leaf_.beams - from));
-        return found == nullptr ? leaf_.beams : static_cast<int>(static_cast<const std::uint8_t*>(found) - look);
+        for (std::uint64_t eight = 0; from + 8 <= leaf_.beams; from += 8) {
+            std::memcpy(&eight, look + from, sizeof eight);
+            if (eight != 0) break;
+        }
+        while (from < leaf_.beams && look[from] == 0) ++from;
+        return from;
     }
-    // What a cell chooses depends on the leaves of its neighbours and on the inner cells of its window; where neither has changed, it
-    // chooses as before.
-    void look(int line, int beam, int reach) {
+    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of those leaves; where
+    // neither has changed, it chooses as before.
+    void look(int line, int beam, int reach, std::uint8_t leaves) {
         const int first = std::max(beam - reach, 0);
         const int last = std::min(beam + reach, leaf_.beams - 1);
-        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i)
-            std::memset(looked_.line(i) + first, 1, static_cast<std::size_t>(last - first + 1));
+        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i) {
+            for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
+        }
+    }
+    [[nodiscard]] std::uint8_t leavesAround(std::size_t at) const {
+        std::uint8_t leaves = 0;
+        for (const std::size_t first : {at - marginBeams_ - 1, at - 1, at + marginBeams_ - 1}) {
+            for (std::size_t n = 0; n < 3; ++n) leaves |= markOf(solid_[first + n]);
+        }
+        return leaves;
     }
     // Of a cell that has moved, and of its neighbours.
     void renewInner(int line, int beam) {
@@ -123,8 +143,8 @@ private:
             for (std::size_t n = 0; n < renewed.size(); ++n) {
                 const int j = beam - 1 + static_cast<int>(n);
                 if (j < 0 || j >= leaf_.beams || inner_[first + n] == renewed[n]) continue;
+                look(i, j, kPlaneReach, markOf(inner_[first + n]) | markOf(renewed[n]));
                 inner_[first + n] = renewed[n];
-                look(i, j, kPlaneReach);
             }
         }
     }

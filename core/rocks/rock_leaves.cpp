@@ -8,6 +8,7 @@
 #include "core/scan/cartesian.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace edgescan {
 namespace {
@@ -37,23 +38,42 @@ std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafR
     return sums;
 }
 
-// Along the beams of each line, or along the lines of each beam.
-std::vector<LeafRun> runsOf(const Grid<std::uint32_t>& leaf, Along along) {
-    const bool isBeams = along == Along::Beams;
-    const int rows = isBeams ? leaf.lines : leaf.beams;
-    const int length = isBeams ? leaf.beams : leaf.lines;
+std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
     std::vector<LeafRun> runs;
-    for (int row = 0; row < rows; ++row) {
-        const auto at = [&](int n) { return isBeams ? leaf.at(row, n) : leaf.at(n, row); };
-        for (int begin = 0; begin < length;) {
-            const std::uint32_t here = at(begin);
-            int end = begin + 1;
-            while (end < length && at(end) == here) ++end;
-            if (here != kOpen)
-                runs.push_back({here, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    const auto beams = static_cast<std::uint32_t>(leaf.beams);
+    for (int i = 0; i < leaf.lines; ++i) {
+        const std::uint32_t* const cells = leaf.line(i);
+        for (std::uint32_t begin = 0; begin < beams;) {
+            std::uint32_t end = begin + 1;
+            while (end < beams && cells[end] == cells[begin]) ++end;
+            if (cells[begin] != kOpen) runs.push_back({cells[begin], static_cast<std::uint32_t>(i), begin, end});
             begin = end;
         }
     }
+    return runs;
+}
+
+// By beam, then line; gone through line by line, as the cells lie in memory.
+std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
+    const auto beams = static_cast<std::size_t>(leaf.beams);
+    const std::vector<std::uint32_t> outside(beams, kOpen);
+    const auto eachChange = [&](const auto& say) {
+        for (int i = 0; i <= leaf.lines; ++i) {
+            const std::uint32_t* const before = i > 0 ? leaf.line(i - 1) : outside.data();
+            const std::uint32_t* const here = i < leaf.lines ? leaf.line(i) : outside.data();
+            for (std::size_t j = 0; j < beams; ++j) {
+                if (before[j] != here[j]) say(static_cast<std::uint32_t>(i), j, before[j], here[j]);
+            }
+        }
+    };
+    std::vector<std::size_t> next(beams + 1, 0); // place of the next run of each beam
+    eachChange([&](std::uint32_t, std::size_t j, std::uint32_t, std::uint32_t here) { next[j + 1] += here != kOpen ? 1 : 0; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<LeafRun> runs(next.back());
+    eachChange([&](std::uint32_t i, std::size_t j, std::uint32_t before, std::uint32_t here) {
+        if (before != kOpen) runs[next[j] - 1].end = i;
+        if (here != kOpen) runs[next[j]++] = {here, static_cast<std::uint32_t>(j), i, i};
+    });
     return runs;
 }
 
@@ -69,9 +89,9 @@ RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std:
     leaves.borders = leafBorders(inputs, leaves.leaf);
     const std::uint32_t count = leaves.leaf.size() == 0 ? 0 : *std::max_element(leaves.leaf.cells.begin(), leaves.leaf.cells.end());
     refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, leaves.leaf, count);
-    leaves.beamRuns = runsOf(leaves.leaf, Along::Beams);
+    leaves.beamRuns = runsAlongBeams(leaves.leaf);
     leaves.sums = leafSums(inputs, leaves.beamRuns, count);
-    leaves.lineRuns = runsOf(leaves.leaf, Along::Lines);
+    leaves.lineRuns = runsAlongLines(leaves.leaf);
     return leaves;
 }
 
