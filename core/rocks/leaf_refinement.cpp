@@ -47,10 +47,10 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
     }
 }
 
-// One of eight bits for each leaf.
-constexpr std::uint8_t kAnyLeaf = 255;
+// Marks of what a choice depends on: the leaves of the neighbours, and one of seven bits for each leaf that is weighed.
+constexpr std::uint8_t kNeighbours = 128;
 std::uint8_t markOf(std::uint32_t leaf) {
-    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf & 7U));
+    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
 }
 
 // A leaf that a cell may go to.
@@ -64,7 +64,8 @@ public:
     Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
         : inverse_(inverse), noise_(noise), leaf_(leaf),
           inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
-          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams) {
+          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
+          weighed_(leaf.lines, leaf.beams, kNeighbours) {
         const auto beams = static_cast<std::size_t>(leaf.beams);
         for (int i = 0; i < leaf.lines; ++i) {
             const std::size_t first = leaf.index(i, 0);
@@ -78,7 +79,7 @@ public:
             const std::size_t at = marginIndex(i, 0);
             innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
             for (std::size_t j = 0; j < beams; ++j)
-                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kAnyLeaf : 0;
+                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
         }
     }
 
@@ -92,7 +93,7 @@ public:
             const std::uint8_t* const look = looked_.line(i);
             for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
                 const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & leavesAround(at)) == 0) continue;
+                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
                 const std::uint32_t chosen = choice(i, j);
                 if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
             }
@@ -103,7 +104,7 @@ public:
             solid_[marginIndex(move.line, move.beam)] = move.leaf;
         }
         for (const Move& move : moves) {
-            look(move.line, move.beam, 1, kAnyLeaf);
+            look(move.line, move.beam, 1, kNeighbours);
             renewInner(move.line, move.beam);
         }
     }
@@ -118,21 +119,14 @@ private:
         while (from < leaf_.beams && look[from] == 0) ++from;
         return from;
     }
-    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of those leaves; where
-    // neither has changed, it chooses as before.
+    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of the leaves that it
+    // weighed; where neither has changed, it chooses as before.
     void look(int line, int beam, int reach, std::uint8_t leaves) {
         const int first = std::max(beam - reach, 0);
         const int last = std::min(beam + reach, leaf_.beams - 1);
         for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i) {
             for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
         }
-    }
-    [[nodiscard]] std::uint8_t leavesAround(std::size_t at) const {
-        std::uint8_t leaves = 0;
-        for (const std::size_t first : {at - marginBeams_ - 1, at - 1, at + marginBeams_ - 1}) {
-            for (std::size_t n = 0; n < 3; ++n) leaves |= markOf(solid_[first + n]);
-        }
-        return leaves;
     }
     // Of a cell that has moved, and of its neighbours.
     void renewInner(int line, int beam) {
@@ -148,10 +142,12 @@ private:
             }
         }
     }
-    [[nodiscard]] std::uint32_t choice(int line, int beam) const {
+    [[nodiscard]] std::uint32_t choice(int line, int beam) {
         std::array<LeafChoice, kMostChoices> choices; // filled as far as there are some
         const std::uint32_t own = leaf_.at(line, beam);
         const std::size_t count = choicesAt(marginIndex(line, beam), choices);
+        std::uint8_t& weighed = weighed_.at(line, beam);
+        weighed = kNeighbours;
         if (count == 0 || (count == 1 && choices[0].leaf == own)) return own;
         // The one with most neighbours first: after it most others cannot cost less, however well they fit.
         const auto fewer = [](const LeafChoice& x, const LeafChoice& y) { return x.neighbours < y.neighbours; };
@@ -163,6 +159,7 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t n = 0; n < count; ++n) {
             if (-kPerNeighbour * choices[n].neighbours > least) continue;
+            weighed |= markOf(choices[n].leaf);
             const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
             // In standard deviations of the noise.
             const double off = plane.n == 0 ? kFarOff : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
@@ -226,7 +223,8 @@ private:
     std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
     std::vector<float> u_;
     std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one along the way
-    Grid<std::uint8_t> looked_;                // 1 where the next pass looks
+    Grid<std::uint8_t> looked_;                // marks of what has changed around since a cell chose last
+    Grid<std::uint8_t> weighed_;               // marks of what that choice depended on
 };
 
 } // namespace
