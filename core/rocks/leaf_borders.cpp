@@ -5,6 +5,7 @@
 #include "core/rocks/rock_barrier.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace edgescan {
@@ -128,16 +129,24 @@ std::vector<LeafBorder> leafBorders(const RockInputs& inputs, const Grid<std::ui
 }
 
 std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts) {
-    const auto place = [](const LeafBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
-    std::sort(parts.begin(), parts.end(), [&](const LeafBorder& x, const LeafBorder& y) { return place(x) < place(y); });
-    std::size_t count = 0;
+    // Those with the same sides are found by a table of places in `parts`, half empty at least; the first one takes in the others.
+    constexpr std::uint32_t kEmpty = UINT32_MAX;
+    const auto pairOf = [](const LeafBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
+    const unsigned bits = std::bit_width(2 * parts.size() + 1);
+    std::vector<std::uint32_t> table(std::size_t{1} << bits, kEmpty);
+    std::uint32_t count = 0;
     for (const LeafBorder& part : parts) {
-        if (count > 0 && place(parts[count - 1]) == place(part))
-            parts[count - 1].add(part);
-        else
+        std::size_t at = pairOf(part) * 0x9E3779B97F4A7C15U >> (64U - bits);
+        while (table[at] != kEmpty && pairOf(parts[table[at]]) != pairOf(part)) at = (at + 1) & (table.size() - 1);
+        if (table[at] == kEmpty) {
+            table[at] = count;
             parts[count++] = part;
+        } else {
+            parts[table[at]].add(part);
+        }
     }
     parts.resize(count);
+    std::sort(parts.begin(), parts.end(), [&](const LeafBorder& x, const LeafBorder& y) { return pairOf(x) < pairOf(y); });
     return parts;
 }
 

@@ -1,22 +1,21 @@
 // Cells on the borders of leaves choose the leaf whose plane they lie on.
 #include "core/rocks/leaf_refinement.h"
 
+#include "core/base/simd.h"
+#include "core/rocks/leaf_planes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <vector>
 
 namespace edgescan {
 namespace {
 
 constexpr int kPasses = 4;
-constexpr int kWindow = 4;     // cells on each side that a plane is fitted to
-constexpr int kNeighbours = 9; // the cell itself included
 constexpr std::uint32_t kVoid = UINT32_MAX;
-constexpr std::size_t kColumns = 12; // a window, filled up to whole vectors
-constexpr int kReach = kWindow + 1;  // cells on each side that a choice depends on
-constexpr double kRidge = 0.5;       // added to the spreads, so that few cells on a line tilt nothing
-constexpr int kFewestForPlane = 6;
 constexpr double kFarOff = 30.0; // standard deviations; beyond, more hardly counts
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
@@ -25,221 +24,207 @@ constexpr double kFitsOpen = 20.0;  // standard deviations within which an open 
 constexpr std::size_t kMostChoices = 9;
 constexpr double kLeastU = 1e-4; // 1/m
 
-// Sums for the plane u = a + b x + c y through cells of one leaf, about the cell that chooses.
-struct PlaneSums {
-    std::uint32_t leaf = kOpen;
-    double neighbours = 0; // of the cell that chooses; less for those behind an edge
-    int n = 0;
-    int x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    double u = 0, xu = 0, yu = 0;
-
-    // Of the plane at the cell that chooses.
-    [[nodiscard]] double height() const {
-        if (n < kFewestForPlane) return u / n;
-        const double a = xx + kRidge;
-        const double d = yy + kRidge;
-        const double minor = a * d - static_cast<double>(xy) * xy;
-        const double cx = x * d - static_cast<double>(y) * xy;
-        const double cy = y * a - static_cast<double>(x) * xy;
-        const double determinant = n * minor - x * cx - y * cy;
-        return (u * minor - xu * cx - yu * cy) / determinant;
-    }
-};
-
 // 0..1 on the crack between each cell and the next one along the way: the jump or valley there.
-Grid<float> edgesOf(const Grid<float>& jump, const Grid<float>& fold, std::size_t step) {
-    Grid<float> edge(jump.lines, jump.beams);
-    for (std::size_t k = 0; k + step < edge.size(); ++k) edge[k] = std::clamp(std::max({jump[k], -fold[k], -fold[k + step]}), 0.0F, 1.0F);
-    return edge;
+EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
+    for (std::size_t k = 0; k < cells; ++k) {
+        const float valley = std::max(-fold[k], -fold[k + step]);
+        edge[k] = std::min(std::max(std::max(jump[k], valley), 0.0F), 1.0F);
+    }
 }
+
+// The leaf of each cell of a line, or kOpen where there is no range, or where one of its neighbours (of 8) holds a range and belongs to
+// another leaf or to none. `solid`: leaves, kVoid without a range, `step` cells a line.
+EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+    const std::uint32_t* const above = solid - step;
+    const std::uint32_t* const below = solid + step;
+    for (std::size_t j = 0; j < beams; ++j) {
+        const std::uint32_t here = solid[j];
+        std::uint32_t others = here == kVoid ? 1U : 0U;
+        for (const std::uint32_t there :
+             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
+            others |= (there != here ? 1U : 0U) & (there != kVoid ? 1U : 0U);
+        inner[j] = others != 0 ? kOpen : here;
+    }
+}
+
+// Marks of what a choice depends on: the leaves of the neighbours, and one of seven bits for each leaf that is weighed.
+constexpr std::uint8_t kNeighbours = 128;
+std::uint8_t markOf(std::uint32_t leaf) {
+    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
+}
+
+// A leaf that a cell may go to.
+struct LeafChoice {
+    std::uint32_t leaf;
+    double neighbours; // of the cell, less for those behind an edge
+};
 
 class Refinement {
 public:
     Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
-        : inverse_(inverse), noise_(noise), edgeBeams_(edgesOf(cracks.jumpBeams, cracks.foldBeams, 1)),
-          edgeLines_(edgesOf(cracks.jumpLines, cracks.foldLines, static_cast<std::size_t>(leaf.beams))), leaf_(leaf), next_(leaf),
-          inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kWindow) + kColumns), solid_(inner_.size(), kVoid),
-          u_(inner_.size()), touches_(leaf.lines, leaf.beams), changed_(leaf.lines, leaf.beams, 1) {
+        : inverse_(inverse), noise_(noise), leaf_(leaf),
+          inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
+          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
+          weighed_(leaf.lines, leaf.beams, kNeighbours) {
+        const auto beams = static_cast<std::size_t>(leaf.beams);
         for (int i = 0; i < leaf.lines; ++i) {
-            for (int j = 0; j < leaf.beams; ++j) {
-                const std::size_t k = leaf.index(i, j);
-                u_[marginIndex(i, j)] = inverse.u[k];
-                if (inverse.support[k] != Support::Void) solid_[marginIndex(i, j)] = leaf[k];
-            }
+            const std::size_t first = leaf.index(i, 0);
+            const std::size_t at = marginIndex(i, 0);
+            std::copy_n(&inverse.u[first], beams, &u_[at]);
+            edgesOf(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
+            if (i + 1 < leaf.lines) edgesOf(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
+            for (std::size_t j = 0; j < beams; ++j) solid_[at + j] = inverse.support[first + j] != Support::Void ? leaf[first + j] : kVoid;
+        }
+        for (int i = 0; i < leaf.lines; ++i) {
+            const std::size_t at = marginIndex(i, 0);
+            innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
+            for (std::size_t j = 0; j < beams; ++j)
+                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
         }
     }
 
     void pass() {
-        std::vector<std::uint32_t> moved;
-        const Grid<std::uint8_t> looked = around(changed_);
-        markTouching(looked);
-        std::fill(changed_.cells.begin(), changed_.cells.end(), std::uint8_t{0});
+        struct Move {
+            int line, beam;
+            std::uint32_t leaf;
+        };
+        std::vector<Move> moves;
         for (int i = 0; i < leaf_.lines; ++i) {
-            for (int j = 0; j < leaf_.beams; ++j) {
-                const std::size_t k = leaf_.index(i, j);
-                if (touches_[k] == 0 || looked[k] == 0) continue;
-                next_[k] = choice(i, j);
-                if (next_[k] == leaf_[k]) continue;
-                changed_[k] = 1;
-                moved.push_back(static_cast<std::uint32_t>(k));
+            const std::uint8_t* const look = looked_.line(i);
+            for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
+                const std::size_t at = marginIndex(i, j);
+                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
+                const std::uint32_t chosen = choice(i, j);
+                if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
             }
         }
-        for (const std::uint32_t k : moved) {
-            leaf_[k] = next_[k];
-            solid_[marginIndex(static_cast<int>(k) / leaf_.beams, static_cast<int>(k) % leaf_.beams)] = leaf_[k];
+        std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
+        for (const Move& move : moves) {
+            leaf_.at(move.line, move.beam) = move.leaf;
+            solid_[marginIndex(move.line, move.beam)] = move.leaf;
+        }
+        for (const Move& move : moves) {
+            look(move.line, move.beam, 1, kNeighbours);
+            renewInner(move.line, move.beam);
         }
     }
 
 private:
-    // 1 at cells with a neighbour (of 8) that holds a range and belongs to another leaf, or to none. Far from changes it is as it was.
-    void markTouching(const Grid<std::uint8_t>& looked) {
-        const auto beams = static_cast<std::size_t>(leaf_.beams);
-        std::vector<std::uint8_t> touching(beams);
-        for (int i = 0; i < leaf_.lines; ++i) {
-            const std::uint8_t* const look = looked.line(i);
-            if (std::find(look, look + beams, std::uint8_t{1}) == look + beams) continue;
-            const std::uint32_t* const here = &solid_[marginIndex(i, 0)];
-            std::fill(touching.begin(), touching.end(), std::uint8_t{0});
-            for (int n = 0; n < kNeighbours; ++n) {
-                const std::uint32_t* const there = &solid_[marginIndex(i + n / 3 - 1, n % 3 - 1)];
-                for (std::size_t j = 0; j < beams; ++j)
-                    touching[j] = static_cast<std::uint8_t>(touching[j] | ((there[j] != here[j]) & (there[j] != kVoid)));
-            }
-            for (std::size_t j = 0; j < beams; ++j) {
-                if (look[j] == 0) continue;
-                const std::size_t k = leaf_.index(i, static_cast<int>(j));
-                touches_[k] = here[j] != kVoid ? touching[j] : std::uint8_t{0};
-                inner_[marginIndex(i, static_cast<int>(j))] = touches_[k] != 0 ? kOpen : leaf_[k];
+    // The next cell of a line that is marked at all, eight at a time.
+    [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
+        for (std::uint64_t eight = 0; from + 8 <= leaf_.beams; from += 8) {
+            std::memcpy(&eight, look + from, sizeof eight);
+            if (eight != 0) break;
+        }
+        while (from < leaf_.beams && look[from] == 0) ++from;
+        return from;
+    }
+    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of the leaves that it
+    // weighed; where neither has changed, it chooses as before.
+    void look(int line, int beam, int reach, std::uint8_t leaves) {
+        const int first = std::max(beam - reach, 0);
+        const int last = std::min(beam + reach, leaf_.beams - 1);
+        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i) {
+            for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
+        }
+    }
+    // Of a cell that has moved, and of its neighbours.
+    void renewInner(int line, int beam) {
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
+            const std::size_t first = marginIndex(i, beam - 1);
+            std::array<std::uint32_t, 3> renewed;
+            innerOfLine(&solid_[first], marginBeams_, renewed.size(), renewed.data());
+            for (std::size_t n = 0; n < renewed.size(); ++n) {
+                const int j = beam - 1 + static_cast<int>(n);
+                if (j < 0 || j >= leaf_.beams || inner_[first + n] == renewed[n]) continue;
+                look(i, j, kPlaneReach, markOf(inner_[first + n]) | markOf(renewed[n]));
+                inner_[first + n] = renewed[n];
             }
         }
     }
-    // 1 within kReach of marked cells.
-    static Grid<std::uint8_t> around(const Grid<std::uint8_t>& marked) {
-        Grid<std::uint8_t> wide(marked.lines, marked.beams);
-        Grid<std::uint8_t> result(marked.lines, marked.beams);
-        for (int i = 0; i < marked.lines; ++i) {
-            int left = 0; // cells that are still within reach of a mark
-            for (int j = -kReach; j < marked.beams; ++j) {
-                if (j + kReach < marked.beams && marked.at(i, j + kReach) != 0) left = 2 * kReach + 1;
-                if (j >= 0) wide.at(i, j) = left > 0 ? 1 : 0;
-                --left;
-            }
-        }
-        std::vector<std::uint8_t> left(static_cast<std::size_t>(marked.beams));
-        for (int i = -kReach; i < marked.lines; ++i) {
-            const std::uint8_t* const ahead = i + kReach < marked.lines ? wide.line(i + kReach) : nullptr;
-            std::uint8_t* const to = i >= 0 ? result.line(i) : nullptr;
-            for (std::size_t j = 0; j < left.size(); ++j) {
-                const bool isMarked = ahead != nullptr && ahead[j] != 0;
-                left[j] = isMarked ? 2 * kReach + 1 : left[j];
-                if (to != nullptr) to[j] = left[j] != 0 ? 1 : 0;
-                left[j] = static_cast<std::uint8_t>(left[j] - (left[j] != 0 ? 1 : 0));
-            }
-        }
-        return result;
-    }
-    [[nodiscard]] std::uint32_t choice(int line, int beam) const {
-        std::array<PlaneSums, kMostChoices> planes;
-        const std::size_t count = choices(line, beam, planes);
-        if (count == 0 || (count == 1 && planes[0].leaf == leaf_.at(line, beam))) return leaf_.at(line, beam);
+    [[nodiscard]] std::uint32_t choice(int line, int beam) {
+        std::array<LeafChoice, kMostChoices> choices; // filled as far as there are some
+        const std::uint32_t own = leaf_.at(line, beam);
+        const std::size_t count = choicesAt(marginIndex(line, beam), choices);
+        std::uint8_t& weighed = weighed_.at(line, beam);
+        weighed = kNeighbours;
+        if (count == 0 || (count == 1 && choices[0].leaf == own)) return own;
         // The one with most neighbours first: after it most others cannot cost less, however well they fit.
-        const auto fewer = [](const PlaneSums& x, const PlaneSums& y) { return x.neighbours < y.neighbours; };
-        std::swap(planes[0], *std::max_element(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(count), fewer));
-        const bool isOpen = leaf_.at(line, beam) == kOpen;
-        const auto here = static_cast<double>(inverse_.u.at(line, beam));
-        std::uint32_t best = leaf_.at(line, beam);
+        const auto fewer = [](const LeafChoice& x, const LeafChoice& y) { return x.neighbours < y.neighbours; };
+        std::swap(choices[0], *std::max_element(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count), fewer));
+        const double rangeM = 1.0 / static_cast<double>(inverse_.u.at(line, beam));
+        const double noiseMm = std::max(noise_.at(rangeM), 0.1);
+        const std::size_t window = marginIndex(line - kPlaneReach, beam - kPlaneReach);
+        std::uint32_t best = own;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t n = 0; n < count; ++n) {
-            if (-kPerNeighbour * planes[n].neighbours > least) continue;
-            fill(line, beam, planes[n]);
-            const double off = planes[n].n == 0 ? kFarOff : deviations(planes[n].height(), here);
-            if (isOpen && off >= kFitsOpen) continue;
-            const double cost = (off > kFarOff ? kFarOff + kBeyond * (off - kFarOff) : off) - kPerNeighbour * planes[n].neighbours;
-            if (cost < least || (cost == least && planes[n].leaf < best)) {
+            if (-kPerNeighbour * choices[n].neighbours > least) continue;
+            weighed |= markOf(choices[n].leaf);
+            const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
+            // In standard deviations of the noise.
+            const double off = plane.n == 0 ? kFarOff : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
+            if (own == kOpen && off >= kFitsOpen) continue;
+            const double cost = (off > kFarOff ? kFarOff + kBeyond * (off - kFarOff) : off) - kPerNeighbour * choices[n].neighbours;
+            if (cost < least || (cost == least && choices[n].leaf < best)) {
                 least = cost;
-                best = planes[n].leaf;
+                best = choices[n].leaf;
             }
         }
         return best;
     }
-    // How far the plane lies off the range, in standard deviations of the noise.
-    [[nodiscard]] double deviations(double height, double here) const {
-        const double rangeM = 1.0 / here;
-        return 1000.0 * std::abs(1.0 / std::max(height, kLeastU) - rangeM) / std::max(noise_.at(rangeM), 0.1);
-    }
-    // 0..1: the jump or valley between two cells that are neighbours (of 8); round a corner, on the way where it is less.
-    [[nodiscard]] float edgeBetween(int line, int beam, int i, int j) const {
-        const int above = std::min(line, i);
-        const int left = std::min(beam, j);
-        if (i == line) return edgeBeams_.at(line, left);
-        if (j == beam) return edgeLines_.at(above, beam);
-        return std::min(std::max(edgeBeams_.at(line, left), edgeLines_.at(above, j)),
-                        std::max(edgeLines_.at(above, beam), edgeBeams_.at(i, left)));
+    // How much each of the eight neighbours counts, by line, then beam; less behind a jump or valley. Round a corner, on the way where it
+    // is less.
+    [[nodiscard]] std::array<double, 9> neighbourWeights(std::size_t at) const {
+        const float* const up = &edgeLines_[at - marginBeams_]; // to the line before
+        const float* const down = &edgeLines_[at];
+        const float* const above = &edgeBeams_[at - marginBeams_ - 1];
+        const float* const here = &edgeBeams_[at - 1];
+        const float* const below = &edgeBeams_[at + marginBeams_ - 1];
+        const auto counts = [](float edge) { return static_cast<double>(1.0F - kAcrossEdge * edge); };
+        const auto corner = [&](float one, float then, float other, float next) {
+            return counts(std::min(std::max(one, then), std::max(other, next)));
+        };
+        return {corner(here[0], up[-1], up[0], above[0]),
+                counts(up[0]),
+                corner(here[1], up[1], up[0], above[1]),
+                counts(here[0]),
+                0.0,
+                counts(here[1]),
+                corner(here[0], down[-1], down[0], below[0]),
+                counts(down[0]),
+                corner(here[1], down[1], down[0], below[1])};
     }
     // The leaves among the cell and its neighbours, and how many neighbours each has.
-    std::size_t choices(int line, int beam, std::array<PlaneSums, kMostChoices>& planes) const {
+    std::size_t choicesAt(std::size_t at, std::array<LeafChoice, kMostChoices>& choices) const {
+        std::array<std::uint32_t, 9> leaves;
+        for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &leaves[3 * n]);
+        const std::array<double, 9> weights = neighbourWeights(at);
         std::size_t count = 0;
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
-            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, leaf_.beams - 1); ++j) {
-                const std::uint32_t there = leaf_.at(i, j);
-                if (there == kOpen) continue;
-                std::size_t n = 0;
-                while (n < count && planes[n].leaf != there) ++n;
-                if (n == count) planes[count++].leaf = there;
-                if (i != line || j != beam) planes[n].neighbours += static_cast<double>(1.0F - kAcrossEdge * edgeBetween(line, beam, i, j));
-            }
+        for (std::size_t k = 0; k < leaves.size(); ++k) {
+            if (leaves[k] == kOpen || leaves[k] == kVoid) continue;
+            std::size_t n = 0;
+            while (n < count && choices[n].leaf != leaves[k]) ++n;
+            if (n == count) choices[count++] = {leaves[k], 0.0};
+            choices[n].neighbours += weights[k];
         }
         return count;
     }
-    // Takes in the cells of its leaf around that touch no other one; what belongs elsewhere adds zeros. Column by column, so that all
-    // columns are worked on at once. All sums are exact, in any order: u has 24 bits, and a double 53.
-    void fill(int line, int beam, PlaneSums& plane) const {
-        std::array<double, kColumns> u{}, yu{};
-        std::array<int, kColumns> n{}, y{}, yy{};
-        for (int dy = -kWindow; dy <= kWindow; ++dy) {
-            const std::size_t first = marginIndex(line + dy, beam - kWindow);
-            const std::uint32_t* const inner = &inner_[first];
-            const float* const values = &u_[first];
-            for (std::size_t x = 0; x < kColumns; ++x) {
-                const int own = inner[x] == plane.leaf ? 1 : 0;
-                const auto value = static_cast<double>(values[x] * static_cast<float>(own));
-                n[x] += own;
-                y[x] += own * dy;
-                yy[x] += own * (dy * dy);
-                u[x] += value;
-                yu[x] += dy * value;
-            }
-        }
-        for (int dx = -kWindow; dx <= kWindow; ++dx) {
-            const auto x = static_cast<std::size_t>(dx + kWindow);
-            plane.n += n[x];
-            plane.x += dx * n[x];
-            plane.xx += dx * dx * n[x];
-            plane.y += y[x];
-            plane.xy += dx * y[x];
-            plane.yy += yy[x];
-            plane.u += u[x];
-            plane.xu += dx * u[x];
-            plane.yu += yu[x];
-        }
-    }
     // Of a cell in the grids with a margin.
     [[nodiscard]] std::size_t marginIndex(int line, int beam) const {
-        return static_cast<std::size_t>(line + kWindow) * marginBeams_ + static_cast<std::size_t>(beam + kWindow);
+        return static_cast<std::size_t>(line + kPlaneReach) * marginBeams_ + static_cast<std::size_t>(beam + kPlaneReach);
     }
 
     const InverseRange& inverse_;
     const RangeNoise& noise_;
-    const Grid<float> edgeBeams_, edgeLines_;
     Grid<std::uint32_t>& leaf_;
-    Grid<std::uint32_t> next_;
-    // With kWindow cells more on each side, and a few beams more after them.
-    const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kWindow);
+    // With kPlaneReach cells more on each side, and a few beams more after them.
+    const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kPlaneReach);
     std::vector<std::uint32_t> inner_; // the leaf of cells that touch no other one, else kOpen
     std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
     std::vector<float> u_;
-    Grid<std::uint8_t> touches_;
-    Grid<std::uint8_t> changed_;
+    std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one along the way
+    Grid<std::uint8_t> looked_;                // marks of what has changed around since a cell chose last
+    Grid<std::uint8_t> weighed_;               // marks of what that choice depended on
 };
 
 } // namespace

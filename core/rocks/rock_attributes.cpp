@@ -1,7 +1,6 @@
 // Rows of rocks.
 #include "core/rocks/rock_attributes.h"
 
-#include "core/base/order_statistic.h"
 #include "core/georef/placed_points.h"
 #include "core/rocks/free_below.h"
 #include "core/rocks/rock_cells.h"
@@ -52,7 +51,7 @@ public:
           cells_(cellsOfRocks(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
           up_(upOf(*leaves.inputs.scan).up) {}
 
-    [[nodiscard]] Rock row(std::uint32_t label) const {
+    [[nodiscard]] Rock row(std::uint32_t label) {
         const RockRegion& region = map_.regions[label];
         Rock rock;
         rock.label = label;
@@ -81,51 +80,99 @@ private:
         rock.freeBelowM = known.freeBelowM;
     }
 
-    // Cells on the rim of a rock that saw past it: behind the rock by more than it is deep. Seen from the side a few of them would make a
-    // span twice as long. `rangesMm`: not empty.
-    static float farthestOf(std::vector<float> rangesMm) {
-        const float front = quantile(rangesMm, 0.05);
-        const float back = quantile(rangesMm, 0.95);
-        return back + std::max(back - front, kLeastDepthMm);
+    // Of the ranges of a rock, mm: those that 5, 50 and 95 % of them lie below.
+    struct Ranges {
+        float front, middle, back;
+
+        // Cells on the rim of a rock that saw past it: behind the rock by more than it is deep. Seen from the side a few of them would
+        // make a span twice as long.
+        [[nodiscard]] float farthest() const { return back + std::max(back - front, kLeastDepthMm); }
+    };
+    // Not empty; moved.
+    static Ranges rangesOf(std::vector<float>& rangesMm) {
+        const auto last = static_cast<double>(rangesMm.size() - 1);
+        const auto front = rangesMm.begin() + static_cast<std::ptrdiff_t>(0.05 * last);
+        const auto back = rangesMm.begin() + static_cast<std::ptrdiff_t>(0.95 * last);
+        const auto middle = rangesMm.begin() + static_cast<std::ptrdiff_t>(rangesMm.size() / 2);
+        std::nth_element(rangesMm.begin(), middle, rangesMm.end());
+        std::nth_element(rangesMm.begin(), front, middle);
+        if (back > middle) std::nth_element(middle + 1, back, rangesMm.end());
+        return {*front, *middle, *back};
+    }
+
+    // Points of a rock, one after the other.
+    struct RockPoints {
+        std::vector<std::uint32_t> cell;
+        std::vector<double> x, y, z; // m
+
+        [[nodiscard]] std::size_t count() const { return cell.size(); }
+        void resize(std::size_t count) {
+            cell.resize(count);
+            for (auto* values : {&x, &y, &z}) values->resize(count);
+        }
+        // How far the points lie along a direction, from a place on.
+        void along(const Eigen::Vector3d& way, const Eigen::Vector3d& from, std::vector<double>& lengths) const {
+            lengths.resize(count());
+            alongWay(way, from, lengths.data());
+        }
+
+    private:
+        void alongWay(const Eigen::Vector3d& way, const Eigen::Vector3d& from, double* __restrict lengths) const {
+            for (std::size_t n = 0; n < count(); ++n)
+                lengths[n] = (way[0] * (x[n] - from[0]) + way[1] * (y[n] - from[1])) + way[2] * (z[n] - from[2]);
+        }
+    };
+    // Those of its cells that are no farther than that.
+    void collect(std::uint32_t label, float farthestMm, RockPoints& points) const {
+        const Grid<float>& rangeMm = leaves_.inputs.scan->rangeMm;
+        const std::span<const std::uint32_t> cells = cells_.of(label);
+        points.resize(cells.size());
+        std::size_t count = 0;
+        const auto beams = static_cast<std::uint32_t>(rangeMm.beams);
+        std::uint32_t line = cells.front() / beams;
+        for (const std::uint32_t k : cells) { // ascending
+            if (rangeMm[k] > farthestMm) continue;
+            while (k >= (line + 1) * beams) ++line;
+            const Eigen::Vector3d point = tables_.point(static_cast<int>(line), static_cast<int>(k - line * beams));
+            points.cell[count] = k;
+            points.x[count] = point[0];
+            points.y[count] = point[1];
+            points.z[count++] = point[2];
+        }
+        points.resize(count);
     }
 
     // What needs every point.
-    void measure(Rock& rock) const {
-        const Eigen::Vector3d sensor = tables_.sensor();
-        const Eigen::Vector3d sight = (rock.centreM - sensor).normalized();
+    void measure(Rock& rock) {
+        const Eigen::Vector3d sight = (rock.centreM - tables_.sensor()).normalized();
         const Eigen::Vector3d right = sight.unitOrthogonal();
         const Eigen::Vector3d below = sight.cross(right);
-        std::vector<float> ranges;
-        for (const std::uint32_t k : cells_.of(rock.label)) ranges.push_back(leaves_.inputs.scan->rangeMm[k]);
-        const float farthest = farthestOf(ranges);
-        std::vector<Eigen::Vector2d> projected;
+        ranges_.clear();
+        for (const std::uint32_t k : cells_.of(rock.label)) ranges_.push_back(leaves_.inputs.scan->rangeMm[k]);
+        const Ranges ranges = rangesOf(ranges_);
+        collect(rock.label, ranges.farthest(), points_);
+        points_.along(right, rock.centreM, projected_.x);
+        points_.along(below, rock.centreM, projected_.y);
+        points_.along(up_, Eigen::Vector3d::Zero(), heights_);
         double nearest = HUGE_VAL;
-        double lowest = HUGE_VAL;
-        Eigen::Vector3d lowestPoint = rock.centreM;
-        std::size_t lowestCell = 0;
-        for (const std::uint32_t k : cells_.of(rock.label)) {
-            if (leaves_.inputs.scan->rangeMm[k] > farthest) continue;
-            const Eigen::Vector3d point = tables_.point(k);
-            projected.emplace_back(right.dot(point - rock.centreM), below.dot(point - rock.centreM));
-            const double off = (point - rock.centreM).squaredNorm();
-            if (off < nearest) {
-                nearest = off;
-                rock.cell = k;
-            }
-            const double height = up_.dot(point);
-            if (height < lowest) {
-                lowest = height;
-                lowestPoint = point;
-                lowestCell = k;
-            }
+        for (std::size_t n = 0; n < points_.count(); ++n) {
+            const double offX = points_.x[n] - rock.centreM[0];
+            const double offY = points_.y[n] - rock.centreM[1];
+            const double offZ = points_.z[n] - rock.centreM[2];
+            const double off = (offX * offX + offY * offY) + offZ * offZ;
+            if (!(off < nearest)) continue;
+            nearest = off;
+            rock.cell = points_.cell[n];
         }
-        const Calipers calipers = calipersOf(projected);
+        const auto lowest = static_cast<std::size_t>(std::min_element(heights_.begin(), heights_.end()) - heights_.begin());
+        const Eigen::Vector3d lowestPoint(points_.x[lowest], points_.y[lowest], points_.z[lowest]);
+        const Calipers calipers = calipersOf(projected_);
         rock.longM = calipers.longest;
         rock.wideM = calipers.shortest;
-        rock.distanceM = 0.001 * static_cast<double>(median(std::move(ranges)));
+        rock.distanceM = 0.001 * static_cast<double>(ranges.middle);
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
         rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
-        rock.freeBelowM = freeBelowM(leaves_.inputs, tables_, lowestPoint, lowestCell, up_);
+        rock.freeBelowM = freeBelowM(leaves_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
     }
 
     const RockLeaves& leaves_;
@@ -134,6 +181,11 @@ private:
     CellsOfRocks cells_;
     CartesianTables tables_;
     Eigen::Vector3d up_;
+    // Room for one rock after the other.
+    std::vector<float> ranges_;
+    RockPoints points_;
+    PlanePoints projected_;
+    std::vector<double> heights_;
 };
 
 void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
@@ -199,7 +251,7 @@ UpDirection upOf(const Scan& scan) {
 }
 
 std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before) {
-    const RowMaker maker(leaves, map, before);
+    RowMaker maker(leaves, map, before);
     std::vector<Rock> rocks;
     for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
     addNeighbours(map, rocks);

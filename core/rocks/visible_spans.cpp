@@ -1,10 +1,16 @@
 // Calipers by the convex hull.
 #include "core/rocks/visible_spans.h"
 
+#include "core/base/simd.h"
+
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -17,30 +23,45 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
     return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
+// 1 where a point lies within the polygon of eight corners.
+EDGESCAN_SIMD void markInside(const double* x, const double* y, std::size_t count, const std::array<Eigen::Vector2d, 8>& corners,
+                              std::uint8_t* __restrict inside) {
+    for (std::size_t n = 0; n < count; ++n) inside[n] = 1;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const double fromX = corners[c].x();
+        const double fromY = corners[c].y();
+        const double alongX = corners[(c + 1) % corners.size()].x() - fromX;
+        const double alongY = corners[(c + 1) % corners.size()].y() - fromY;
+        if (alongX == 0 && alongY == 0) continue;
+        for (std::size_t n = 0; n < count; ++n)
+            inside[n] = static_cast<std::uint8_t>(inside[n] & (alongX * (y[n] - fromY) - alongY * (x[n] - fromX) > 0 ? 1 : 0));
+    }
+}
+
 // Leaves out most of what lies inside: what is within the polygon of the farthest points of eight directions is no corner.
-Points outermost(const Points& points) {
-    static const std::array<Eigen::Vector2d, 8> kEightWays{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-    std::array<Eigen::Vector2d, 8> corners;
-    corners.fill(points.front());
+Points outermost(const PlanePoints& points) {
+    const auto& [x, y] = points;
+    std::array<std::size_t, 8> at{};
     std::array<double, 8> farthest;
     farthest.fill(-HUGE_VAL);
-    for (const Eigen::Vector2d& p : points) {
-        for (std::size_t n = 0; n < kEightWays.size(); ++n) {
-            const double along = kEightWays[n].dot(p);
-            if (along <= farthest[n]) continue;
-            farthest[n] = along;
-            corners[n] = p;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        const double sum = x[n] + y[n];
+        const double difference = y[n] - x[n];
+        const std::array<double, 8> along{x[n], sum, y[n], difference, -x[n], -sum, -y[n], -difference};
+        for (std::size_t way = 0; way < along.size(); ++way) {
+            if (along[way] <= farthest[way]) continue;
+            farthest[way] = along[way];
+            at[way] = n;
         }
     }
-    if (corners[0] == corners[4] && corners[2] == corners[6]) return {points.front()}; // they are all in one place
+    std::array<Eigen::Vector2d, 8> corners;
+    for (std::size_t way = 0; way < corners.size(); ++way) corners[way] = {x[at[way]], y[at[way]]};
+    if (corners[0] == corners[4] && corners[2] == corners[6]) return {corners[0]}; // they are all in one place
+    std::vector<std::uint8_t> inside(x.size());
+    markInside(x.data(), y.data(), x.size(), corners, inside.data());
     Points left;
-    for (const Eigen::Vector2d& p : points) {
-        bool inside = true;
-        for (std::size_t n = 0; n < corners.size(); ++n) {
-            const Eigen::Vector2d& next = corners[(n + 1) % corners.size()];
-            if (next != corners[n]) inside = inside && cross(corners[n], next, p) > 0;
-        }
-        if (!inside) left.push_back(p);
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        if (inside[n] == 0) left.emplace_back(x[n], y[n]);
     }
     return left;
 }
@@ -64,8 +85,8 @@ Points hullOf(Points points) {
 
 } // namespace
 
-Calipers calipersOf(const Points& points) {
-    if (points.empty()) return {};
+Calipers calipersOf(const PlanePoints& points) {
+    if (points.x.empty()) return {};
     const Points hull = hullOf(outermost(points));
     Calipers calipers;
     if (hull.size() < 2) return calipers;

@@ -1,16 +1,24 @@
 // Calipers of points in a plane.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <vector>
 
 namespace edgescan {
+
+/// Point n lies at (x[n], y[n]).
+struct PlanePoints {
+    std::vector<double> x, y;
+
+    void add(double pointX, double pointY) {
+        x.push_back(pointX);
+        y.push_back(pointY);
+    }
+};
 
 /// Largest and smallest distance of two parallel lines that hold all the points between them; 0 without points.
 struct Calipers {
     double longest = 0.0, shortest = 0.0;
 };
-[[nodiscard]] Calipers calipersOf(const std::vector<Eigen::Vector2d>& points);
+[[nodiscard]] Calipers calipersOf(const PlanePoints& points);
 
 } // namespace edgescan

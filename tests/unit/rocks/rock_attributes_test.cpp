@@ -157,13 +157,19 @@ TEST(RockRows, SizesAndFinesAddUp) {
     EXPECT_EQ(regionCounts(f.map, RegionKind::Fines).cells, cells);
 }
 
+PlanePoints planePoints(const std::vector<Eigen::Vector2d>& points) {
+    PlanePoints result;
+    for (const Eigen::Vector2d& p : points) result.add(p.x(), p.y());
+    return result;
+}
+
 TEST(Calipers, AreThoseOfAllDirections) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     for (int round = 0; round < 20; ++round) {
         std::vector<Eigen::Vector2d> points;
         for (int n = 0; n < 3 + round * 20; ++n) points.emplace_back(number(random), 0.4 * number(random));
-        const Calipers calipers = calipersOf(points);
+        const Calipers calipers = calipersOf(planePoints(points));
         double longest = 0;
         double shortest = 1e9;
         for (int step = 0; step < 7200; ++step) {
@@ -183,9 +189,9 @@ TEST(Calipers, AreThoseOfAllDirections) {
         EXPECT_LE(calipers.shortest, shortest + 1e-12);
     }
     EXPECT_EQ(calipersOf({}).longest, 0.0);
-    EXPECT_EQ(calipersOf({{1, 1}}).longest, 0.0);
-    EXPECT_EQ(calipersOf({{1, 1}, {1, 1}, {4, 5}}).longest, 5.0);
-    EXPECT_EQ(calipersOf({{1, 1}, {2, 2}, {4, 4}}).shortest, 0.0);
+    EXPECT_EQ(calipersOf(planePoints({{1, 1}})).longest, 0.0);
+    EXPECT_EQ(calipersOf(planePoints({{1, 1}, {1, 1}, {4, 5}})).longest, 5.0);
+    EXPECT_EQ(calipersOf(planePoints({{1, 1}, {2, 2}, {4, 4}})).shortest, 0.0);
 }
 
 // Cells whose middle lies in the rings by the even-odd rule.
