@@ -3,11 +3,15 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/inputs.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/calibrate/calibration_file.h"
+#include "core/calibrate/seam_edges.h"
 #include "core/calibrate/views_picture.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 
 #include <filesystem>
@@ -18,7 +22,7 @@ namespace {
 
 struct Calibrate {
     std::vector<std::string> files;
-    std::string out, base, picture, json;
+    std::string out, base, picture, seam, json;
     ReadFlags read;
 };
 
@@ -36,6 +40,27 @@ std::string tableOf(const SelfCalibration& found) {
            errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4) + "the two views of " + std::to_string(found.cells) +
            " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " + fixedText(found.medianAfterMm, 1) +
            " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) + " mm)\n";
+}
+
+/// The picture is written; how many edges meet stands in `told`.
+Result<Done> drawSeam(const std::shared_ptr<const Scan>& scan, const SelfCalibration& found, const std::string& path,
+                      nlohmann::ordered_json& told) {
+    if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough;
+    const auto detection = detectEdges(scan, Settings{});
+    const SeamEdges before = seamEdges(*scan, *detection->mask, {});
+    const SeamEdges after = seamEdges(*scan, *detection->mask, found.errors);
+    told["seam_edges"] = after.lateEdges;
+    told["seam_edges_met_before"] = rounded(before.metShare(), 1e4);
+    told["seam_edges_met_after"] = rounded(after.metShare(), 1e4);
+    return savePngRgb(oneOverTheOther(seamPicture(before), seamPicture(after)), path);
+}
+
+std::string seamLine(const nlohmann::ordered_json& told) {
+    if (!told.contains("seam_edges")) return {};
+    const auto percent = [&](const char* key) { return fixedText(100 * told[key].get<double>(), 0); };
+    return "of " + std::to_string(told["seam_edges"].get<std::size_t>()) + " edge cells of the late view " +
+           percent("seam_edges_met_before") + " % lay within a cell of one of the early view, and " + percent("seam_edges_met_after") +
+           " % do with these errors\n";
 }
 
 Result<Done> calibrate(const Calibrate& asked) {
@@ -63,10 +88,18 @@ Result<Done> calibrate(const Calibrate& asked) {
     if (!text) return text.error();
     if (Result<Done> written = writeWholeFile(asked.out, *text); !written) return written;
     if (!asked.picture.empty()) {
-        if (Result<Done> saved = savePngRgb(viewsPicture(*scans.front(), found->errors), asked.picture); !saved) return saved;
+        if (Result<Done> saved =
+                savePngRgb(oneOverTheOther(viewsPicture(*scans.front(), {}), viewsPicture(*scans.front(), found->errors)), asked.picture);
+            !saved)
+            return saved;
     }
-    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", estimateJson(*found, sources)));
-    if (!isStandardOutput(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
+    nlohmann::ordered_json told = estimateJson(*found, sources);
+    if (!asked.seam.empty()) {
+        if (Result<Done> drawn = drawSeam(scans.front(), *found, asked.seam, told); !drawn) return drawn;
+    }
+    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", told));
+    if (!isStandardOutput(asked.out))
+        say(tableOf(*found) + seamLine(told) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }
 
@@ -80,6 +113,7 @@ void addCalibrate(CLI::App& app, int& code) {
     command.add_option("-o,--output", asked->out, "New calibration file; - is stdout")->required();
     command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is set anew, all else stays");
     command.add_option("--picture", asked->picture, "New PNG: how far the two views lie apart, before and after");
+    command.add_option("--seam", asked->seam, "New PNG: the edges of both views drawn over each other, before and after");
     command.add_option("--json", asked->json, "The result as JSON; - is stdout");
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {

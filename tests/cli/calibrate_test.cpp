@@ -21,7 +21,8 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
                      " --mount-tilt 0.4 --mount-index -0.3 --turn-error 0.2")
                   .code,
               0);
-    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --json -");
+    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --seam " +
+                            path("seam.png") + " --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto told = nlohmann::json::parse(run.out);
     EXPECT_EQ(told["schema"], "edgescan-calibrate/1");
@@ -31,6 +32,8 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     ASSERT_TRUE(file) << file.error().sentence();
     EXPECT_NEAR(file->mountM.x(), 0.012, 0.001);
     EXPECT_GT(std::filesystem::file_size(path("views.png")), 1000U);
+    EXPECT_GT(std::filesystem::file_size(path("seam.png")), 1000U);
+    EXPECT_GT(told["seam_edges_met_after"].get<double>(), told["seam_edges_met_before"].get<double>() + 0.1);
 
     // With the present file of the robot as base; neither it nor the scan is written over.
     const std::string robot = fileText(path("robot.json"));
