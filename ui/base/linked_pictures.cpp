@@ -28,7 +28,13 @@ LinkedPictures::LinkedPictures(QWidget* parent) : QWidget(parent) {
         QScrollBar* other = (areas_[1]->*bar)();
         connect(one, &QScrollBar::valueChanged, other, &QScrollBar::setValue);
         connect(other, &QScrollBar::valueChanged, one, &QScrollBar::setValue);
-        for (const QScrollBar* each : {one, other}) connect(each, &QScrollBar::actionTriggered, this, [this] { moved_ = true; });
+        for (const QScrollBar* each : {one, other}) {
+            connect(each, &QScrollBar::actionTriggered, this, [this] { moved_ = true; });
+            // How far it goes is known only once the picture has been laid out.
+            connect(each, &QScrollBar::rangeChanged, this, [this] {
+                if (!moved_) centre();
+            });
+        }
     }
 }
 
