@@ -43,6 +43,27 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     EXPECT_EQ(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("new.json")).code, 0);
 }
 
+TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    for (const int repeat : {0, 1}) {
+        const std::string pass = path(repeat == 0 ? "there.json" : "said.json");
+        ASSERT_EQ(runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --repeat " + std::to_string(repeat)).code,
+                  0);
+    }
+    // Angles that say .2 degrees too little: the stepper stands .2 degrees ahead of them.
+    ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);
+    const auto run = runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto told = nlohmann::json::parse(run.out);
+    EXPECT_EQ(told["schema"], "edgescan-backlash/1");
+    EXPECT_NEAR(told["backlash_deg"].get<double>(), 0.2, 3 * told["one_sd_deg"].get<double>());
+    EXPECT_NE(runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash -o " + path("new.json")).code, 0);
+    EXPECT_NE(runCli("calibrate " + path("there.json") + " --backlash").code, 0);
+    EXPECT_NE(runCli("calibrate " + path("there.json")).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("new.json")));
+}
+
 TEST(CliCalibrate, RefusesHalfATurnAndLeavesNoFile) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
