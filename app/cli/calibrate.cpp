@@ -3,11 +3,16 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/inputs.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
+#include "core/calibrate/backlash.h"
 #include "core/calibrate/calibration_file.h"
+#include "core/calibrate/seam_edges.h"
 #include "core/calibrate/views_picture.h"
+#include "core/method/pipeline.h"
+#include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 
 #include <filesystem>
@@ -18,7 +23,8 @@ namespace {
 
 struct Calibrate {
     std::vector<std::string> files;
-    std::string out, base, picture, json;
+    std::string out, base, picture, seam, json;
+    bool backlash = false;
     ReadFlags read;
 };
 
@@ -38,18 +44,84 @@ std::string tableOf(const SelfCalibration& found) {
            " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) + " mm)\n";
 }
 
-Result<Done> calibrate(const Calibrate& asked) {
+/// The picture is written; how many edges meet stands in `told`.
+Result<Done> drawSeam(const std::shared_ptr<const Scan>& scan, const SelfCalibration& found, const std::string& path,
+                      nlohmann::ordered_json& told) {
+    if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough;
+    const auto detection = detectEdges(scan, Settings{});
+    const SeamEdges before = seamEdges(*scan, *detection->mask, {});
+    const SeamEdges after = seamEdges(*scan, *detection->mask, found.errors);
+    told["seam_edges"] = after.lateEdges;
+    told["seam_edges_met_before"] = rounded(before.metShare(), 1e4);
+    told["seam_edges_met_after"] = rounded(after.metShare(), 1e4);
+    return savePngRgb(oneOverTheOther(seamPicture(before), seamPicture(after)), path);
+}
+
+std::string seamLine(const nlohmann::ordered_json& told) {
+    if (!told.contains("seam_edges")) return {};
+    const auto percent = [&](const char* key) { return fixedText(100 * told[key].get<double>(), 0); };
+    return "of " + std::to_string(told["seam_edges"].get<std::size_t>()) + " edge cells of the late view " +
+           percent("seam_edges_met_before") + " % lay within a cell of one of the early view, and " + percent("seam_edges_met_after") +
+           " % do with these errors\n";
+}
+
+Result<Done> tellBacklash(const Calibrate& asked, const std::vector<std::shared_ptr<const Scan>>& scans,
+                          const std::vector<CalibrationSource>& sources) {
+    const Result<Backlash> found = backlashOf(*scans[0], *scans[1]);
+    if (!found) return Error{found.error().what, asked.files[1], found.error().hint};
+    if (asked.json.empty()) {
+        say("backlash: line angles of the second pass are" + rightAligned(fixedText(found->deg, 4), 8) + " +- " +
+            fixedText(2 * found->sdDeg, 4) + " degrees ahead of those of the first (2 standard deviations); " +
+            std::to_string(found->cells) + " cells lay " + fixedText(found->apartBeforeMm, 1) + " mm apart and lie " +
+            fixedText(found->apartAfterMm, 1) + " mm apart without it (median)\nNothing is applied by itself.\n");
+        return Done{};
+    }
+    nlohmann::ordered_json report{{"there", {{"name", sources[0].name}, {"sha256", sources[0].sha256}}},
+                                  {"back", {{"name", sources[1].name}, {"sha256", sources[1].sha256}}},
+                                  {"backlash_deg", found->deg},
+                                  {"one_sd_deg", found->sdDeg},
+                                  {"cells", found->cells},
+                                  {"apart_before_mm", found->apartBeforeMm},
+                                  {"apart_after_mm", found->apartAfterMm}};
+    return writeDocument(asked.json, document("backlash", report));
+}
+
+Result<Done> checkTogether(const Calibrate& asked) {
+    if (asked.backlash && asked.files.size() != 2)
+        return Error{"backlash needs two passes, " + std::to_string(asked.files.size()) + " given", "--backlash",
+                     "give the pass there, then the pass back"};
+    if (asked.backlash && !(asked.out.empty() && asked.base.empty() && asked.picture.empty() && asked.seam.empty()))
+        return Error{"backlash is told and goes into no calibration file", "--backlash",
+                     "leave -o, --base, --picture and --seam out; --json writes it"};
+    if (!asked.backlash && asked.out.empty()) return Error{"no name for the calibration file", "-o", "give -o CALIBRATION.json"};
+    return Done{};
+}
+
+struct Opened {
     std::vector<std::shared_ptr<const Scan>> scans;
     std::vector<CalibrationSource> sources;
+};
+
+Result<Opened> openedScans(const Calibrate& asked) {
+    Opened opened;
     for (const std::string& file : asked.files) {
         Result<Scan> scan = openAndTell(file, asked.read);
         if (!scan) return scan.error();
         const Result<std::string> hash = sha256OfFile(file);
         if (!hash) return hash.error();
-        sources.push_back({std::filesystem::path(file).filename().string(), *hash});
+        opened.sources.push_back({std::filesystem::path(file).filename().string(), *hash});
         scan->name = file;
-        scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
+        opened.scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
     }
+    return opened;
+}
+
+Result<Done> calibrate(const Calibrate& asked) {
+    if (Result<Done> sound = checkTogether(asked); !sound) return sound;
+    const Result<Opened> opened = openedScans(asked);
+    if (!opened) return opened.error();
+    const auto& [scans, sources] = *opened;
+    if (asked.backlash) return tellBacklash(asked, scans, sources);
     std::string base;
     if (!asked.base.empty()) {
         const auto bytes = readInput(asked.base);
@@ -62,10 +134,18 @@ Result<Done> calibrate(const Calibrate& asked) {
     if (!text) return text.error();
     if (Result<Done> written = writeWholeFile(asked.out, *text); !written) return written;
     if (!asked.picture.empty()) {
-        if (Result<Done> saved = savePngRgb(viewsPicture(*scans.front(), found->errors), asked.picture); !saved) return saved;
+        if (Result<Done> saved =
+                savePngRgb(oneOverTheOther(viewsPicture(*scans.front(), {}), viewsPicture(*scans.front(), found->errors)), asked.picture);
+            !saved)
+            return saved;
     }
-    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", estimateJson(*found, sources)));
-    if (!goesToNoFile(asked.out)) say(tableOf(*found) + "Nothing is applied by itself: give the file with --calibration.\n");
+    nlohmann::ordered_json told = estimateJson(*found, sources);
+    if (!asked.seam.empty()) {
+        if (Result<Done> drawn = drawSeam(scans.front(), *found, asked.seam, told); !drawn) return drawn;
+    }
+    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", told));
+    if (!isStandardOutput(asked.out))
+        say(tableOf(*found) + seamLine(told) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }
 
@@ -76,9 +156,12 @@ void addCalibrate(CLI::App& app, int& code) {
     CLI::App& command =
         *app.add_subcommand("calibrate", "Errors of the scanner's assembly, from surfaces that a turn of more than 180 degrees sees twice");
     command.add_option("FILE", asked->files, "Scans of one assembly, spin mounting, 200 to 360 degrees of turn")->required();
-    command.add_option("-o,--output", asked->out, "New calibration file; - is stdout")->required();
+    command.add_option("-o,--output", asked->out, "New calibration file; - is stdout");
+    command.add_flag("--backlash", asked->backlash,
+                     "Of two passes over the same lines, there and back: tell how far the stepper lags behind when it turns the other way");
     command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is set anew, all else stays");
     command.add_option("--picture", asked->picture, "New PNG: how far the two views lie apart, before and after");
+    command.add_option("--seam", asked->seam, "New PNG: the edges of both views drawn over each other, before and after");
     command.add_option("--json", asked->json, "The result as JSON; - is stdout");
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {

@@ -25,17 +25,6 @@ std::vector<double> stepsOf(const std::vector<double>& deg) {
     return steps;
 }
 
-/// Index of the angle nearest to `at`; the angles ascend or descend.
-int nearest(const std::vector<double>& deg, double at) {
-    const bool ascends = deg.back() >= deg.front();
-    const auto place = ascends ? std::lower_bound(deg.begin(), deg.end(), at)
-                               : std::lower_bound(deg.begin(), deg.end(), at, [](double a, double b) { return a > b; });
-    if (place == deg.begin()) return 0;
-    if (place == deg.end()) return static_cast<int>(deg.size()) - 1;
-    const bool before = std::abs(*(place - 1) - at) < std::abs(*place - at);
-    return static_cast<int>(place - deg.begin()) - (before ? 1 : 0);
-}
-
 /// The assembly as it is thought to be, and with each error a step greater and smaller.
 struct Mountings {
     SpinMounting here;
@@ -58,8 +47,8 @@ std::optional<Residual> residualOf(const TurnedSweep& sweep, SurfaceFits& fits, 
                                    const Mountings& mountings) {
     const std::optional<OtherView> seen = otherViewOf(cell, view, mountings.here);
     if (!seen) return std::nullopt;
-    const int line = nearest(sweep.polar.lineDeg, seen->lineDeg);
-    const int beam = nearest(sweep.polar.beamDeg, seen->beamDeg);
+    const int line = nearestAngle(sweep.polar.lineDeg, seen->lineDeg);
+    const int beam = nearestAngle(sweep.polar.beamDeg, seen->beamDeg);
     const double lineStep = sweep.lineSteps[static_cast<std::size_t>(line)];
     const double beamStep = sweep.beamSteps[static_cast<std::size_t>(beam)];
     const double dx = (seen->beamDeg - sweep.polar.beamDeg[static_cast<std::size_t>(beam)]) / beamStep;

@@ -95,13 +95,18 @@ std::vector<SurfaceFits> fitsOf(const std::vector<Pass>& passes, int halfWidth) 
     return fits;
 }
 
-Solved solve(std::vector<Pass>& passes, View view) {
+/// Nothing: given up.
+std::optional<Solved> solve(std::vector<Pass>& passes, View view, const CalibrationProgress& goOn) {
+    const char* stage = view == View::Early ? "early cells on late surfaces" : "late cells on early surfaces";
+    constexpr double kAll = kIterations[0] + kIterations[1];
+    int done = 0;
     Solved solved;
     AssemblyVector q = AssemblyVector::Zero();
     Normal normal;
     for (std::size_t level = 0; level < kHalfWidths.size(); ++level) {
         std::vector<SurfaceFits> fits = fitsOf(passes, kHalfWidths[level]);
         for (int iteration = 0; iteration < kIterations[level]; ++iteration) {
+            if (!goOn(stage, done++ / kAll)) return std::nullopt;
             normal = normalOf(passes, view, solved.errors, fits);
             const AssemblyVector step = normal.matrix.ldlt().solve(normal.right);
             for (Eigen::Index n = 0; n < step.size(); ++n) {
@@ -167,13 +172,17 @@ AssemblyErrors uncertaintyOf(const Solved& early, const Solved& late, double hon
 
 } // namespace
 
-Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans) {
+Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& told) {
     if (scans.empty()) return Error{"there is no scan to calibrate with", "", "name one"};
+    const CalibrationProgress goOn = [&](const char* stage, double fraction) { return !told || told(stage, fraction); };
+    const std::string where = scans.front()->name;
+    const Error cancelled{"cancelled", where, ""};
     std::vector<Pass> passes;
     SelfCalibration result;
     result.overlapDeg = std::numeric_limits<double>::infinity();
     for (const auto& scan : scans) {
         if (const auto refusal = refusalOf(*scan)) return *refusal;
+        if (!goOn("surfaces seen twice", static_cast<double>(passes.size()) / static_cast<double>(scans.size()))) return cancelled;
         const auto& polar = std::get<PolarGeometry>(scan->geometry);
         Pass pass{turnedSweep(*scan, polar), {}};
         for (const View view : {View::Early, View::Late})
@@ -181,16 +190,16 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
         result.overlapDeg = std::min(result.overlapDeg, turnOf(polar) - 180.0);
         passes.push_back(std::move(pass));
     }
-    const std::string where = scans.front()->name;
-    const Solved early = solve(passes, View::Early);
-    const Solved late = solve(passes, View::Late);
-    result.cells = early.cells + late.cells;
+    const std::optional<Solved> early = solve(passes, View::Early, goOn);
+    const std::optional<Solved> late = early ? solve(passes, View::Late, goOn) : std::nullopt;
+    if (!late || !goOn("agreement of the views", 0.0)) return cancelled;
+    result.cells = early->cells + late->cells;
     if (result.cells < kFewestCells)
         return Error{"only " + std::to_string(result.cells) + " cells lie on smooth surfaces that both views saw", where,
                      "scan a place with rocks or walls within the scanner's reach"};
     for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n)
-        result.errors.values[n] = 0.5 * (early.errors.values[n] + late.errors.values[n]);
-    result.sd = uncertaintyOf(early, late, result.overlapDeg + 180.0 < kFullTurnDeg ? kHonestPart : kHonestFull);
+        result.errors.values[n] = 0.5 * (early->errors.values[n] + late->errors.values[n]);
+    result.sd = uncertaintyOf(*early, *late, result.overlapDeg + 180.0 < kFullTurnDeg ? kHonestPart : kHonestFull);
     result.medianBeforeMm = agreementOf(passes, {}).medianMm;
     const Agreement after = agreementOf(passes, result.errors);
     result.medianAfterMm = after.medianMm;

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/calibrate/residuals.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,9 +22,12 @@ struct SelfCalibration {
     double noiseMm = 0; ///< median of what noise and misfit of the fits explain
 };
 
-/// From one scan or several of the same assembly. Error: an organised cloud, a sweep mounting, a turn that shows too little twice, views
-/// that do not agree afterwards, an error that stays as unknown as it was; the sentence says which and what to do.
-Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans);
+/// Told the stage and how much of it is done (0..1); false gives up.
+using CalibrationProgress = std::function<bool(const char* stage, double fraction)>;
+
+/// From one scan or several of the same assembly. Error: "cancelled", an organised cloud, a sweep mounting, a turn that shows too little
+/// twice, views that do not agree afterwards, an error that stays as unknown as it was; the sentence says which and what to do.
+Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& goOn = {});
 
 /// One picture of a scan's surfaces seen twice, for a person to judge: the distance of the two views with `errors`, for the cells of the
 /// late view. Lines x beams of the scan; NaN elsewhere.

@@ -27,9 +27,28 @@ std::uint32_t scattered(std::size_t k) {
 
 } // namespace
 
+int nearestAngle(const std::vector<double>& deg, double at) {
+    const bool ascends = deg.back() >= deg.front();
+    const auto place = ascends ? std::lower_bound(deg.begin(), deg.end(), at)
+                               : std::lower_bound(deg.begin(), deg.end(), at, [](double a, double b) { return a > b; });
+    if (place == deg.begin()) return 0;
+    if (place == deg.end()) return static_cast<int>(deg.size()) - 1;
+    const bool before = std::abs(*(place - 1) - at) < std::abs(*place - at);
+    return static_cast<int>(place - deg.begin()) - (before ? 1 : 0);
+}
+
 double turnOf(const PolarGeometry& polar) {
     const auto [least, most] = std::minmax_element(polar.lineDeg.begin(), polar.lineDeg.end());
     return polar.lineDeg.empty() ? 0.0 : *most - *least;
+}
+
+LineSpan lateLines(const PolarGeometry& polar) {
+    if (polar.lineDeg.empty()) return {};
+    const double first = *std::min_element(polar.lineDeg.begin(), polar.lineDeg.end());
+    const auto isLate = [&](double deg) { return deg - first >= kHalfTurnDeg && deg - first <= 2 * kHalfTurnDeg; };
+    const auto from = std::find_if(polar.lineDeg.begin(), polar.lineDeg.end(), isLate);
+    const auto to = std::find_if(polar.lineDeg.rbegin(), polar.lineDeg.rend(), isLate).base();
+    return from < to ? LineSpan{static_cast<int>(from - polar.lineDeg.begin()), static_cast<int>(to - from)} : LineSpan{};
 }
 
 std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRange& inverse, View view, std::size_t most) {

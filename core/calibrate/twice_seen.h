@@ -22,8 +22,17 @@ struct OtherView {
     double rangeM = 0;
 };
 
+/// Index of the angle nearest to `at`; `deg` ascends or descends and is not empty.
+[[nodiscard]] int nearestAngle(const std::vector<double>& deg, double at);
+
 /// How far the stepper turned from the first line to the last, degrees.
 [[nodiscard]] double turnOf(const PolarGeometry& polar);
+
+/// The lines of the late view: from half a turn after the first line on, to a full turn at most.
+struct LineSpan {
+    int first = 0, count = 0;
+};
+[[nodiscard]] LineSpan lateLines(const PolarGeometry& polar);
 
 enum class View : std::uint8_t { Early, Late };
 

@@ -2,6 +2,7 @@
 #include "core/calibrate/views_picture.h"
 
 #include "core/calibrate/self_calibration.h"
+#include "core/calibrate/twice_seen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,24 +24,22 @@ Rgb colourOf(float apartMm) {
 } // namespace
 
 Grid<Rgb> viewsPicture(const Scan& scan, const AssemblyErrors& errors) {
-    const Grid<float> before = viewsApartMm(scan, {});
-    const Grid<float> after = viewsApartMm(scan, errors);
-    int first = scan.lines(), last = -1;
-    for (int i = 0; i < scan.lines(); ++i) {
-        const bool any = std::any_of(after.line(i), after.line(i) + scan.beams(), [](float value) { return !std::isnan(value); });
-        if (!any) continue;
-        first = std::min(first, i);
-        last = i;
-    }
-    const int rows = std::max(1, last - first + 1);
-    Grid<Rgb> picture(2 * rows + kGapRows, std::max(1, scan.beams()), Rgb{});
-    for (int i = first; i <= last; ++i) {
-        for (int j = 0; j < scan.beams(); ++j) {
-            picture.at(i - first, j) = colourOf(before.at(i, j));
-            picture.at(rows + kGapRows + i - first, j) = colourOf(after.at(i, j));
-        }
+    const Grid<float> apart = viewsApartMm(scan, errors);
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    const LineSpan late = polar == nullptr ? LineSpan{} : lateLines(*polar);
+    Grid<Rgb> picture(std::max(1, late.count), std::max(1, scan.beams()), kNothing);
+    for (int i = 0; i < late.count; ++i) {
+        const float* line = apart.line(late.first + i);
+        std::transform(line, line + scan.beams(), picture.line(i), colourOf);
     }
     return picture;
+}
+
+Grid<Rgb> oneOverTheOther(const Grid<Rgb>& above, const Grid<Rgb>& below) {
+    Grid<Rgb> both(above.lines + kGapRows + below.lines, std::max(above.beams, below.beams), kNothing);
+    for (int i = 0; i < above.lines; ++i) std::copy_n(above.line(i), above.beams, both.line(i));
+    for (int i = 0; i < below.lines; ++i) std::copy_n(below.line(i), below.beams, both.line(above.lines + kGapRows + i));
+    return both;
 }
 
 } // namespace edgescan

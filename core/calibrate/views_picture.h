@@ -7,9 +7,11 @@
 
 namespace edgescan {
 
-/// Two panels over each other, with the nominal assembly above and with `errors` below: a row per line that sees surfaces a second time, a
-/// column per beam. White where the views agree, blue where the surface lies nearer than the late view has it, red where it lies farther,
-/// full colour at 50 mm; gray where nothing was compared.
+/// With these errors: a row per line of the late view, a column per beam. White where the views agree, blue where the surface lies nearer
+/// than the late view has it, red where it lies farther, full colour at 50 mm; gray where nothing was compared.
 [[nodiscard]] Grid<Rgb> viewsPicture(const Scan& scan, const AssemblyErrors& errors);
+
+/// The first above the second, gray between them: before and after.
+[[nodiscard]] Grid<Rgb> oneOverTheOther(const Grid<Rgb>& above, const Grid<Rgb>& below);
 
 } // namespace edgescan

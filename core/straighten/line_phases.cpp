@@ -5,6 +5,7 @@
 #include "core/base/simd.h"
 #include "core/scan/acquisition.h"
 #include "core/straighten/slip_votes.h"
+#include "core/straighten/sureness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,23 +57,27 @@ std::optional<double> offNeighbours(const InverseRange& inverse, int line, LineS
 }
 
 /// The medians of the lines that have the same place in a turn, without their common part, which is the curvature of the scene.
-/// Empty unless nearly all lines agree with them and one place is off.
-std::vector<double> offsInTurn(const std::vector<LineOff>& lines, int phases) {
+/// Empty unless nearly all lines agree with them and one place is off by more than chance explains. `steps` are those offsets.
+LinePhases offsInTurn(const std::vector<LineOff>& lines, int phases) {
     std::vector<std::vector<double>> places(static_cast<std::size_t>(phases));
     for (const LineOff& line : lines) places[static_cast<std::size_t>(line.line % phases)].push_back(line.steps);
     std::vector<double> offs;
+    std::size_t fewest = lines.size();
     for (std::vector<double>& place : places) {
         if (static_cast<int>(place.size()) < kFewestTurns) return {};
+        fewest = std::min(fewest, place.size());
         offs.push_back(median(std::move(place)));
     }
-    const auto agreeing = std::ranges::count_if(lines, [&](const LineOff& line) {
-        return std::abs(line.steps - offs[static_cast<std::size_t>(line.line % phases)]) <= kLinesAgree;
-    });
+    std::vector<double> apart;
+    for (const LineOff& line : lines) apart.push_back(line.steps - offs[static_cast<std::size_t>(line.line % phases)]);
+    const auto agreeing = std::ranges::count_if(apart, [](double off) { return std::abs(off) <= kLinesAgree; });
     if (static_cast<double>(agreeing) < kMostLines * static_cast<double>(lines.size())) return {};
     const double common = std::accumulate(offs.begin(), offs.end(), 0.0) / phases;
     for (double& off : offs) off -= common;
-    const bool told = std::ranges::any_of(offs, [](double off) { return std::abs(off) >= kLeastOff; });
-    return told ? offs : std::vector<double>{};
+    double most = 0;
+    for (const double off : offs) most = std::max(most, std::abs(off));
+    const double surest = most / sdOfMedian(std::move(apart), fewest);
+    return most >= kLeastOff && surest >= kSignificant ? LinePhases{std::move(offs), surest} : LinePhases{};
 }
 
 /// From how far each is off the mean of its neighbours in a ring to how far it is ahead of the one that is last.
@@ -109,7 +114,7 @@ bool areApart(std::vector<double> phases) {
 
 } // namespace
 
-std::vector<double> linePhases(const InverseRange& inverse) {
+LinePhases linePhases(const InverseRange& inverse) {
     constexpr int kBlock = 96; // lines in one go that are looked at, in three places of a large sweep
     std::vector<LineOff> offs;
     const int lines = inverse.u.lines;
@@ -124,10 +129,10 @@ std::vector<double> linePhases(const InverseRange& inverse) {
     const auto told = static_cast<int>(offs.size());
     if (told < kFewestPhasedLines || 2 * told < looked) return {};
     for (int count = 2; count <= std::min(kMostPhases, told / kFewestTurns); ++count) {
-        const std::vector<double> found = offsInTurn(offs, count);
-        if (found.empty()) continue;
-        std::vector<double> phases = phasesOf(found);
-        return areApart(phases) ? phases : std::vector<double>{};
+        const LinePhases found = offsInTurn(offs, count);
+        if (found.steps.empty()) continue;
+        std::vector<double> phases = phasesOf(found.steps);
+        return areApart(phases) ? LinePhases{std::move(phases), found.surest} : LinePhases{};
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include "core/straighten/interlace.h"
 #include "core/straighten/line_phases.h"
 #include "core/straighten/step_unevenness.h"
+#include "core/straighten/sureness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,19 @@
 namespace edgescan {
 namespace {
 
-// Median of the lines that tell of a displacement, index steps; 0 when none does.
-double medianParity(const std::vector<float>& parity) {
-    std::vector<float> told;
+struct Parity {
+    double steps = 0;  // median of the lines that tell of a displacement, index steps; 0 when none does, or chance explains it
+    double surest = 0; // over its standard deviation
+};
+
+Parity parityOf(const std::vector<float>& parity) {
+    std::vector<double> told;
     std::copy_if(parity.begin(), parity.end(), std::back_inserter(told), [](float steps) { return steps != 0; });
-    return static_cast<double>(median(std::move(told)));
+    const double middle = median(told);
+    const std::size_t lines = told.size();
+    for (double& steps : told) steps -= middle;
+    const double surest = std::abs(middle) / sdOfMedian(std::move(told), lines);
+    return surest >= kSignificant ? Parity{middle, surest} : Parity{};
 }
 
 void moveBeams(PolarGeometry& polar, double displacementDeg) {
@@ -39,6 +48,7 @@ void moveLines(PolarGeometry& polar, const std::vector<double>& slipSteps, doubl
 struct Displacement {
     double stepDeg = 0;            // from line to line
     double oddAheadDeg = 0;        // odd beams against even ones
+    double oddSurest = 0;          // over its standard deviation
     std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
     int slipCount = 0;             // how many of these are not 0
     double uneven = 0;             // what the steps differ by anyway, index steps
@@ -65,7 +75,6 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
 
 // Slips hang together, a stall with the leap that makes up for it: the largest of a sweep proves them, or none is told of.
 void dropUnproved(Displacement& found) {
-    constexpr double kSignificant = 6; // standard deviations of what the steps differ by anyway
     for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
     if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
 }
@@ -76,8 +85,11 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     const SweepSlips slips = straighten(inverse);
     Displacement found;
     found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
-    if (slips.interlaced)
-        found.oddAheadDeg = beyond(medianParity(slips.parity) * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+    if (slips.interlaced) {
+        const Parity odd = parityOf(slips.parity);
+        found.oddAheadDeg = beyond(odd.steps * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+        found.oddSurest = odd.surest;
+    }
     found.uneven = slips.slipCount > 0 ? static_cast<double>(stepUnevenness(inverse)) : 0.0;
     const double usualDeg = medianStepDeg(polar.lineDeg);
     found.slipSteps.resize(polar.lineDeg.size());
@@ -103,9 +115,13 @@ const PolarGeometry* anglesOf(const Scan& scan) {
 
 std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
 
+// ", 40 times what that is uncertain by"
+std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times what that is uncertain by"; }
+
 // "odd beams lie 0.12 degrees ahead of even ones"
-std::string interlaceText(double oddAheadDeg) {
-    return "odd beams lie " + degreesText(std::abs(oddAheadDeg)) + (oddAheadDeg > 0 ? " ahead of even ones" : " behind even ones");
+std::string interlaceText(double oddAheadDeg, double surest) {
+    return "odd beams lie " + degreesText(std::abs(oddAheadDeg)) + (oddAheadDeg > 0 ? " ahead of even ones" : " behind even ones") +
+           sureText(surest);
 }
 
 std::string slipText(const Displacement& found) {
@@ -122,24 +138,26 @@ std::string slipText(const Displacement& found) {
 // Empty where nothing is displaced.
 std::string displacementText(const Displacement& found) {
     std::string text;
-    if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg);
+    if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg, found.oddSurest);
     if (found.slipCount > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
     return text;
 }
 
 /// Phases of the lines in turn; none where a place per line or points behind others would not come along.
-std::vector<double> phasesIn(const Scan& scan, const InverseRange& inverse) {
+LinePhases phasesIn(const Scan& scan, const InverseRange& inverse) {
     if ((scan.placement && scan.placement->poses.size() > 1) || !scan.attached.empty()) return {};
     return linePhases(inverse);
 }
 
 // "the beams of 4 lines in turn lie 0, 0.25, 0.5 and 0.75 degrees ahead of them"
-std::string phasesText(const std::vector<double>& phases, const PolarGeometry& polar) {
+std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
+    const std::vector<double>& phases = found.steps;
     const double stepDeg = std::abs(polar.beamDeg.back() - polar.beamDeg.front()) / static_cast<double>(polar.beamDeg.size() - 1);
     std::string degrees;
     for (std::size_t k = 0; k < phases.size(); ++k)
         degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);
-    return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be";
+    return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be" +
+           sureText(found.surest);
 }
 
 constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
@@ -152,10 +170,10 @@ Scan straightened(Scan scan) {
         return scan;
     }
     InverseRange inverse = inverseRange(scan);
-    if (const auto phases = phasesIn(scan, inverse); !phases.empty()) {
-        Scan folded = withPhasesFolded(scan, phases);
+    if (const auto phases = phasesIn(scan, inverse); !phases.steps.empty()) {
+        Scan folded = withPhasesFolded(scan, phases.steps);
         folded.warnings.push_back("Straightened: " + phasesText(phases, std::get<PolarGeometry>(scan.geometry)) +
-                                  ", and were put side by side: " + std::to_string(phases.size()) + " lines make one.");
+                                  ", and were put side by side: " + std::to_string(phases.steps.size()) + " lines make one.");
         return folded;
     }
     auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -178,7 +196,7 @@ std::optional<std::string> displacementWarning(const Scan& scan) {
     const PolarGeometry* polar = anglesOf(scan);
     if (polar == nullptr) return std::nullopt;
     InverseRange inverse = inverseRange(scan);
-    if (const auto phases = phasesIn(scan, inverse); !phases.empty()) {
+    if (const auto phases = phasesIn(scan, inverse); !phases.steps.empty()) {
         return kDisplaced + phasesText(phases, *polar) +
                "; edges across the lines are combed: --straighten (Scan > Straighten Beams) puts these lines side by side as one.";
     }

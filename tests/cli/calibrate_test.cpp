@@ -21,7 +21,8 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
                      " --mount-tilt 0.4 --mount-index -0.3 --turn-error 0.2")
                   .code,
               0);
-    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --json -");
+    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --seam " +
+                            path("seam.png") + " --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto told = nlohmann::json::parse(run.out);
     EXPECT_EQ(told["schema"], "edgescan-calibrate/1");
@@ -31,6 +32,8 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     ASSERT_TRUE(file) << file.error().sentence();
     EXPECT_NEAR(file->mountM.x(), 0.012, 0.001);
     EXPECT_GT(std::filesystem::file_size(path("views.png")), 1000U);
+    EXPECT_GT(std::filesystem::file_size(path("seam.png")), 1000U);
+    EXPECT_GT(told["seam_edges_met_after"].get<double>(), told["seam_edges_met_before"].get<double>() + 0.1);
 
     // With the present file of the robot as base; neither it nor the scan is written over.
     const std::string robot = fileText(path("robot.json"));
@@ -38,6 +41,27 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     EXPECT_EQ(fileText(path("robot.json")), robot);
     EXPECT_NE(runCli("calibrate " + path("a.json") + " -o " + path("a.json")).code, 0);
     EXPECT_EQ(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("new.json")).code, 0);
+}
+
+TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    for (const int repeat : {0, 1}) {
+        const std::string pass = path(repeat == 0 ? "there.json" : "said.json");
+        ASSERT_EQ(runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --repeat " + std::to_string(repeat)).code,
+                  0);
+    }
+    // Angles that say .2 degrees too little: the stepper stands .2 degrees ahead of them.
+    ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);
+    const auto run = runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto told = nlohmann::json::parse(run.out);
+    EXPECT_EQ(told["schema"], "edgescan-backlash/1");
+    EXPECT_NEAR(told["backlash_deg"].get<double>(), 0.2, 3 * told["one_sd_deg"].get<double>());
+    EXPECT_NE(runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash -o " + path("new.json")).code, 0);
+    EXPECT_NE(runCli("calibrate " + path("there.json") + " --backlash").code, 0);
+    EXPECT_NE(runCli("calibrate " + path("there.json")).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("new.json")));
 }
 
 TEST(CliCalibrate, RefusesHalfATurnAndLeavesNoFile) {

@@ -1,14 +1,17 @@
-// The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER.
-// docs/make-pictures runs it, on a screen of 1280 x 800 and on one of 1920 x 1080.
+// The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER
+// [TASK]. docs/make-pictures runs it, on a screen of 1280 x 800 and on one of 1920 x 1080.
 #include "core/emulator/emulated_scanner.h"
 #include "core/emulator/emulated_telegram.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/control/calibrating.h"
+#include "ui/dialogs/calibration_card.h"
 #include "ui/main/theme.h"
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
 
+#include <QPainter>
 #include <QScreen>
 
 #include <cmath>
@@ -19,7 +22,7 @@ namespace edgescan::ui {
 namespace {
 
 struct Bell {
-    std::string before, after;
+    std::string before, after, turned;                  ///< the last one: 200 degrees of a scanner that sits askew
     mutable std::unique_ptr<EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
@@ -135,32 +138,61 @@ bool live(WindowFixture& on, const Bell& bell) {
         60000);
 }
 
+bool calibrated(WindowFixture& on, const Bell& bell) {
+    if (!on.open(bell.turned) || !on.activate()) return false;
+    auto* calibrating = on.window.findChild<Calibrating*>();
+    calibrating->show();
+    calibrating->card()->resize(calibrating->card()->size().boundedTo(on.window.size() - QSize(60, 60)));
+    calibrating->card()->move(on.window.geometry().center() - calibrating->card()->rect().center());
+    calibrating->start();
+    return QTest::qWaitFor([&] { return calibrating->found() != nullptr; }, 60000);
+}
+
+// With the dialogs that stand over the window.
+QImage pictureOf(MainWindow& window) {
+    QImage picture = window.screenshot().convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&picture);
+    for (auto* dialog : window.findChildren<QDialog*>()) {
+        if (dialog->isVisible()) painter.drawPixmap(dialog->mapToGlobal(QPoint()) - window.mapToGlobal(QPoint()), dialog->grab());
+    }
+    return picture;
+}
+
 struct Task {
     const char* name;
     bool (*act)(WindowFixture&, const Bell&);
 };
-constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},         {"measure", measured},
-                        {"compare", compared}, {"live", live},  {"hand-over", handedOver}};
+constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},          {"measure", measured},
+                        {"compare", compared}, {"live", live},  {"hand-over", handedOver}, {"calibrate", calibrated}};
 
-int makePictures(const QString& folder) {
+int makePictures(const QString& folder, const QString& wanted) {
     const test::TemporaryFolder made;
     SimulationSettings settings;
     settings.seed = 101;
     settings.lines = 600;
     settings.beams = 685;
-    const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string()};
+    const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string(), (made / "turned 200.json").string()};
     bool well = bool(saveScan(simulate(settings)->scan, bell.before));
     settings.afterBlast = true;
     well = well && bool(saveScan(simulate(settings)->scan, bell.after));
+    SimulationSettings askew;
+    askew.seed = 101;
+    askew.axis = Axis::Spin;
+    askew.turnDeg = 200;
+    askew.lines = 667;
+    askew.beams = 685;
+    askew.assembly = {{9.0, -14.0, 0.5, -0.6, 0.3}};
+    well = well && bool(saveScan(simulate(askew)->scan, bell.turned));
     const QSize size = QGuiApplication::primaryScreen()->size();
     for (const Task& task : kTasks) {
         if (!well) break;
+        if (!wanted.isEmpty() && wanted != task.name) continue;
         WindowFixture on;
         on.window.resize(size);
         const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
         well = on.show() && task.act(on, bell);
         for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
-        well = well && on.window.screenshot().convertToFormat(QImage::Format_RGB32).save(path);
+        well = well && pictureOf(on.window).save(path);
         std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
     }
     return well ? 0 : 1;
@@ -173,5 +205,5 @@ int main(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(edgescan::ui::CloudView::surfaceFormat());
     QApplication application(argc, argv);
     edgescan::ui::useTheme(application);
-    return edgescan::ui::makePictures(argc > 1 ? argv[1] : ".");
+    return edgescan::ui::makePictures(argc > 1 ? argv[1] : ".", argc > 2 ? argv[2] : "");
 }

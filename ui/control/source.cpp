@@ -3,6 +3,7 @@
 
 #include "core/base/utc_time.h"
 #include "core/scan/acquisition.h"
+#include "core/scan/placement.h"
 #include "ui/base/shown_text.h"
 #include "ui/live/scanner_link.h"
 
@@ -30,6 +31,11 @@ QString agoWords(const std::string& utc) {
     return QObject::tr(", %1 days ago").arg(std::floor(seconds / 86400.0), 0, 'f', 0);
 }
 
+/// What gave the scan its place: pose and calibration, by name and SHA-256.
+QString placedWords(const Scan& scan) {
+    return scan.placement ? "\n" + QObject::tr("Placed by %1").arg(shownText(scan.placement->source)) : QString();
+}
+
 /// Of the scanner that is connected, or was.
 PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanner) {
     const QString last = timeWords(measured.endUtc);
@@ -53,13 +59,14 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
     if (recorded && !time.isEmpty())
         return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + time + agoWords(measured.startUtc),
-                QObject::tr("First line, by %1").arg(shownText(measured.clockSource))};
+                QObject::tr("First line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
     const QString name = shownName(exactText(scan.name), kLongestName);
     return {recorded ? StateBadge::Sign::Recorded : StateBadge::Sign::File,
             (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE")) + " " + name + " · " +
                 (time.isEmpty() ? QObject::tr("no time") : time),
-            time.isEmpty() ? QObject::tr("The file does not say when it was measured")
-                           : QObject::tr("First line, by %1").arg(shownText(measured.clockSource))};
+            (time.isEmpty() ? QObject::tr("The file does not say when it was measured")
+                            : QObject::tr("First line, by %1").arg(shownText(measured.clockSource))) +
+                placedWords(scan)};
 }
 
 } // namespace edgescan::ui

@@ -5,6 +5,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/control/calibrating.h"
 #include "ui/control/contact_sheets.h"
 #include "ui/control/key_editing.h"
 #include "ui/dialogs/command_palette.h"
@@ -192,7 +193,14 @@ Command viewMenu(MainWindow& w, Memory& memory) {
     return menu;
 }
 
-Command scanMenu(MainWindow& w) {
+Command calibrateCommand(MainWindow& w, Memory& memory) {
+    auto* calibrating = new Calibrating(w.session(), w.files(), w.notice(), memory, &w);
+    QObject::connect(calibrating, &Calibrating::saved, &w.audit(),
+                     [&w](const QString& path) { w.audit().noteExport("calibration", path); });
+    return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
+}
+
+Command scanMenu(MainWindow& w, Memory& memory) {
     Files& files = w.files();
     Live& live = w.live();
     const auto connected = onlyWhile(live.scanner(), &ScannerLink::connectedChanged);
@@ -228,6 +236,7 @@ Command scanMenu(MainWindow& w) {
             kLine,
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
             command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
+            calibrateCommand(w, memory),
             command("&Properties…", "", showProperties),
         });
 }
@@ -371,7 +380,7 @@ std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
     return {fileMenu(window),
             editMenu(window),
             viewMenu(window, memory),
-            scanMenu(window),
+            scanMenu(window, memory),
             edgesMenu(window),
             rocksMenu(window),
             measureMenu(window),

@@ -169,18 +169,27 @@ TEST(CalibrationFile, SetsTheStepperAndKeepsTheRest) {
 
 TEST(ViewsPicture, PalesWithTheRightErrors) {
     const auto scan = spun(200, someErrors());
-    const Grid<Rgb> picture = viewsPicture(*scan, someErrors());
-    ASSERT_EQ(picture.beams, scan->beams());
-    const auto colour = [&](int from, int to) {
+    const Grid<Rgb> before = viewsPicture(*scan, {});
+    const Grid<Rgb> after = viewsPicture(*scan, someErrors());
+    ASSERT_EQ(before.beams, scan->beams());
+    ASSERT_EQ(before.lines, after.lines);
+    EXPECT_GT(before.lines, 20);
+    const auto colour = [](const Grid<Rgb>& picture) {
         double sum = 0;
-        for (int i = from; i < to; ++i) {
-            for (int j = 0; j < picture.beams; ++j) sum += 255 - std::min(picture.at(i, j).red, picture.at(i, j).blue);
-        }
+        for (const Rgb& pixel : picture.cells) sum += 255 - std::min(pixel.red, pixel.blue);
         return sum;
     };
-    const int rows = (picture.lines - 8) / 2;
-    EXPECT_GT(rows, 20);
-    EXPECT_GT(colour(0, rows), 1.3 * colour(rows + 8, picture.lines));
+    EXPECT_GT(colour(before), 1.3 * colour(after));
+    EXPECT_EQ(oneOverTheOther(before, after).at(before.lines + 8, 3), after.at(0, 3));
+}
+
+TEST(SelfCalibration, IsGivenUpWhenAskedTo) {
+    const auto scan = spun(200, someErrors());
+    int asked = 0;
+    const auto found = calibrateFromTurn(std::span(&scan, 1), [&](const char*, double) { return ++asked < 4; });
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().what, "cancelled");
+    EXPECT_EQ(asked, 4);
 }
 
 } // namespace edgescan

@@ -1,0 +1,159 @@
+// One parameter by Gauss-Newton with Tukey's weights, on inverse ranges.
+#include "core/calibrate/backlash.h"
+
+#include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
+#include "core/calibrate/twice_seen.h"
+#include "core/scan/inverse_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr int kSlopeLines = 2;     // to either side of a line
+constexpr double kMostBentMm = 60; // a place that its lines bend by more is an edge
+constexpr std::size_t kFewestSame = 1000;
+constexpr int kBacklashRounds = 20;
+constexpr double kTukeyReach = 4.685;
+constexpr double kHonest = 1.5; // times the plain standard deviation, by trial
+constexpr double kMostSdDeg = 0.05;
+constexpr double kSameBeamDeg = 0.01;
+
+// A pass with its lines in the order of their angles.
+struct SortedPass {
+    explicit SortedPass(const Scan& scan, const PolarGeometry& polar)
+        : inverse(inverseRange(scan)), line(polar.lineDeg.size()), deg(polar.lineDeg.size()) {
+        std::iota(line.begin(), line.end(), 0);
+        std::ranges::sort(line, {}, [&](int n) { return polar.lineDeg[static_cast<std::size_t>(n)]; });
+        std::ranges::transform(line, deg.begin(), [&](int n) { return polar.lineDeg[static_cast<std::size_t>(n)]; });
+    }
+
+    // Inverse range and its change per degree at an angle, from the line nearest to it and as many on either side; false where they are
+    // not of one surface.
+    [[nodiscard]] bool at(double atDeg, int beam, double& u, double& slope) const {
+        const std::ptrdiff_t middle = nearestAngle(deg, atDeg);
+        const std::ptrdiff_t first = middle - kSlopeLines, last = middle + kSlopeLines;
+        if (first < 0 || last >= static_cast<std::ptrdiff_t>(deg.size())) return false;
+        if (std::abs(deg[static_cast<std::size_t>(middle)] - atDeg) >
+            deg[static_cast<std::size_t>(last)] - deg[static_cast<std::size_t>(middle)])
+            return false;
+        double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+        for (std::ptrdiff_t k = first; k <= last; ++k) {
+            const int of = line[static_cast<std::size_t>(k)];
+            if (!inverse.isMeasured(of, beam)) return false;
+            const double off = deg[static_cast<std::size_t>(k)] - atDeg, value = static_cast<double>(inverse.u.at(of, beam));
+            n += 1, x += off, y += value, xx += off * off, xy += off * value;
+        }
+        const double spread = n * xx - x * x;
+        if (!(spread > 0)) return false;
+        slope = (n * xy - x * y) / spread;
+        u = (y - slope * x) / n;
+        if (!(u > 0)) return false;
+        for (std::ptrdiff_t k = first; k <= last; ++k) {
+            const double off = deg[static_cast<std::size_t>(k)] - atDeg;
+            const double value = static_cast<double>(inverse.u.at(line[static_cast<std::size_t>(k)], beam));
+            if (std::abs(value - u - slope * off) / (u * u) * 1000 > kMostBentMm) return false;
+        }
+        return true;
+    }
+
+    InverseRange inverse;
+    std::vector<int> line;
+    std::vector<double> deg;
+};
+
+struct SamePlace {
+    double offMm, slopeThereMm, slopeBackMm; // per degree
+    std::size_t line;
+};
+
+// Both passes fitted alike, so that what a fit smooths is the same on both sides. The pass back is fitted at its own lines: there the
+// errors of height and slope have nothing in common, so its slope is a fair witness of the distance; that of the pass there would not be.
+std::vector<SamePlace> samePlaces(const SortedPass& there, const SortedPass& back, double backlashDeg) {
+    std::vector<SamePlace> places;
+    for (std::size_t k = 0; k < back.deg.size(); ++k) {
+        for (int j = 0; j < back.inverse.u.beams; ++j) {
+            double u1 = 0, u2 = 0, slope1 = 0, slope2 = 0;
+            if (!back.at(back.deg[k], j, u2, slope2) || !there.at(back.deg[k] + backlashDeg, j, u1, slope1)) continue;
+            const double mmPerU = 1000 / (u2 * u2);
+            places.push_back({(u1 - u2) * mmPerU, slope1 * mmPerU, slope2 * mmPerU, k});
+        }
+    }
+    return places;
+}
+
+// Of the sum over lines whose neighbours err alike: the fits of lines side by side share lines.
+double scatterOf(const std::vector<double>& ofLine) {
+    constexpr std::size_t kShared = 2 * (2 * kSlopeLines + 1);
+    double sum = std::inner_product(ofLine.begin(), ofLine.end(), ofLine.begin(), 0.0);
+    for (std::size_t lag = 1; lag <= kShared && lag < ofLine.size(); ++lag) {
+        const double share = 1.0 - static_cast<double>(lag) / (kShared + 1);
+        sum += 2 * share * std::inner_product(ofLine.begin() + static_cast<std::ptrdiff_t>(lag), ofLine.end(), ofLine.begin(), 0.0);
+    }
+    return std::max(0.0, sum);
+}
+
+double medianOff(const std::vector<SamePlace>& places) {
+    std::vector<double> sizes;
+    for (const SamePlace& place : places) sizes.push_back(std::abs(place.offMm));
+    return median(std::move(sizes));
+}
+
+std::optional<Error> unlike(const PolarGeometry* a, const PolarGeometry* b) {
+    if (a == nullptr || b == nullptr) return Error{"a pass has no line angles", "", "give sweeps of a scanner on a stepper"};
+    bool same = a->beamDeg.size() == b->beamDeg.size() && a->axis == b->axis && a->lineDirection == b->lineDirection;
+    for (std::size_t j = 0; same && j < a->beamDeg.size(); ++j) same = std::abs(a->beamDeg[j] - b->beamDeg[j]) < kSameBeamDeg;
+    if (!same) return Error{"the two passes do not have the same beams", "", "give two passes of one scanner on one stepper"};
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<Backlash> backlashOf(const Scan& there, const Scan& back) {
+    const auto* a = std::get_if<PolarGeometry>(&there.geometry);
+    const auto* b = std::get_if<PolarGeometry>(&back.geometry);
+    if (const auto error = unlike(a, b)) return *error;
+    const SortedPass first(there, *a), second(back, *b);
+    Backlash found;
+    double information = 0, scatter = 0;
+    for (int round = 0; round < kBacklashRounds; ++round) {
+        const std::vector<SamePlace> places = samePlaces(first, second, found.deg);
+        if (places.size() < kFewestSame)
+            return Error{"only " + std::to_string(places.size()) + " cells of the two passes see the same smooth surface", "",
+                         "give two passes over the same lines, there and back"};
+        const double apart = medianOff(places);
+        if (round == 0) found.apartBeforeMm = apart;
+        found.apartAfterMm = apart;
+        found.cells = places.size();
+        const double reach = kTukeyReach * std::max(0.3, 1.4826 * apart);
+        std::vector<double> ofLine(second.deg.size());
+        information = 0;
+        double gradient = 0;
+        for (const SamePlace& place : places) {
+            const double t = place.offMm / reach;
+            if (std::abs(t) >= 1) continue;
+            const double weight = (1 - t * t) * (1 - t * t);
+            information += weight * place.slopeBackMm * place.slopeThereMm;
+            gradient += weight * place.slopeBackMm * place.offMm;
+            ofLine[place.line] += weight * place.slopeBackMm * place.offMm;
+        }
+        scatter = scatterOf(ofLine);
+        if (!(information > 0))
+            return Error{"no surface slants across the lines, so a turn of the stepper does not show", "", "scan rocks or a corner"};
+        const double step = std::clamp(-gradient / information, -0.5, 0.5);
+        found.deg += step;
+        if (std::abs(step) < 1e-6) break;
+    }
+    found.sdDeg = kHonest * std::sqrt(scatter) / information;
+    if (!(found.sdDeg < kMostSdDeg))
+        return Error{"the two passes tell the backlash to no better than " + fixedText(2 * found.sdDeg, 3) + " degrees", "",
+                     "scan rocks or a corner, in fine steps"};
+    return found;
+}
+
+} // namespace edgescan

@@ -1,0 +1,103 @@
+// Early edges turned into what the late view would measure.
+#include "core/calibrate/seam_edges.h"
+
+#include "core/base/angles.h"
+#include "core/calibrate/twice_seen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace edgescan {
+namespace {
+
+constexpr double kSeamOffAxisDeg = 4.0; // as in twice_seen.cpp
+constexpr int kSeamPx = 3;
+constexpr Rgb kSeamGround{20, 22, 26}, kLateColour{255, 150, 40}, kEarlyColour{70, 160, 255}, kBothColour{255, 255, 255};
+
+/// The lines of one view, and what they need to be looked up.
+struct SeamLines {
+    const PolarGeometry& polar;
+    double first = 0, turn = 0;
+    LineSpan late{};
+
+    [[nodiscard]] bool isLate(int line) const { return line >= late.first && line < late.first + late.count; }
+    [[nodiscard]] bool isEarly(double lineDeg) const { return lineDeg - first >= 0 && lineDeg - first <= std::min(turn - 180.0, 180.0); }
+};
+
+std::optional<SeenCell> edgeAt(const Scan& scan, const Grid<std::uint8_t>& edges, const PolarGeometry& polar, int line, int beam) {
+    const double beamDeg = polar.beamDeg[static_cast<std::size_t>(beam)];
+    if (edges.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) return std::nullopt;
+    if (!(std::abs(beamDeg - 90.0) > kSeamOffAxisDeg)) return std::nullopt;
+    const double rangeM = 0.001 * static_cast<double>(scan.rangeMm.at(line, beam));
+    const double a = radians(beamDeg);
+    return SeenCell{line, beam, polar.lineDeg[static_cast<std::size_t>(line)], {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
+}
+
+bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
+    for (int i = std::max(0, line - 1); i <= std::min(grid.lines - 1, line + 1); ++i) {
+        for (int j = std::max(0, beam - 1); j <= std::min(grid.beams - 1, beam + 1); ++j) {
+            if (grid.at(i, j) != 0) return true;
+        }
+    }
+    return false;
+}
+
+void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines, const SpinMounting& mounting) {
+    for (int row = 0; row < seam.late.lines; ++row) {
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            const auto cell = edgeAt(scan, edges, lines.polar, seam.firstLine + row, beam);
+            if (!cell) continue;
+            seam.late.at(row, beam) = 1;
+            const auto before = otherViewOf(*cell, View::Late, mounting);
+            if (!before || !lines.isEarly(before->lineDeg)) continue;
+            ++seam.lateEdges;
+            seam.met += anyAround(seam.early, row, beam) ? 1 : 0;
+        }
+    }
+}
+
+} // namespace
+
+SeamEdges seamEdges(const Scan& scan, const Grid<std::uint8_t>& edges, const AssemblyErrors& errors) {
+    SeamEdges seam;
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr || polar->axis != Axis::Spin || polar->lineDeg.empty() || turnOf(*polar) <= 180.0) return seam;
+    const SeamLines lines{*polar, *std::min_element(polar->lineDeg.begin(), polar->lineDeg.end()), turnOf(*polar), lateLines(*polar)};
+    if (lines.late.count == 0) return seam;
+    seam.firstLine = lines.late.first;
+    seam.late = seam.early = Grid<std::uint8_t>(lines.late.count, scan.beams());
+    const SpinMounting mounting = spinMounting(errors, polar->lineDirection);
+    for (int line = 0; line < scan.lines(); ++line) {
+        if (!lines.isEarly(polar->lineDeg[static_cast<std::size_t>(line)])) continue;
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            const auto cell = edgeAt(scan, edges, *polar, line, beam);
+            const auto later = cell ? otherViewOf(*cell, View::Early, mounting) : std::nullopt;
+            if (!later) continue;
+            const int row = nearestAngle(polar->lineDeg, later->lineDeg);
+            const int at = nearestAngle(polar->beamDeg, later->beamDeg);
+            // What lies beyond the grid has its border as the nearest angle.
+            const bool inside = later->lineDeg <= lines.first + lines.turn && lines.isLate(row);
+            if (inside && seam.early.contains(row - seam.firstLine, at)) seam.early.at(row - seam.firstLine, at) = 1;
+        }
+    }
+    countMet(seam, scan, edges, lines, mounting);
+    return seam;
+}
+
+Grid<Rgb> seamPicture(const SeamEdges& seam) {
+    Grid<Rgb> picture(std::max(1, seam.late.lines * kSeamPx), std::max(1, seam.late.beams * kSeamPx), kSeamGround);
+    for (int i = 0; i < seam.late.lines; ++i) {
+        for (int j = 0; j < seam.late.beams; ++j) {
+            const bool late = seam.late.at(i, j) != 0, early = seam.early.at(i, j) != 0;
+            const Rgb colour = late && early ? kBothColour : late ? kLateColour : kEarlyColour;
+            for (int n = 0; n < kSeamPx; ++n) {
+                if (late) picture.at(i * kSeamPx + kSeamPx / 2, j * kSeamPx + n) = colour;
+                if (early) picture.at(i * kSeamPx + n, j * kSeamPx + kSeamPx / 2) = colour;
+            }
+        }
+    }
+    return picture;
+}
+
+} // namespace edgescan

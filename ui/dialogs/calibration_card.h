@@ -1,0 +1,97 @@
+// Scan > Calibrate: which scans, what they tell of the scanner's assembly or why they do not, and the seam before and after. Not modal.
+#pragma once
+
+#include <QDialog>
+#include <QImage>
+#include <QPoint>
+#include <QString>
+#include <QStringList>
+
+#include <array>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+
+namespace edgescan::ui {
+
+class LinkedPictures;
+
+/// The seam twice, to be looked at.
+struct CalibrationPicture {
+    QString title;         ///< "Edges of both views"
+    QString before, after; ///< over the pictures
+    QImage beforeImage, afterImage;
+    QPoint busiest; ///< where there is most to see
+};
+
+/// What was found, in the window's words.
+struct CalibrationShown {
+    std::vector<std::array<QString, 3>> rows; ///< error, value, +- two standard deviations
+    QString verdict;
+    QString about; ///< under the table
+    std::vector<CalibrationPicture> pictures;
+};
+
+/// GUI thread only. Shows what it is told and says what the operator wants.
+class CalibrationCard : public QDialog {
+    Q_OBJECT
+public:
+    explicit CalibrationCard(QWidget* parent);
+
+    /// The scans that are used, the one on the screen first, and the robot's present file (empty: none). Nothing is found yet.
+    void setQuestion(const QStringList& scans, const QString& base);
+    void begin();
+    void showStage(const QString& stage, int percent);
+    void tell(const CalibrationShown& found);
+    void refuse(const QString& why);
+    /// Where the file was saved (empty: nowhere yet); `cannot`: why it cannot be applied, empty where it can.
+    void setSaved(const QString& path, const QString& cannot);
+
+    [[nodiscard]] bool working() const { return working_; }
+    [[nodiscard]] QString verdict() const;
+    [[nodiscard]] QString about() const;
+    [[nodiscard]] const LinkedPictures& pictures() const { return *pictures_; }
+
+signals:
+    void addWanted();
+    void removeWanted(int row);
+    void baseWanted();
+    void startWanted();
+    void givenUp();
+    void saveWanted();
+    void applyWanted();
+
+protected:
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    [[nodiscard]] QWidget* question();
+    [[nodiscard]] QWidget* answer();
+    void setWorking(bool on);
+    void showPicture(int which);
+    void forgetResult();
+
+    QListWidget* scans_;
+    QPushButton* remove_ = nullptr;
+    QLabel* base_;
+    QPushButton* start_;
+    QProgressBar* progress_;
+    QLabel* verdict_;
+    QTableWidget* table_;
+    QLabel* about_;
+    QComboBox* which_;
+    LinkedPictures* pictures_;
+    QLabel* saved_;
+    QPushButton* save_ = nullptr;
+    QPushButton* apply_ = nullptr;
+    std::vector<CalibrationPicture> shown_;
+    bool working_ = false;
+    bool found_ = false;
+};
+
+} // namespace edgescan::ui
