@@ -229,6 +229,11 @@ int main(int argc, char** argv) {
         cli::complain(Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"});
         return 2;
     }
+    if (wanted.demo && !wanted.files.empty()) {
+        cli::complain(Error{"the demo is a scan of its own and takes no file or folder", wanted.files.front(),
+                            "leave out --demo to open it, or the name to open the demo"});
+        return 2;
+    }
     std::optional<cli::HostPort> scanner;
     SweepSettings sweep;
     if (!wanted.live.empty()) {

@@ -28,6 +28,7 @@ struct SaveOptions {
     WritingChoices choices{};
     const Grid<std::uint32_t>* rocks = nullptr; ///< lines x beams: clouds get a field "rock" with it, 0 = none; null = no field
     const Grid<float>* filledSdMm = nullptr;    ///< lines x beams: clouds get a field "filled_sd_mm" with it, 0 = measured; null = no field
+    const Grid<std::uint8_t>* confidence = nullptr; ///< lines x beams: clouds and edges get a field "confidence" with it; null = no field
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.

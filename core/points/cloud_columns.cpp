@@ -210,6 +210,7 @@ void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const
     addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
 }
 
+<<<<<<< HEAD
 bool areEightZero(const std::uint8_t* values) {
     std::uint64_t eight = 0;
     std::memcpy(&eight, values, sizeof eight);
@@ -217,6 +218,13 @@ bool areEightZero(const std::uint8_t* values) {
 }
 
 /// `mask`: none is wanted where it is 0; null: any may be.
+=======
+void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* percent) {
+    if (percent == nullptr) return;
+    addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
+}
+
+>>>>>>> da6f2e4c88b099f50ae81cd1bc86f0233d073030
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>* mask, Wanted wanted) {
     Chosen chosen;
@@ -263,7 +271,8 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm) {
+                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm,
+                         const Grid<std::uint8_t>* confidence) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
@@ -271,15 +280,17 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
     if (rocks != nullptr)
         addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](const CellOfPoint& cell) { return valueAt(*rocks, cell); });
     addFilled(cloud, valid.cells, filledSdMm);
+    addConfidence(cloud, valid.cells, confidence);
     addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<DepthEdge>* classes, const Grid<float>* filledSdMm) {
+                        const Grid<DepthEdge>* classes, const Grid<float>* filledSdMm, const Grid<std::uint8_t>* confidence) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
     addFilled(cloud, edges.cells, filledSdMm);
+    addConfidence(cloud, edges.cells, confidence);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
 }

@@ -45,17 +45,18 @@ struct CloudColumns {
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
 /// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, class where `classes` is given, rock where `rocks` is,
-/// filled_sd_mm where `filledSdMm` is (0 = measured), and red green blue. `edgeMask` may be null. With `withAttached` the points that are
-/// attached to these cells follow, and a column tells them.
+/// filled_sd_mm where `filledSdMm` is (0 = measured), confidence where it is given, and red green blue. `edgeMask` may be null. With
+/// `withAttached` the points that are attached to these cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
                                        const Grid<DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr,
-                                       const Grid<float>* filledSdMm = nullptr);
+                                       const Grid<float>* filledSdMm = nullptr, const Grid<std::uint8_t>* confidence = nullptr);
 
 /// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, class and colours as above; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                      const Grid<DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr);
+                                      const Grid<DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr,
+                                      const Grid<std::uint8_t>* confidence = nullptr);
 
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
 [[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);

@@ -11,6 +11,7 @@ struct WritingChoices {
     bool dxf2000 = false;
     bool shortLines = false;
     bool filled = false;
+    bool confidence = false;
 
     bool operator==(const WritingChoices&) const = default;
 };
@@ -21,7 +22,7 @@ struct WritingChoice {
     bool WritingChoices::*member;
 };
 
-inline constexpr std::array<WritingChoice, 5> kWritingChoices{{
+inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
     {"comments",
      "XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over",
      &WritingChoices::comments},
@@ -32,6 +33,9 @@ inline constexpr std::array<WritingChoice, 5> kWritingChoices{{
     {"short-lines", "DXF: also the edge lines of two points only", &WritingChoices::shortLines},
     {"with-filled", "PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks",
      &WritingChoices::filled},
+    {"with-confidence",
+     "PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none",
+     &WritingChoices::confidence},
 }};
 
 } // namespace edgescan

@@ -54,6 +54,13 @@ RangeUnit recogniseUnit(std::span<const double> ranges, const Precision& precisi
     return unit;
 }
 
+std::optional<double> unitToldBy(const std::string& warning) {
+    for (const double mm : {1.0, 10.0, 1000.0}) {
+        if (warning.starts_with(std::string("Unit taken as ") + unitName(mm) + ",")) return mm;
+    }
+    return std::nullopt;
+}
+
 std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const Grid<CellState>& state, const PolarGeometry& geometry) {
     // LMS2xx: fans of 100 or 180 degrees by 0.25, 0.5 or 1 degree; 13, 14 or 15 bits with the codes at their top.
     const auto [least, most] = std::minmax_element(geometry.beamDeg.begin(), geometry.beamDeg.end());

@@ -22,6 +22,9 @@ struct RangeUnit {
 /// Unit of the distances `ranges` (> 0) from the origin. A scanner that measures whole millimetres gives itself away.
 [[nodiscard]] RangeUnit recogniseUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> knownMmPerUnit);
 
+/// Millimetres per number, of a warning that is such a remark; empty of any other.
+[[nodiscard]] std::optional<double> unitToldBy(const std::string& warning);
+
 /// Status codes of a SICK LMS2xx that stand where whole millimetres should be; empty when the scan shows none: they are the
 /// largest values there are, nothing else lies among them, and they repeat as no range does. `rangeMm` lines x beams.
 [[nodiscard]] std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const Grid<CellState>& state,

@@ -1,6 +1,7 @@
 // Writing exports with their records.
 #include "core/report/provenance.h"
 
+#include "core/advice/edge_confidence.h"
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -85,16 +86,27 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
+/// Any field that a cloud has stands in the file under its name.
+bool hasNamedFields(const fs::path& path) {
+    const std::string extension = Source::lowerCase(path.extension());
+    return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";
+}
+
 /// What nobody measured is written only where the file tells it apart.
 Result<Done> checkFilled(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
     if (!isCloud(content) || !options.choices.filled) return Done{};
     if (!detection.filled)
         return Error{"no gap was filled that could be written", path.string(),
                      "give --fill and how many cells, or leave --with-filled out"};
-    const std::string extension = Source::lowerCase(path.extension());
-    if (path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv") return Done{};
+    if (hasNamedFields(path)) return Done{};
     return Error{"this format has no room for the mark of filled cells", path.string(),
                  "choose .pcd, .ply or .csv, or leave --with-filled out"};
+}
+
+Result<Done> checkConfidence(ExportContent content, const fs::path& path, const ExportOptions& options) {
+    if (!isCloud(content) || !options.choices.confidence || hasNamedFields(path)) return Done{};
+    return Error{"this format has no room for a field of confidence", path.string(),
+                 "choose .pcd, .ply or .csv, or leave --with-confidence out"};
 }
 
 /// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
@@ -153,6 +165,9 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
     const bool filled = isCloud(content) && options.choices.filled;
     const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
     if (filled) save.filledSdMm = &filledSdMm;
+    if (auto can = checkConfidence(content, path, options); !can) return can.error();
+    const auto confidence = isCloud(content) && options.choices.confidence ? edgeConfidence(detection) : std::nullopt;
+    if (confidence) save.confidence = &confidence->percent;
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
         return std::vector<FileBytes>{{path, std::move(*bytes)}};

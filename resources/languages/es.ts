@@ -56,6 +56,16 @@ hold \ to see it</source><translation>A: %1
 mantenga \ para verla</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>at all of them</source><translation>con todos</translation></message>
+<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % y más</translation></message>
+<message><source>Confidence of edges</source><translation>Confianza de los bordes</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Los bordes que hallan menos ajustes cercanos se omiten en las vistas; las exportaciones los contienen todos.</translation></message>
+<message><source>Least confidence shown</source><translation>Confianza mínima mostrada</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Se muestra: %1 % y más</translation></message>
+<message><source>Shown: all</source><translation>Se muestra: todo</translation></message>
+<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>cuántos de %1 ajustes cercanos los hallan también</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
@@ -76,6 +86,11 @@ visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5,
 visible %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
+<message><source>could not be worked out:
+%1</source><translation>no se pudo calcular:
+%1</translation></message>
+<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
+<message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
@@ -103,7 +118,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
 <message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
 <message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
-<message><source>No file yet</source><translation>Todavía ningún archivo</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
 <message><source>Clear</source><translation>Borrar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
@@ -157,12 +172,15 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
+<message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>call of a rock</source><translation>clasificación como roca</translation></message>
@@ -192,7 +210,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
-<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
@@ -245,6 +262,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
 <message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
 <message><source>Let Go of All</source><translation>Soltar todo</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>
@@ -287,8 +305,19 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
-<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>doubtful</source><translation>dudoso</translation></message>
+<message><source>found out</source><translation>deducido</translation></message>
+<message><source>as you said</source><translation>como se indicó</translation></message>
+<message><source>as the file says</source><translation>según el archivo</translation></message>
+<message><source>Does This Look Right?</source><translation>¿Parece correcto?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Cerrar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic en otra lectura muestra así el escaneo; Adoptar la conserva como un paso que se puede deshacer, Cerrar devuelve lo que había.</translation></message>
+<message><source>or</source><translation>o</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
 <message><source>Range gate</source><translation>Ventana de distancia</translation></message>
 <message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
@@ -317,6 +346,20 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>OK</source><translation>Aceptar</translation></message>
+<message><source>Save</source><translation>Guardar</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
+<message><source>&amp;No</source><translation>&amp;No</translation></message>
+<message><source>Apply</source><translation>Aplicar</translation></message>
+<message><source>Cu&amp;t</source><translation>Cor&amp;tar</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
+<message><source>&amp;Paste</source><translation>&amp;Pegar</translation></message>
+<message><source>Select All</source><translation>Seleccionar todo</translation></message>
+<message><source>Discard</source><translation>Descartar</translation></message>
+<message><source>Delete</source><translation>Eliminar</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
@@ -385,6 +428,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
+<message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
+<message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
@@ -464,6 +509,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Ten Lines Back</source><translation>Diez líneas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Enderezar los haces</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Có&amp;mo se lee el escaneo…</translation></message>
+<message><source>Does This Look &amp;Right?</source><translation>¿Pa&amp;rece correcto?</translation></message>
 <message><source>&amp;Properties…</source><translation>Propie&amp;dades…</translation></message>
 <message><source>&amp;Presets</source><translation>Prea&amp;justes</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Guardar…</translation></message>
@@ -534,6 +580,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
@@ -875,6 +923,14 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY y CSV: también las celdas rellenadas y no medidas, que el campo filled_sd_mm marca</translation></message>
+<message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY y CSV: el campo confidence, qué porcentaje de ajustes cercanos halla también el borde; 0 donde no hay</translation></message>
+<message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
+<message><source>Unit</source><translation>Unidad</translation></message>
+<message><source>Mounting</source><translation>Montaje</translation></message>
+<message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
+<message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
+<message><source>Grid</source><translation>Cuadrícula</translation></message>
+<message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>

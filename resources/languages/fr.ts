@@ -56,6 +56,16 @@ hold \ to see it</source><translation>A : %1
 tenez \ pour la voir</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>at all of them</source><translation>avec tous</translation></message>
+<message><source>below %1 %</source><translation>moins de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
+<message><source>Confidence of edges</source><translation>Confiance des arêtes</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Les arêtes que moins de réglages voisins trouvent sont omises des vues ; les exports les contiennent toutes.</translation></message>
+<message><source>Least confidence shown</source><translation>Confiance minimale affichée</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Affiché : %1 % et plus</translation></message>
+<message><source>Shown: all</source><translation>Affiché : tout</translation></message>
+<message><source>working it out: %1 %</source><translation>calcul en cours : %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>trouvées aussi par combien de %1 réglages voisins</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
@@ -76,6 +86,11 @@ visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %
 visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus proche</translation></message>
+<message><source>could not be worked out:
+%1</source><translation>n'a pas pu être calculée :
+%1</translation></message>
+<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
+<message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
@@ -103,7 +118,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
 <message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
 <message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
-<message><source>No file yet</source><translation>Aucun fichier pour l'instant</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
 <message><source>Clear</source><translation>Effacer</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
@@ -157,12 +172,15 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
 <message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>call of a rock</source><translation>classement comme bloc</translation></message>
@@ -192,7 +210,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
-<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
 <message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
@@ -245,6 +262,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Move %1</source><translation>Déplacer %1</translation></message>
 <message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
 <message><source>Let Go of All</source><translation>Tout détacher</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>
@@ -287,8 +305,19 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
-<message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>doubtful</source><translation>douteux</translation></message>
+<message><source>found out</source><translation>déduit</translation></message>
+<message><source>as you said</source><translation>comme indiqué</translation></message>
+<message><source>as the file says</source><translation>d'après le fichier</translation></message>
+<message><source>Does This Look Right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Fermer</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic sur une autre lecture montre le scan ainsi ; Adopter la garde comme étape annulable, Fermer ramène ce qui était là.</translation></message>
+<message><source>or</source><translation>ou</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
 <message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
@@ -317,6 +346,20 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>OK</source><translation>OK</translation></message>
+<message><source>Save</source><translation>Enregistrer</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
+<message><source>&amp;No</source><translation>&amp;Non</translation></message>
+<message><source>Apply</source><translation>Appliquer</translation></message>
+<message><source>Cu&amp;t</source><translation>Coupe&amp;r</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copier</translation></message>
+<message><source>&amp;Paste</source><translation>C&amp;oller</translation></message>
+<message><source>Select All</source><translation>Tout sélectionner</translation></message>
+<message><source>Discard</source><translation>Ne pas enregistrer</translation></message>
+<message><source>Delete</source><translation>Supprimer</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Augmenter</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
@@ -385,6 +428,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
+<message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
+<message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
@@ -464,6 +509,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Ten Lines Back</source><translation>Dix lignes en arrière</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Redresser les faisceaux</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mment le scan est lu…</translation></message>
+<message><source>Does This Look &amp;Right?</source><translation>Est-ce que cela paraît &amp;juste ?</translation></message>
 <message><source>&amp;Properties…</source><translation>Pr&amp;opriétés…</translation></message>
 <message><source>&amp;Presets</source><translation>&amp;Préréglages</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Enregistrer…</translation></message>
@@ -534,6 +580,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
@@ -875,6 +923,14 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules remplies et non mesurées, que le champ filled_sd_mm marque</translation></message>
+<message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY et CSV : le champ confidence, le pourcentage de réglages voisins qui trouvent aussi l'arête ; 0 où il n'y en a pas</translation></message>
+<message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
+<message><source>Unit</source><translation>Unité</translation></message>
+<message><source>Mounting</source><translation>Montage</translation></message>
+<message><source>Line angles</source><translation>Angles des lignes</translation></message>
+<message><source>Order of the lines</source><translation>Ordre des lignes</translation></message>
+<message><source>Grid</source><translation>Grille</translation></message>
+<message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>

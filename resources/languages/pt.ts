@@ -56,6 +56,16 @@ hold \ to see it</source><translation>A: %1
 segure \ para vê-la</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>at all of them</source><translation>com todos</translation></message>
+<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
+<message><source>Confidence of edges</source><translation>Confiança das bordas</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>As bordas que menos ajustes próximos encontram são omitidas nas vistas; as exportações contêm todas.</translation></message>
+<message><source>Least confidence shown</source><translation>Confiança mínima mostrada</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Mostrado: %1 % e mais</translation></message>
+<message><source>Shown: all</source><translation>Mostrado: tudo</translation></message>
+<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>quantos de %1 ajustes próximos também as encontram</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
@@ -76,7 +86,12 @@ visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5,
 visível %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primeiro um escaneamento.</translation></message>
+<message><source>could not be worked out:
+%1</source><translation>não pôde ser calculada:
+%1</translation></message>
+<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
+<message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
@@ -103,7 +118,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
 <message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
 <message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
-<message><source>No file yet</source><translation>Ainda nenhum arquivo</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
 <message><source>Clear</source><translation>Limpar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
@@ -131,8 +146,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de aresta</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de não aresta</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
 <message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>✓ edge</source><translation>✓ borda</translation></message>
@@ -157,12 +172,15 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
+<message><source>Does this look right?</source><translation>Parece correto?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>call of a rock</source><translation>classificação como rocha</translation></message>
@@ -192,7 +210,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
-<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
 <message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
 <message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
@@ -245,6 +262,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
 <message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
 <message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>
@@ -287,8 +305,19 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
-<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>doubtful</source><translation>duvidoso</translation></message>
+<message><source>found out</source><translation>deduzido</translation></message>
+<message><source>as you said</source><translation>como indicado</translation></message>
+<message><source>as the file says</source><translation>segundo o arquivo</translation></message>
+<message><source>Does This Look Right?</source><translation>Parece correto?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Fechar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Um clique em outra leitura mostra assim o scan; Adotar a mantém como um passo que se pode desfazer, Fechar traz de volta o que havia.</translation></message>
+<message><source>or</source><translation>ou</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
 <message><source>Range gate</source><translation>Janela de distância</translation></message>
 <message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
@@ -317,6 +346,20 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
+<message><source>OK</source><translation>OK</translation></message>
+<message><source>Save</source><translation>Salvar</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
+<message><source>&amp;No</source><translation>&amp;Não</translation></message>
+<message><source>Apply</source><translation>Aplicar</translation></message>
+<message><source>Cu&amp;t</source><translation>Recor&amp;tar</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
+<message><source>&amp;Paste</source><translation>Co&amp;lar</translation></message>
+<message><source>Select All</source><translation>Selecionar tudo</translation></message>
+<message><source>Discard</source><translation>Descartar</translation></message>
+<message><source>Delete</source><translation>Excluir</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
@@ -354,7 +397,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
-<message><source>No scan</source><translation>Nenhum escaneamento</translation></message>
+<message><source>No scan</source><translation>Nenhum scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
@@ -385,6 +428,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
+<message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
+<message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
@@ -464,6 +509,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Ten Lines Back</source><translation>Dez linhas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Endireitar os feixes</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mo a varredura é lida…</translation></message>
+<message><source>Does This Look &amp;Right?</source><translation>Pa&amp;rece correto?</translation></message>
 <message><source>&amp;Properties…</source><translation>Proprie&amp;dades…</translation></message>
 <message><source>&amp;Presets</source><translation>&amp;Predefinições</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Salvar…</translation></message>
@@ -534,6 +580,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
@@ -702,7 +750,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>As arestas das rochas num scan laser de distâncias</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -875,6 +923,14 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY e CSV: também as células preenchidas e não medidas, que o campo filled_sd_mm marca</translation></message>
+<message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY e CSV: o campo confidence, que porcentagem de ajustes próximos também encontra a borda; 0 onde não há</translation></message>
+<message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
+<message><source>Unit</source><translation>Unidade</translation></message>
+<message><source>Mounting</source><translation>Montagem</translation></message>
+<message><source>Line angles</source><translation>Ângulos das linhas</translation></message>
+<message><source>Order of the lines</source><translation>Ordem das linhas</translation></message>
+<message><source>Grid</source><translation>Grade</translation></message>
+<message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>

@@ -248,8 +248,10 @@ void CloudScene::showEdgeLayers() {
     const bool separate = byClass_ && classesKnown;
     halo_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr);
     edge_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr && !separate);
-    for (std::size_t n = 0; n < classes_.size(); ++n)
+    for (std::size_t n = 0; n < classes_.size(); ++n) {
         classes_[n].actor->SetVisibility(edgesShown_ && separate && edges_.byClass[n] != nullptr);
+        classes_[n].actor->GetProperty()->SetPointSize(edgeSize_ * edges_.sizes[n]);
+    }
 }
 
 std::size_t CloudScene::edgesDrawn() const { return edges_.all && edgesShown_ ? edges_.all->size() : 0; }
@@ -262,11 +264,9 @@ void CloudScene::setLook(const CloudLook& look) {
     }
     pointSize_ = look.pointSize;
     setColour(edge_.actor, look.edge.front());
-    edge_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
-    for (std::size_t n = 0; n < classes_.size(); ++n) {
-        setColour(classes_[n].actor, look.edge[n]);
-        classes_[n].actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
-    }
+    edgeSize_ = static_cast<float>(look.edgeSize);
+    edge_.actor->GetProperty()->SetPointSize(edgeSize_);
+    for (std::size_t n = 0; n < classes_.size(); ++n) setColour(classes_[n].actor, look.edge[n]);
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
     outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));

@@ -99,6 +99,7 @@ private:
     bool edgesShown_ = true;
     bool byClass_ = false;
     double pointSize_ = 2.0;
+    float edgeSize_ = 4.0F;
 };
 
 } // namespace edgescan::ui

@@ -168,6 +168,8 @@ void CloudView::applyColours() {
     look.byClass = byClass_;
     scene_->setLook(look);
     requestFrame();
+    const bool covered = edgesVisible_ && !look.edges;
+    if (std::exchange(edgesCovered_, covered) != covered) emit edgesCovered(covered);
 }
 
 void CloudView::initializeGL() {

@@ -137,6 +137,8 @@ public slots:
     void viewIsometric();
     void resetView(); ///< from the scanner, clipping undone
     void zoomToFit(); ///< keeps the direction
+    /// From the side that the scanner saw them from, all but a few at the rim in the view, with some of what is round them.
+    void lookAtCells(const CellIndices& cells);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
     void flyTo(qint64 cell); ///< looks at the point from nearby and turns about it
     void setParallel(bool on);
@@ -166,6 +168,8 @@ signals:
     void frameDrawn(double ms);
     void pointSizeChanged(double pixels);
     void parallelChanged(bool on);
+    /// Edges that are on are not drawn, because faces cover them; or they are drawn again.
+    void edgesCovered(bool on);
 
 protected:
     bool event(QEvent* event) override;
@@ -217,7 +221,7 @@ private:
     CellMarks marks_;
     QPolygonF dragged_; // while something is being selected, widget pixels
     DragTool tool_ = DragTool::Move;
-    bool edgesOverFaces_ = false;
+    bool edgesOverFaces_ = false, edgesCovered_ = false;
     EdgesOver edgesOver_ = EdgesOver::AsAsked;
 
     CameraPose pose_;

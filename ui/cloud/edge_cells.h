@@ -17,7 +17,8 @@ inline constexpr int kEdgeClasses = 5; // jump, convex, concave, data border, ou
 struct EdgeCells {
     using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
     Indices all;
-    std::array<Indices, kEdgeClasses> byClass; ///< null: the method tells no classes apart
+    std::array<Indices, kEdgeClasses> byClass;                           ///< null: the method tells no classes apart
+    std::array<float, kEdgeClasses> sizes{1.0F, 1.0F, 1.0F, 1.0F, 1.0F}; ///< of the points of each class, of the usual one
     bool operator==(const EdgeCells&) const = default;
 };
 

@@ -27,6 +27,27 @@ namespace {
 
 QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
 
+constexpr int kLeastAround = 10; // cells beside a region, for the eye
+
+/// The cells of the region alone: others of its kind may lie in the same box.
+std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
+    std::vector<std::uint32_t> cells{region.cell};
+    std::vector<bool> seen(kinds.size(), false);
+    seen[region.cell] = true;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        const int line = static_cast<int>(cells[n]) / kinds.beams, beam = static_cast<int>(cells[n]) % kinds.beams;
+        for (int i = std::max(region.firstLine, line - 1); i <= std::min(region.lastLine, line + 1); ++i) {
+            for (int j = std::max(region.firstBeam, beam - 1); j <= std::min(region.lastBeam, beam + 1); ++j) {
+                const std::size_t k = kinds.index(i, j);
+                if (seen[k] || kinds[k] != kinds[region.cell]) continue;
+                seen[k] = true;
+                cells.push_back(static_cast<std::uint32_t>(k));
+            }
+        }
+    }
+    return cells;
+}
+
 bool isTyping(const QWidget* widget) {
     return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
 }
@@ -242,7 +263,8 @@ void Comparing::show() {
                     rocks_.shown() ? nullptr : comparison_->points};
     }
     const bool on = instead != nullptr;
-    views_.setEdgesInstead(std::move(instead));
+    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // what another one shows there stays
+    drawn_ = std::move(instead);
     emit differenceShown(on);
 }
 
@@ -275,15 +297,10 @@ void Comparing::nextRegion() {
     region_ = n + 1;
     const ChangedRegion& region = regions[n];
     const auto& kinds = comparison_->change.ranges.cells;
-    std::vector<std::uint32_t> cells;
-    for (int line = region.firstLine; line <= region.lastLine; ++line) {
-        for (int beam = region.firstBeam; beam <= region.lastBeam; ++beam) {
-            if (kinds.at(line, beam) == kinds[region.cell]) cells.push_back(static_cast<std::uint32_t>(kinds.index(line, beam)));
-        }
-    }
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
-    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-5, -5, 5, 5)));
-    views_.cloud().zoomToCells(cells);
+    const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
+    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
+    views_.cloud().lookAtCells(cellsOf(kinds, region));
     legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
                            .arg(n + 1)
                            .arg(regions.size())

@@ -21,6 +21,7 @@ class Memory;
 class NoticeBar;
 class Rocks;
 class Session;
+struct EdgesInstead;
 
 /// What A can be made of again.
 struct KeptFrom {
@@ -109,6 +110,7 @@ private:
     std::optional<KeptFrom> keptFrom_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
+    std::shared_ptr<const EdgesInstead> drawn_; // as it was given to the views
     bool shown_ = true, working_ = false, reading_ = false;
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the key that flips, while it is held

@@ -21,13 +21,12 @@ Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& 
           },
           [this](const Answer& answer) { tell(answer); },
           [this](const QString& what) {
-              notice_.showNotice(NoticeBar::Kind::Warning, tr("Why could not be worked out (%1).").arg(what));
+              const QString sentence = tr("Why could not be worked out (%1).").arg(what);
+              notice_.showNotice(NoticeBar::Kind::Warning, sentence);
+              if (card_ != nullptr && card_->isVisible()) card_->tell(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
-        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] {
-            views_.pin(cell);
-            explain(cell);
-        });
+        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
     });
     // The chain belongs to the picture that it was asked of.
     connect(&session, &Session::pictureReady, this, &Explanation::forgetTrail);
@@ -51,6 +50,7 @@ bool Explanation::closeCard() {
 }
 
 void Explanation::tell(const Answer& answer) {
+    if (!card_->isVisible()) return; // closed meanwhile: nobody waits for it any more
     const auto& [picture, given] = answer;
     const Why& why = *given;
     QString text = shownText(whyText(why, picture->detection->settings));

@@ -42,8 +42,8 @@ QStringList scansBeside(const QString& path) {
 /// How a file is read. Once another file is on the screen there is nothing to take back: the step gives way to the one before it.
 class ReadingChange : public QUndoCommand {
 public:
-    ReadingChange(Files& files, QUndoStack& stack, const QString& what, const ReadingOptions& after)
-        : QUndoCommand(what), files_(files), stack_(stack), path_(files.path_), before_(files.options_), after_(after) {}
+    ReadingChange(Files& files, QUndoStack& stack, const QString& what, const ReadingOptions& before, const ReadingOptions& after)
+        : QUndoCommand(what), files_(files), stack_(stack), path_(files.path_), before_(before), after_(after) {}
 
     void undo() override { use(before_, &QUndoStack::undo); }
     void redo() override { use(after_, &QUndoStack::redo); }
@@ -142,7 +142,11 @@ void Files::straighten(bool wanted) {
     readAgain(options, wanted ? stepName("Straighten Beams") : stepName("Beams as Recorded"));
 }
 
-void Files::readAgain(const ReadingOptions& options, const QString& what) { undo_.push(new ReadingChange(*this, undo_, what, options)); }
+void Files::readAgain(const ReadingOptions& options, const QString& what) { readAgain(options, what, options_); }
+
+void Files::readAgain(const ReadingOptions& options, const QString& what, const ReadingOptions& before) {
+    undo_.push(new ReadingChange(*this, undo_, what, before, options));
+}
 
 bool Files::readAs(const QString& path, const ReadingOptions& options) {
     if (path != path_) return false;
@@ -199,7 +203,7 @@ void Files::fillRecent(QMenu& menu) {
                                          [this, path] { open({path}); });
         action->setEnabled(QFileInfo::exists(path));
     }
-    if (files.isEmpty()) menu.addAction(tr("No file yet"))->setEnabled(false);
+    if (files.isEmpty()) menu.addAction(tr("No file yet; demos are not listed"))->setEnabled(false);
     menu.addSeparator();
     menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
 }

@@ -30,6 +30,10 @@ public:
     void straighten(bool wanted);
     /// Opens it again with these, as one step of undo named `what`.
     void readAgain(const ReadingOptions& options, const QString& what);
+    /// The same, where something else was looked at before: undo brings back `before`.
+    void readAgain(const ReadingOptions& options, const QString& what, const ReadingOptions& before);
+    /// Opens it again with these, to be looked at: no step of undo.
+    void look(const ReadingOptions& options) { readAs(path_, options); }
     /// Asks for mounting, angles, pose and all else that a file may not know of itself, or has wrong.
     void askReading();
     void fillRecent(QMenu& menu);

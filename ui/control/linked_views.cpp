@@ -77,7 +77,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
 /// Several rocks are selected with Ctrl: no cell is pinned by that.
 void LinkedViews::click(std::size_t cell) {
     const Qt::KeyboardModifiers modifiers = QGuiApplication::keyboardModifiers();
-    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pin(cell);
+    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pinByClick(cell);
     for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
     if (tool_ != Tool::Pin) emit picked(cell, modifiers);
 }
@@ -259,6 +259,12 @@ void LinkedViews::pin(std::optional<std::size_t> cell) {
     if (another) emit pinChanged(cell);
 }
 
+void LinkedViews::pinByClick(std::size_t cell) {
+    byClick_ = true;
+    pin(cell);
+    byClick_ = false;
+}
+
 void LinkedViews::letGo() {
     const std::optional<std::size_t> was = pinned_;
     pin(std::nullopt);
@@ -287,7 +293,7 @@ void LinkedViews::setStale(const QString& why) {
 
 void LinkedViews::setOverlay(bool on) {
     overlay_ = on;
-    if (shown_ && insteadNow() != nullptr) return gray().setOverlay(instead_->overlay, 1.0);
+    if (shown_ && insteadNow() != nullptr) return gray().setOverlay(on || !instead_->overlayAsAsked ? instead_->overlay : nullptr, 1.0);
     if (!on || !shown_) return gray().setOverlay(nullptr, 1.0);
     const bool asMade = !byClass_ && colours_ == kUsualColours;
     gray().setOverlay(asMade ? shown_->overlay
@@ -307,6 +313,7 @@ void LinkedViews::setEdgeColours(const EdgeColours& colours) {
     showEdgesOfCloud();
     showEdgeMap();
     setOverlay(overlay_);
+    emit edgeColoursChanged();
 }
 
 void LinkedViews::setTrueAngles(bool on) {

@@ -30,6 +30,7 @@ struct EdgesInstead {
     EdgeColours colours;
     std::shared_ptr<const QImage> map, overlay;               ///< of the edge map; over the range image
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: as they are
+    bool overlayAsAsked = false;                              ///< over the range image only where edges are shown there
 };
 
 /// GUI thread only. Session and views must outlive it.
@@ -50,6 +51,9 @@ public:
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
     /// The cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
+    /// As a click does: where one pin follows the clicks, that one goes there.
+    void pinByClick(std::size_t cell);
+    [[nodiscard]] bool pinnedByClick() const { return byClick_; }
     /// Of the cell and of the box.
     void letGo();
     void setTool(Tool tool);
@@ -73,6 +77,7 @@ public:
     void flipTo(std::shared_ptr<const Picture> other);
     [[nodiscard]] bool flipped() const { return flipped_ != nullptr; }
     void setEdgeColours(const EdgeColours& colours);
+    [[nodiscard]] const EdgeColours& edgeColours() const { return colours_; }
     /// Pixels as wide and high as the angles between beams and lines are; else square.
     void setTrueAngles(bool on);
     void resetView();
@@ -80,6 +85,7 @@ public:
 signals:
     void probed(const std::optional<edgescan::Probe>& probe);
     void toolChanged();
+    void edgeColoursChanged();
     /// Another cell is pinned, or none.
     void pinChanged(std::optional<std::size_t> cell);
     /// Somebody let go of the cell that was pinned; pinChanged() came before.
@@ -135,6 +141,7 @@ private:
     std::shared_ptr<const EdgesInstead> instead_;
     std::shared_ptr<const Picture> flipped_, own_; // what is shown for a while, and what comes back after it
     bool trueAngles_ = false;
+    bool byClick_ = false; // the pin that is being told of
 };
 
 } // namespace edgescan::ui

@@ -92,7 +92,13 @@ void Rocks::restore(const RockPreset& preset) {
     RockSettings settings = preset.settings.value_or(settings_);
     const RockByHand byHandThen{preset.edits, settings.region};
     turn(settings);
-    if (byHandThen != byHand()) pushByHand(stepName("Open Session"), byHandThen);
+    if (byHandThen == byHand()) return;
+    const bool replaces = byHand() != RockByHand{};
+    pushByHand(stepName("Open Session"), byHandThen);
+    if (replaces)
+        notice_.showNotice(
+            NoticeBar::Kind::Warning,
+            tr("The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back."));
 }
 
 void Rocks::setByHand(const RockByHand& byHand) {

@@ -266,7 +266,7 @@ void Rocks::jumpTo(std::uint32_t label) {
     if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
-    views_.pin(cell);
+    views_.pinByClick(cell);
     views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
     views_.cloud().flyTo(static_cast<qint64>(cell));
 }

@@ -111,6 +111,7 @@ void Targets::followPicture() {
     if (key != key_) {
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
+        rockPin_ = 0;
         notebook_ = {};
         const NotebookScan scan = notebookScan(*session_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
@@ -138,6 +139,8 @@ void Targets::followPin(std::optional<std::size_t> cell) {
 void Targets::pin(std::size_t cell) {
     if (!session_.picture() || std::ranges::any_of(notebook_.targets, [&](const PinnedTarget& target) { return target.cell == cell; }))
         return emit pinned();
+    const bool onRock = views_.pinnedByClick() && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
+    if (onRock && moveRockPin(cell)) return emit pinned();
     if (notebook_.targets.size() >= kMostTargets) {
         notice_.showNotice(NoticeBar::Kind::Warning,
                            tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(kMostTargets));
@@ -149,8 +152,21 @@ void Targets::pin(std::size_t cell) {
     target.cell = static_cast<std::uint32_t>(cell);
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
+    if (onRock) rockPin_ = target.number;
     change(stepName("Pin %1", target.number), std::move(after));
     emit pinned();
+}
+
+/// Who looks through the rocks leaves no pin on each: the last one that a click set on a rock goes along, until it is locked or named.
+bool Targets::moveRockPin(std::size_t cell) {
+    Notebook after = notebook_;
+    PinnedTarget* target = numbered(after, rockPin_);
+    if (target == nullptr || target->locked || !target->name.empty()) return false;
+    target->cell = static_cast<std::uint32_t>(cell);
+    target->pinnedUtc = utcText(utcNow());
+    target->asPinned.clear();
+    change(stepName("Move %1", target->number), std::move(after));
+    return true;
 }
 
 void Targets::letGo(int number) {

@@ -101,6 +101,7 @@ private:
     void show();
     void showCard();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
+    [[nodiscard]] bool moveRockPin(std::size_t cell);
     [[nodiscard]] PinnedTarget* numbered(Notebook& notebook, int number) const;
     [[nodiscard]] const CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const MeasuredCells* knownOf(const KeptMeasure& measure) const;
@@ -116,6 +117,7 @@ private:
     TargetStore store_;
     QString key_; // of the scan that the notebook belongs to
     Notebook notebook_;
+    int rockPin_ = 0;                    // number of the target that clicks on rocks move; 0: none
     std::map<QString, Notebook> others_; // of scans that were on the screen before
     std::vector<TargetMark> beside_;
     MeasureMark draft_;

@@ -38,7 +38,7 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
         QStringList keys;
         for (const QKeySequence& sequence : action->shortcuts()) keys << sequence.toString(QKeySequence::NativeText);
         if (keys.isEmpty()) continue;
-        QString name = action->objectName().isEmpty() ? action->text() : action->objectName();
+        QString name = action->property(kPlainName).isValid() ? action->property(kPlainName).toString() : action->text();
         rows +=
             "<tr><td>" + name.remove('&').toHtmlEscaped() + "&nbsp;&nbsp;</td><td><b>" + keys.join(", ").toHtmlEscaped() + "</b></td></tr>";
     }

@@ -13,6 +13,9 @@ struct Scan;
 namespace edgescan::ui {
 
 /// The keys are read from the actions, so that the sheet cannot differ from what the keys do.
+/// Property of an action whose text changes: what it is called in lists, in the words of the window.
+inline constexpr const char* kPlainName = "plainName";
+
 void showShortcuts(QWidget* parent, const QList<QAction*>& actions);
 void showScanProperties(QWidget* parent, const Scan& scan);
 void showAbout(QWidget* parent);

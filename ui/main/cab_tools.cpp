@@ -160,7 +160,7 @@ LargeNumbers CabMode::numbers() const {
     if (around.rock != nullptr) {
         told.rock = tr("Rock %1, visible").arg(around.rock->label);
         told.size = tr("%1 × %2 m").arg(metres(around.rock->longM, 2), metres(around.rock->wideM, 2));
-        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QString::fromUtf8(kRockCaveat);
+        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(kRockCaveat);
     } else {
         told.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }

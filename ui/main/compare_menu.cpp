@@ -3,7 +3,9 @@
 
 #include "ui/change/change_legend.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/confidence/confidence_legend.h"
 #include "ui/control/comparing.h"
+#include "ui/control/confidence.h"
 #include "ui/main/main_window.h"
 #include "ui/panel/edge_legend.h"
 
@@ -44,6 +46,21 @@ void addChangeLegend(MainWindow& w) {
     const auto follow = [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); };
     QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
     QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
+}
+
+Command confidenceCommand(MainWindow& w) {
+    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&w](bool on) { w.confidence().setOn(on); }), [](QAction& action) {
+        action.setObjectName("edge-confidence");
+        action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
+    });
+}
+
+void addConfidenceLegend(MainWindow& w) {
+    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
+    over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::giveWay);
+    QObject::connect(&w.confidence(), &Confidence::changed, &w,
+                     [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); });
 }
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// The commands of A/B and where its legend stands.
+// The commands of A/B and of edge confidence, and where their legends stand.
 #pragma once
 
 #include "ui/control/commands.h"
@@ -11,5 +11,9 @@ class MainWindow;
 
 /// Over the cloud, above the legend of the edges, which gives way to it while a difference is shown.
 void addChangeLegend(MainWindow& window);
+
+/// Edge confidence: its switch, and its legend in the same place, which gives way to a difference.
+[[nodiscard]] Command confidenceCommand(MainWindow& window);
+void addConfidenceLegend(MainWindow& window);
 
 } // namespace edgescan::ui

@@ -9,6 +9,7 @@
 #include "ui/change/change_legend.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/confidence/confidence_legend.h"
 #include "ui/control/cell_cursor.h"
 #include "ui/control/shortcuts.h"
 #include "ui/control/source.h"
@@ -17,6 +18,7 @@
 #include "ui/live/timeline.h"
 #include "ui/main/cab_mode.h"
 #include "ui/main/compare_menu.h"
+#include "ui/main/legend_place.h"
 #include "ui/main/menus.h"
 #include "ui/main/rock_docks.h"
 #include "ui/main/sitting_menu.h"
@@ -80,21 +82,24 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory), gray_(new ImageView), edges_(new ImageView(gray_->viewPort())), cloud_(new CloudView),
       panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
       targetsPanel_(new TargetsPanel), tools_(new ToolBar), origin_(new StateBadge), notice_(new NoticeBar), status_(new StatusLine),
-      warnings_(new WarningButton), legend_(new EdgeLegend), changeLegend_(new ChangeLegend), rail_(new DockRail),
-      views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_), exports_(session_, files_, *notice_, memory),
+      warnings_(new WarningButton), legend_(new EdgeLegend), changeLegend_(new ChangeLegend), confidenceLegend_(new ConfidenceLegend),
+      rail_(new DockRail), views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_),
+      opening_(session_, files_, *notice_), exports_(session_, files_, *notice_, memory),
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
       explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
       selection_(session_, views_, rocks_, *notice_, undo_),
       comparing_(session_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
-      markedEdges_(session_, views_, targets_, undo_, *notice_), report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory),
-      audit_(memory.place(), session_, views_, undo_, *notice_) {
+      confidence_(session_, views_, *confidenceLegend_, memory), markedEdges_(session_, views_, targets_, undo_, *notice_),
+      report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
     layOutViews();
     layOutLegend();
     addChangeLegend(*this);
+    addConfidenceLegend(*this);
+    keepLegendsAside(*cloud_, views_);
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", panel_);
@@ -187,6 +192,7 @@ void MainWindow::layOutLegend() {
     over->setContentsMargins(8, 8, 8, 8);
     over->addStretch(1);
     over->addWidget(legend_, 0, Qt::AlignLeft | Qt::AlignBottom);
+    connect(cloud_, &CloudView::edgesCovered, legend_, &EdgeLegend::showCovered);
     connect(legend_, &EdgeLegend::classesWanted, this, [this](int classes) { tuning_.turn("classes", classes); });
 }
 

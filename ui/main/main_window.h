@@ -4,6 +4,7 @@
 #include "ui/base/plain_window.h"
 #include "ui/control/audit_trail.h"
 #include "ui/control/comparing.h"
+#include "ui/control/confidence.h"
 #include "ui/control/explanation.h"
 #include "ui/control/exports.h"
 #include "ui/control/files.h"
@@ -11,6 +12,7 @@
 #include "ui/control/live.h"
 #include "ui/control/marked_edges.h"
 #include "ui/control/measures.h"
+#include "ui/control/opening.h"
 #include "ui/control/rocks.h"
 #include "ui/control/scan_report.h"
 #include "ui/control/selection.h"
@@ -33,6 +35,7 @@ namespace edgescan::ui {
 
 class CabMode;
 class ChangeLegend;
+class ConfidenceLegend;
 class DockRail;
 class EdgeLegend;
 class EdgesPanel;
@@ -58,6 +61,7 @@ public:
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] LinkedViews& views() { return views_; }
     [[nodiscard]] Files& files() { return files_; }
+    [[nodiscard]] Opening& opening() { return opening_; }
     [[nodiscard]] Exports& exports() { return exports_; }
     [[nodiscard]] Tuning& tuning() { return tuning_; }
     [[nodiscard]] Live& live() { return live_; }
@@ -73,6 +77,8 @@ public:
     [[nodiscard]] Selection& selection() { return selection_; }
     [[nodiscard]] Comparing& comparing() { return comparing_; }
     [[nodiscard]] ChangeLegend& changeLegend() { return *changeLegend_; }
+    [[nodiscard]] Confidence& confidence() { return confidence_; }
+    [[nodiscard]] ConfidenceLegend& confidenceLegend() { return *confidenceLegend_; }
     [[nodiscard]] MarkedEdges& markedEdges() { return markedEdges_; }
     [[nodiscard]] Sittings& sittings() { return *sittings_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
@@ -151,11 +157,13 @@ private:
     WarningButton* warnings_;
     EdgeLegend* legend_;
     ChangeLegend* changeLegend_;
+    ConfidenceLegend* confidenceLegend_;
     DockRail* rail_;
 
     // In the order in which they are told of a new picture.
     LinkedViews views_;
     Files files_;
+    Opening opening_;
     Exports exports_;
     Tuning tuning_;
     Live live_;
@@ -165,6 +173,7 @@ private:
     Measures measures_;
     Selection selection_;
     Comparing comparing_;
+    Confidence confidence_;
     MarkedEdges markedEdges_;
     ScanReport report_;
     AuditTrail audit_;

@@ -83,6 +83,8 @@ Command editMenu(MainWindow& w) {
     Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
     undo.made->setObjectName("Undo"); // the texts name the step
     redo.made->setObjectName("Redo");
+    undo.made->setProperty(kPlainName, QObject::tr("&Undo"));
+    redo.made->setProperty(kPlainName, QObject::tr("&Redo"));
     const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
     return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
 }
@@ -237,6 +239,7 @@ Command scanMenu(MainWindow& w, Memory& memory) {
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
             command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
             calibrateCommand(w, memory),
+            command("Does This Look &Right?", "", [&w] { w.opening().show(); }),
             command("&Properties…", "", showProperties),
         });
 }
@@ -268,6 +271,7 @@ Command edgesMenu(MainWindow& w) {
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&w] { w.markedEdges().clear(); }),
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
+            confidenceCommand(w),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(builtInPresets().front()); }),
         });

@@ -51,6 +51,11 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         paintSwatches();
         if (!showing_) emit byClassWanted(on);
     });
+    covered_ = new QLabel(tr("Rocks cover them in the cloud"));
+    covered_->setObjectName("legend-covered");
+    covered_->setToolTip(tr("Rocks > Edges over Rocks draws them over the rocks; the images show them."));
+    covered_->hide();
+    grid->addWidget(covered_, grid->rowCount(), 0, 1, 2);
     filled_ = new QLabel;
     filled_->setObjectName("legend-filled");
     filled_->setToolTip(tr("Striped green in the images; nobody measured these cells, and the cloud does not show them."));
@@ -100,6 +105,11 @@ void EdgeLegend::showRows() {
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_);
+}
+
+void EdgeLegend::showCovered(bool on) {
+    covered_->setVisible(on);
+    adjustSize();
 }
 
 void EdgeLegend::setBrief(bool on) {

@@ -23,6 +23,8 @@ public:
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
     void showEdges(bool on);
+    /// Rocks are drawn over the edges of the cloud: the counts are of what the images show.
+    void showCovered(bool on);
     /// Only the edges and the classes that rocks are known by.
     void setBrief(bool on);
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
@@ -55,6 +57,7 @@ private:
     std::array<bool, kEdgeClasses> offered_{}; // by the method
     bool known_ = false;                       // the classes
     bool brief_ = false;
+    QLabel* covered_ = nullptr;
     bool showing_ = false;
 };
 

@@ -124,6 +124,6 @@ QString rockTip(const Rock& rock) {
     return tip;
 }
 
-QString rockCaveat() { return shownText(std::string(kRockCaveat)); }
+QString rockCaveat() { return QObject::tr(kRockCaveat); }
 
 } // namespace edgescan::ui

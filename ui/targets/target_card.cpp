@@ -64,7 +64,7 @@ TargetCard::TargetCard(QWidget* parent)
     tolerance_->setToolTip(
         tr("Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it"));
     distance_->setToolTip(tolerance_->toolTip());
-    caveat_->setText(QString::fromUtf8(kRockCaveat));
+    caveat_->setText(QObject::tr(kRockCaveat));
     caveat_->setWordWrap(true);
 
     auto* head = new QHBoxLayout;

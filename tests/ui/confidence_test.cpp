@@ -1,0 +1,138 @@
+// Edge confidence in the real window: a key shows it, the slider leaves edges out, a new picture is worked out anew, A/B has precedence.
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/change/change_legend.h"
+#include "ui/confidence/confidence_legend.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QSlider>
+
+#include <cmath>
+#include <numeric>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ConfidenceTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+    static bool known(WindowFixture& on) {
+        return on.settled() && QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000);
+    }
+    static bool showByKey(WindowFixture& on) {
+        QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+        return known(on);
+    }
+    static std::size_t numberIn(const QString& text) { return QString(text).remove(',').toULong(); }
+    static double luminance(const QColor& colour) {
+        const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    }
+
+private slots:
+    void initTestCase() {
+        SimulationSettings settings;
+        settings.lines = 120;
+        settings.beams = 160;
+        scan_ = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, scan_)));
+    }
+
+    void aKeyShowsItInAllViewsAndTheSliderLeavesEdgesOut() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(scan_) && on.activate());
+        QVERIFY(!on.window.confidenceLegend().isVisible());
+        QVERIFY(showByKey(on));
+        const ConfidencePicture& made = *on.window.confidence().made();
+        const Detection& detection = *on.picture().detection;
+        const auto truth = edgeConfidence(detection);
+        QVERIFY(truth && truth->percent == made.confidence->percent);
+        const ConfidenceLegend& legend = on.window.confidenceLegend();
+        QVERIFY(legend.isVisible() && !on.window.legend().isVisible());
+        QVERIFY2(legend.words().contains(QString::number(truth->settings)), qPrintable(legend.words()));
+        // The counts of the legend are those of the cells, and all edges are in one band.
+        std::array<std::size_t, kBands> counts{};
+        for (const std::uint32_t k : *detection.edges) ++counts[confidenceBand(truth->percent[k])];
+        std::size_t sum = 0;
+        for (std::size_t band = 0; band < kBands; ++band) {
+            QCOMPARE(numberIn(legend.counted(band)), counts[band]);
+            sum += counts[band];
+        }
+        QCOMPARE(sum, detection.edges->size());
+        QVERIFY2(counts[0] > 0 && counts[0] < sum, "all edges are alike");
+        // Each edge cell in the colour of its band in the edge map, and with its size in the cloud.
+        const QImage& map = *on.window.views().edges().image();
+        for (const std::uint32_t k : *detection.edges) {
+            const QPoint at = on.window.views().placeOf(k);
+            const QColor colour = bandColours(false)[confidenceBand(truth->percent[k])];
+            const QRgb pixel = map.pixel(at);
+            QVERIFY(pixel == colour.rgba() || pixel == colour.darker(250).rgba());
+        }
+        QVERIFY(on.window.views().cloud().edgeColours() == bandColours(false));
+        QVERIFY(made.cells.sizes[0] > made.cells.sizes[2] && made.cells.sizes[2] > made.cells.sizes[4]);
+        // By the keyboard: what fewer than seventy per cent of the settings find goes from the views.
+        QSlider* slider = legend.slider();
+        slider->setFocus();
+        for (int n = 0; n < 7; ++n) QTest::keyClick(slider, Qt::Key_PageUp);
+        QCOMPARE(slider->value(), 70);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.confidence().made()->leastPercent == 70; }, 20000));
+        std::size_t kept = 0;
+        for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
+        QCOMPARE(on.window.confidence().made()->shown(), kept);
+        QCOMPARE(on.window.views().edgesInstead()->cells.all->size(), kept);
+        // The detection, and with it every export, is what it was.
+        QCOMPARE(on.picture().detection->edges->size(), sum);
+        // Off: as ever.
+        QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(!on.window.views().edgesInstead() && on.window.legend().isVisible() && !legend.isVisible());
+        QVERIFY(on.window.views().edges().image() == on.picture().edges);
+    }
+
+    void anotherPictureIsWorkedOutAnewAndAbHasPrecedence() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(scan_) && on.activate());
+        QVERIFY(showByKey(on));
+        const auto first = on.window.confidence().made();
+        QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+        Settings other = on.window.session().settings();
+        other.method = Method::Canny;
+        QVERIFY(on.use(other));
+        QVERIFY2(on.window.confidence().made() != first, "what was known of the picture before is still shown");
+        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 30000));
+        QVERIFY(known(on));
+        QVERIFY(on.window.confidence().made()->of == on.window.session().picture());
+        QVERIFY(on.window.changeLegend().isVisible() && !on.window.confidenceLegend().isVisible());
+        QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
+        // The difference put away: confidence again; and back.
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(on.window.confidenceLegend().isVisible());
+        QCOMPARE(on.window.views().edgesInstead()->map, on.window.confidence().made()->images[0]);
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
+        QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
+    }
+
+    void theWorkIsGivenUpWhenTheWindowGoes() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.confidenceLegend().words().contains('%'); }, 20000));
+    }
+
+    void bandsStandOutFromTheCloud() {
+        const double cloud = luminance(QColor(121, 121, 121));
+        for (const bool colourBlind : {false, true}) {
+            for (const QColor& colour : bandColours(colourBlind)) {
+                const double contrast = (luminance(colour) + 0.05) / (cloud + 0.05);
+                QVERIFY2(contrast >= 3.0, qPrintable(colour.name() + QString(" %1").arg(contrast)));
+            }
+        }
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ConfidenceTest>(argc, argv); }
+#include "confidence_test.moc"
