@@ -210,7 +210,11 @@ void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const
     addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
 }
 
-<<<<<<< HEAD
+void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* percent) {
+    if (percent == nullptr) return;
+    addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
+}
+
 bool areEightZero(const std::uint8_t* values) {
     std::uint64_t eight = 0;
     std::memcpy(&eight, values, sizeof eight);
@@ -218,13 +222,6 @@ bool areEightZero(const std::uint8_t* values) {
 }
 
 /// `mask`: none is wanted where it is 0; null: any may be.
-=======
-void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* percent) {
-    if (percent == nullptr) return;
-    addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
-}
-
->>>>>>> da6f2e4c88b099f50ae81cd1bc86f0233d073030
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>* mask, Wanted wanted) {
     Chosen chosen;
