@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
+constexpr float kFloatBeyondAll = std::numeric_limits<float>::infinity();
 constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
 constexpr double kGuessError = 1e-6;    // relative
 constexpr std::size_t kSortedPart = 4;  // of all cells, a fourth: no more are sorted
@@ -169,73 +170,94 @@ ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
 
 namespace {
 
-// Cells joined to sets, each with its size.
-class Sets {
+// Chains that grow while cells join them. Those that are too short for an edge keep their cells in a ring, until they are taken out.
+class Chains {
 public:
-    explicit Sets(std::size_t cells) : parent_(cells), size_(cells, 1) {
-        for (std::size_t k = 0; k < cells; ++k) parent_[k] = static_cast<std::uint32_t>(k);
-    }
+    explicit Chains(std::size_t cells) : parent_(cells, kNone), size_(cells, 1), next_(cells), last_(cells) {}
+
+    [[nodiscard]] bool has(std::size_t k) const { return parent_[k] != kNone; }
+    void add(std::uint32_t k) { parent_[k] = next_[k] = last_[k] = k; }
     [[nodiscard]] std::uint32_t root(std::uint32_t k) {
         while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
         return k;
     }
-    // The root of both.
-    std::uint32_t join(std::uint32_t a, std::uint32_t b) {
+    [[nodiscard]] std::uint32_t size(std::uint32_t rootCell) const { return size_[rootCell]; }
+    void join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
-        if (a == b) return a;
+        if (a == b) return;
         if (size_[a] < size_[b]) std::swap(a, b);
         parent_[b] = a;
         size_[a] += size_[b];
-        return a;
+        if (last_[b] == kNone) return;
+        if (last_[a] != kNone) std::swap(next_[last_[a]], next_[last_[b]]); // one ring of two
+        last_[a] = last_[b];
     }
-    [[nodiscard]] std::uint32_t size(std::uint32_t rootCell) const { return size_[rootCell]; }
+    // Calls take(cell) for what the chain of this root still keeps.
+    template <class Take>
+    void takeOut(std::uint32_t rootCell, Take take) {
+        const std::uint32_t last = last_[rootCell];
+        if (last == kNone) return;
+        std::uint32_t k = last;
+        do take(k = next_[k]);
+        while (k != last);
+        last_[rootCell] = kNone;
+    }
 
 private:
-    std::vector<std::uint32_t> parent_, size_;
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> parent_, size_, next_, last_; // by cell; the last two: of a ring, and where it ends, by root
 };
 
 // Area opening: what a cell's chain is too short for is put off until enough cells have joined it.
 void putOffShortChains(ThresholdMap& map, int minimumLength) {
     Grid<double>& highest = map.highest;
-    std::vector<std::uint32_t> order;
+    struct Placed {
+        double level;
+        std::uint32_t cell;
+    };
+    std::vector<Placed> order;
+    order.reserve(static_cast<std::size_t>(std::ranges::count_if(highest.cells, [](double level) { return level >= 0; })));
     for (std::size_t k = 0; k < highest.size(); ++k) {
-        if (highest[k] >= 0) order.push_back(static_cast<std::uint32_t>(k));
+        if (highest[k] >= 0) order.push_back({highest[k], static_cast<std::uint32_t>(k)});
     }
-    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return highest[a] != highest[b] ? highest[a] > highest[b] : a < b; });
-    Sets sets(highest.size());
-    std::vector<std::vector<std::uint32_t>> waiting(highest.size()); // members of chains that are still too short, by root
-    Grid<double> opened(highest.lines, highest.beams, kNever);
-    Grid<std::uint8_t> joined(highest.lines, highest.beams);
+    std::ranges::sort(order, [](const Placed& a, const Placed& b) { return a.level != b.level ? a.level > b.level : a.cell < b.cell; });
+    std::ranges::fill(highest.cells, kNever);
+    Chains chains(highest.size());
     const auto wanted = static_cast<std::uint32_t>(minimumLength);
     for (std::size_t at = 0; at < order.size();) {
-        const double level = highest[order[at]];
+        const double level = order[at].level;
         const std::size_t from = at;
-        for (; at < order.size() && highest[order[at]] == level; ++at) {
-            const std::uint32_t k = order[at];
-            joined[k] = 1;
-            waiting[k] = {k};
+        for (; at < order.size() && order[at].level == level; ++at) {
+            const std::uint32_t k = order[at].cell;
+            chains.add(k);
             const int line = static_cast<int>(k / static_cast<std::uint32_t>(highest.beams));
             const int beam = static_cast<int>(k % static_cast<std::uint32_t>(highest.beams));
             forNeighbours(highest, line, beam, [&](std::size_t n) {
-                if (joined[n] == 0) return;
-                const std::uint32_t a = sets.root(k);
-                const std::uint32_t b = sets.root(static_cast<std::uint32_t>(n));
-                if (a == b) return;
-                const std::uint32_t root = sets.join(a, b);
-                std::vector<std::uint32_t>& other = waiting[root == a ? b : a];
-                waiting[root].insert(waiting[root].end(), other.begin(), other.end());
-                other.clear();
+                if (chains.has(n)) chains.join(k, static_cast<std::uint32_t>(n));
             });
         }
         for (std::size_t n = from; n < at; ++n) {
-            const std::uint32_t root = sets.root(order[n]);
-            if (sets.size(root) < wanted) continue;
-            for (const std::uint32_t member : waiting[root]) opened[member] = level;
-            waiting[root].clear();
+            const std::uint32_t root = chains.root(order[n].cell);
+            if (chains.size(root) >= wanted) chains.takeOut(root, [&](std::uint32_t member) { highest[member] = level; });
         }
     }
-    highest = std::move(opened);
+}
+
+// The largest threshold that is rounded to this float and not to the next: their middle, where it goes to the even one, or just below.
+double largestRoundedTo(float value) {
+    const double middle = 0.5 * (static_cast<double>(value) + static_cast<double>(std::nextafter(value, kFloatBeyondAll)));
+    return static_cast<float>(middle) == value ? middle : std::nextafter(middle, 0.0);
+}
+
+// largestThreshold() of here > float(threshold) x share, for here > 0 and share >= 0, without a search.
+double largestLinked(float here, float share) {
+    if (here > static_cast<float>(kBeyondAll) * share) return kAlways;
+    float highest = here / share; // at most a few floats off
+    while (highest > 0 && !(here > highest * share)) highest = std::nextafter(highest, 0.0F);
+    for (float next = std::nextafter(highest, kFloatBeyondAll); here > next * share; next = std::nextafter(next, kFloatBeyondAll))
+        highest = next;
+    return largestRoundedTo(highest);
 }
 
 } // namespace
@@ -246,12 +268,14 @@ ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, in
     Grid<double> strong = weak;
     for (std::size_t k = 0; k < strength.size(); ++k) {
         if (!(strength[k] > 0)) continue;
-        const float here = strength[k];
-        weak[k] = largestThreshold([&](double high) { return here > static_cast<float>(high) * share; }, here / share);
-        strong[k] = std::min(weak[k], largestThreshold([&](double high) { return here > static_cast<float>(high); }, here));
+        weak[k] = largestLinked(strength[k], share);
+        strong[k] = std::min(weak[k], largestLinked(strength[k], 1.0F));
     }
     ThresholdMap map{reconstructed(std::move(strong), weak)};
-    if (minimumLength > 1) putOffShortChains(map, minimumLength);
+    if (minimumLength > 1) {
+        weak = {}; // its memory is wanted
+        putOffShortChains(map, minimumLength);
+    }
     return map;
 }
 
