@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -275,9 +276,13 @@ Result<std::vector<std::byte>> readWholeFile(const fs::path& path, std::uint64_t
         return Error{"the file is too large for what it should be: " + sizeText(size) + ", and at most " + sizeText(most) + " are read",
                      path.string(), "choose another file"};
     if (auto enough = checkMemory(size, path.string()); !enough) return enough.error();
-    std::vector<std::byte> bytes(size);
+    // A vector clears what it grows by: piece by piece, so that the cache still has it when it is read into.
+    constexpr std::size_t kPiece = std::size_t{1} << 18U;
+    std::vector<std::byte> bytes;
+    bytes.reserve(size);
     std::size_t filled = 0;
-    while (filled < bytes.size()) {
+    while (filled < size) {
+        if (filled == bytes.size()) bytes.resize(std::min<std::size_t>(size, filled + kPiece));
         const ssize_t count = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return readError(path, errno);

@@ -78,16 +78,21 @@ Result<PointTable> readTextPoints(const Source& source) {
     if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 10, source.path.string()); !enough) return enough.error();
     PointTable table;
     table.format = "point list";
-    const NamedColumns& named = columns->named;
+    NamedColumns named = columns->named;
+    if (source.placesOnly) {
+        for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) named.of[role].reset();
+    }
     reserveRows(table, source, layout, named);
     RowReader rows(source, layout);
     rows.measure(columns->xyz);
+    const std::size_t ofPlace = std::max({columns->xyz[0], columns->xyz[1], columns->xyz[2]}) + 1;
+    const std::size_t needed = source.placesOnly ? ofPlace : columns->needed;
+    if (source.placesOnly) rows.takeOnly(needed);
     std::vector<double> row;
     while (rows.next(row)) {
-        if (row.size() < columns->needed) {
+        if (row.size() < needed) {
             return source.refusedAtLine(rows.lineNumber(),
-                                        "holds " + std::to_string(row.size()) + " numbers where a point needs " +
-                                            std::to_string(columns->needed),
+                                        "holds " + std::to_string(row.size()) + " numbers where a point needs " + std::to_string(needed),
                                         "the file may be cut off here, copy it again");
         }
         table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);

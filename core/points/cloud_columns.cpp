@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace edgescan {
@@ -86,6 +87,62 @@ struct Chosen {
     std::vector<const AttachedPoint*> attached;
 };
 
+/// Of the cells as they are, and of what is attached from where it stands.
+std::vector<float> rangesOfChosen(const Scan& scan, const Chosen& chosen, const CartesianTables& tables) {
+    const std::size_t ownPoints = chosen.cells.size() - chosen.attached.size();
+    if (ownPoints == scan.cells() && chosen.attached.empty()) return scan.rangeMm.cells; // all of them, in order
+    std::vector<float> ranges;
+    ranges.reserve(chosen.cells.size());
+    for (std::size_t n = 0; n < ownPoints; ++n)
+        ranges.push_back(scan.rangeMm.at(static_cast<int>(chosen.cells[n].line), static_cast<int>(chosen.cells[n].beam)));
+    for (const AttachedPoint* extra : chosen.attached)
+        ranges.push_back(static_cast<float>((extra->pointM - tables.sensor()).norm() * 1000.0));
+    return ranges;
+}
+
+/// x y z of polar cells in the scanner's frame as 4-byte floats, line by line; false where that is not all there is.
+bool addComputedPoints(CloudColumns& cloud, const Scan& scan, const Chosen& chosen, const CartesianTables& tables,
+                       const std::vector<float>& ranges) {
+    constexpr auto kLargestMm = static_cast<float>(0.99 * kLargestInFloat * 1000.0); // no coordinate is larger than its range
+    if (!std::holds_alternative<PolarGeometry>(scan.geometry) || cloud.frame != CoordinateFrame::Scanner || !chosen.attached.empty())
+        return false;
+    if (std::ranges::any_of(ranges, [](float range) { return !(std::abs(range) < kLargestMm); })) return false;
+    const std::vector<CellOfPoint>& cells = chosen.cells;
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    std::array<std::vector<float>, 3> line, values;
+    for (std::vector<float>& ofAxis : line) ofAxis.resize(beams);
+    for (std::vector<float>& ofAxis : values) ofAxis.reserve(cells.size());
+    for (std::size_t first = 0, next = 0; first < cells.size(); first = next) {
+        while (next < cells.size() && cells[next].line == cells[first].line) ++next;
+        tables.pointsOfLine(static_cast<int>(cells[first].line), line[0].data(), line[1].data(), line[2].data());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (next - first == beams) {
+                values[axis].insert(values[axis].end(), line[axis].begin(), line[axis].end());
+                continue;
+            }
+            for (std::size_t n = first; n < next; ++n) values[axis].push_back(line[axis][cells[n].beam]);
+        }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        cloud.columns.push_back({std::string(1, static_cast<char>('x' + axis)), std::move(values[axis])});
+    return true;
+}
+
+/// Line, beam, range and intensity.
+void addCells(CloudColumns& cloud, const Scan& scan, const Chosen& chosen, std::vector<float> ranges) {
+    const std::vector<CellOfPoint>& cells = chosen.cells;
+    addColumn<std::uint32_t>(cloud, "line", cells, [](const CellOfPoint& cell) { return cell.line; });
+    addColumn<std::uint32_t>(cloud, "beam", cells, [](const CellOfPoint& cell) { return cell.beam; });
+    cloud.columns.push_back({"range_mm", std::move(ranges)});
+    if (scan.intensity.size() == 0) return;
+    std::vector<float> intensity;
+    intensity.reserve(cells.size());
+    for (std::size_t n = 0; n < cells.size() - chosen.attached.size(); ++n)
+        intensity.push_back(scan.intensity.at(static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam)));
+    intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // points attached to a cell bring none along
+    cloud.columns.push_back({"intensity", std::move(intensity)});
+}
+
 enum class Columns : std::uint8_t { Places, PlacesAndCells };
 
 CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame,
@@ -100,38 +157,27 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     if (scan.acquisition) cloud.lineTimesS = scan.acquisition->lineTimesS;
     const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
+    const auto* given = std::get_if<PointGeometry>(&scan.geometry);
+    std::vector<float> ranges = rangesOfChosen(scan, chosen, tables);
+    if (addComputedPoints(cloud, scan, chosen, tables, ranges)) {
+        if (columns == Columns::PlacesAndCells) addCells(cloud, scan, chosen, std::move(ranges));
+        return cloud;
+    }
     std::vector<Eigen::Vector3d> points;
     points.reserve(cells.size());
-    const auto* given = std::get_if<PointGeometry>(&scan.geometry);
-    std::vector<float> ranges;
-    ranges.reserve(cells.size());
     for (std::size_t n = 0; n < ownPoints; ++n) {
         const int line = static_cast<int>(cells[n].line);
         const int beam = static_cast<int>(cells[n].beam);
         points.push_back(every && given != nullptr ? given->pointsM.at(line, beam) : tables.point(line, beam));
-        ranges.push_back(scan.rangeMm.at(line, beam));
     }
-    for (const AttachedPoint* extra : chosen.attached) {
-        points.push_back(extra->pointM);
-        ranges.push_back(static_cast<float>((extra->pointM - tables.sensor()).norm() * 1000.0));
-    }
+    for (const AttachedPoint* extra : chosen.attached) points.push_back(extra->pointM);
     const bool placed = frame != CoordinateFrame::Scanner;
     std::vector<Eigen::Vector3d> asRead;
     if (placed && every && given != nullptr) asRead = points;
     if (placed) placePoints(cloud, scan, cells, points);
     addPoints(cloud, points, given == nullptr || placed);
     if (columns == Columns::Places) return cloud;
-    addColumn<std::uint32_t>(cloud, "line", cells, [](const CellOfPoint& cell) { return cell.line; });
-    addColumn<std::uint32_t>(cloud, "beam", cells, [](const CellOfPoint& cell) { return cell.beam; });
-    cloud.columns.push_back({"range_mm", std::move(ranges)});
-    if (scan.intensity.size() > 0) {
-        std::vector<float> intensity;
-        intensity.reserve(cells.size());
-        for (std::size_t n = 0; n < ownPoints; ++n)
-            intensity.push_back(scan.intensity.at(static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam)));
-        intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // points attached to a cell bring none along
-        cloud.columns.push_back({"intensity", std::move(intensity)});
-    }
+    addCells(cloud, scan, chosen, std::move(ranges));
     if (!asRead.empty()) addPoints(cloud, asRead, false, "scanner_");
     if (!chosen.attached.empty()) {
         std::vector<std::uint8_t> attached(cells.size(), 0);
@@ -164,12 +210,24 @@ void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const
     addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
 }
 
+bool areEightZero(const std::uint8_t* values) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, values, sizeof eight);
+    return eight == 0;
+}
+
+/// `mask`: none is wanted where it is 0; null: any may be.
 template <class Wanted>
-Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
+Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>* mask, Wanted wanted) {
     Chosen chosen;
+    if (mask == nullptr) chosen.cells.reserve(scan.cells());
     for (int i = 0; i < scan.lines(); ++i) {
         const std::size_t first = scan.rangeMm.index(i, 0);
         for (int j = 0; j < scan.beams(); ++j) {
+            if (mask != nullptr && j + 8 <= scan.beams() && areEightZero(mask->line(i) + j)) {
+                j += 7;
+                continue;
+            }
             if (wanted(first + static_cast<std::size_t>(j)))
                 chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
         }
@@ -185,17 +243,17 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, Wanted wanted) {
 }
 
 Chosen validCells(const Scan& scan, bool withAttached) {
-    return cellsWhere(scan, withAttached, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
+    return cellsWhere(scan, withAttached, nullptr, [&](std::size_t k) { return scan.state[k] == CellState::Valid; });
 }
 
 Chosen edgeCellsOf(const Scan& scan, const Grid<std::uint8_t>& edgeMask, bool withAttached) {
-    return cellsWhere(scan, withAttached, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
+    return cellsWhere(scan, withAttached, &edgeMask, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
 }
 
 } // namespace
 
 CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
-    const Chosen every = cellsWhere(scan, false, [](std::size_t) { return true; });
+    const Chosen every = cellsWhere(scan, false, nullptr, [](std::size_t) { return true; });
     CloudColumns cloud = columnsFor(scan, every, true, frame);
     addColumn<std::uint8_t>(cloud, "state", every.cells, [&](const CellOfPoint& cell) { return valueAt(scan.state, cell); });
     cloud.width = static_cast<std::size_t>(scan.beams());

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <type_traits>
+#include <vector>
 
 namespace edgescan {
 namespace {
@@ -16,25 +20,53 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
 
 constexpr std::size_t kRowsAtOnce = 2048;
-constexpr std::size_t kUsualNumber = 8; // bytes of text with its separator; more is found when it is needed
-constexpr int kMineDecimals = 4;        // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
+constexpr std::size_t kRowsOfPiece = 32768; // what a thread begins costs as much as some hundred rows
+constexpr std::size_t kMostOfNumber = 400;  // bytes of text: the largest double has 309 digits before its point
+constexpr std::size_t kUsualNumber = 8;     // bytes of text with its separator; more is found when it is needed
+constexpr int kMineDecimals = 4;            // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
-void appendRowsOf(std::string& text, const CloudColumns& cloud, std::size_t firstRow, std::size_t lastRow, char separator) {
-    for (std::size_t row = firstRow; row < lastRow; ++row) {
-        for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
-            const CloudColumn& column = cloud.columns[i];
-            if (i > 0) text += separator;
-            std::visit(
-                [&](const auto& values) {
-                    if (i < 3 && cloud.frame == CoordinateFrame::Mine && std::isfinite(static_cast<double>(values[row])))
-                        appendFixed(text, static_cast<double>(values[row]), kMineDecimals);
-                    else
-                        appendShortest(text, values[row]);
-                },
-                column.values);
-        }
-        text += '\n';
+// A float of few digits before the point and none behind it, as ranges in mm are, is a whole number to the library sooner.
+template <class Number>
+char* writeShortest(char* to, char* end, Number value) {
+    constexpr float kMostWhole = 99999; // from here on an exponent may be shorter
+    if (value != value) {               // whatever its sign
+        for (const char c : {'n', 'a', 'n'}) *to++ = c;
+        return to;
     }
+    if constexpr (std::is_same_v<Number, float>) {
+        if (value > 0 && value <= kMostWhole) {
+            const auto whole = static_cast<std::int32_t>(value);
+            if (static_cast<float>(whole) == value) return std::to_chars(to, end, whole).ptr;
+        }
+    }
+    return std::to_chars(to, end, value).ptr;
+}
+
+// The text of some rows, in a piece that is used again and again and stays in the cache. How much of it is written is returned.
+std::size_t writeRows(std::vector<char>& piece, const CloudColumns& cloud, std::size_t firstRow, std::size_t lastRow, char separator) {
+    const std::size_t columns = cloud.columns.size();
+    std::size_t written = 0;
+    std::string fixed;
+    for (std::size_t row = firstRow; row < lastRow; ++row) {
+        if (piece.size() - written < columns * kMostOfNumber) piece.resize(2 * piece.size() + columns * kMostOfNumber);
+        char* at = piece.data() + written;
+        char* const end = piece.data() + piece.size();
+        for (std::size_t i = 0; i < columns; ++i) {
+            const CloudColumn& column = cloud.columns[i];
+            if (i > 0) *at++ = separator;
+            const bool isMine = i < 3 && cloud.frame == CoordinateFrame::Mine;
+            if (isMine && std::isfinite(numberIn(column, row))) {
+                fixed.clear();
+                appendFixed(fixed, numberIn(column, row), kMineDecimals);
+                at = std::copy(fixed.begin(), fixed.end(), at);
+            } else {
+                std::visit([&](const auto& values) { at = writeShortest(at, end, values[row]); }, column.values);
+            }
+        }
+        *at++ = '\n';
+        written = static_cast<std::size_t>(at - piece.data());
+    }
+    return written;
 }
 
 } // namespace
@@ -71,16 +103,20 @@ void subtractOrigin(CloudColumns& cloud) {
 
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     const std::size_t rows = rowsOf(cloud);
-    const int bands = bandsFor(rows, 0);
+    const auto bands = static_cast<std::size_t>(bandsFor(rows, 0));
     text.reserve(text.size() + kUsualNumber * cloud.columns.size() * rows);
-    std::vector<std::string> parts(static_cast<std::size_t>(bands)); // the first one's rows go into the text itself
-    inBands(bands, bands, [&](int first, int) {
-        const auto band = static_cast<std::size_t>(first);
-        std::string& part = band == 0 ? text : parts[band];
-        if (band > 0) part.reserve(kUsualNumber * cloud.columns.size() * (rows / parts.size() + 1));
-        appendRowsOf(part, cloud, rows * band / parts.size(), rows * (band + 1) / parts.size(), separator);
-    });
-    for (const std::string& part : parts) text += part;
+    // Each thread writes the next piece, and in turn they go into the text.
+    const std::size_t rowsOfPiece = bands > 1 ? kRowsOfPiece : kRowsAtOnce;
+    std::vector<std::vector<char>> pieces(bands);
+    std::vector<std::size_t> written(bands);
+    for (std::size_t first = 0; first < rows; first += bands * rowsOfPiece) {
+        const auto rowOf = [&](std::size_t band) { return std::min(rows, first + band * rowsOfPiece); };
+        inBands(static_cast<int>(bands), static_cast<int>(bands), [&](int one, int) {
+            const auto band = static_cast<std::size_t>(one);
+            written[band] = writeRows(pieces[band], cloud, rowOf(band), rowOf(band + 1), separator);
+        });
+        for (std::size_t band = 0; band < bands; ++band) text.append(pieces[band].data(), written[band]);
+    }
 }
 
 void appendComments(std::string& text, const CloudColumns& cloud, const std::string& word) {
@@ -94,20 +130,21 @@ void appendRecords(std::string& bytes, const CloudColumns& cloud) {
     const std::size_t rows = rowsOf(cloud);
     bytes.reserve(bytes.size() + record * rows);
     // Some rows at a time, column by column: so the records stay in the cache until they are whole.
+    std::vector<char> piece(record * std::min(rows, kRowsAtOnce));
     for (std::size_t first = 0; first < rows; first += kRowsAtOnce) {
         const std::size_t count = std::min(kRowsAtOnce, rows - first);
-        std::size_t offset = bytes.size();
-        bytes.resize(offset + record * count);
+        std::size_t offset = 0;
         for (const CloudColumn& column : cloud.columns) {
             std::visit(
                 [&](const auto& values) {
-                    char* at = bytes.data() + offset;
-                    for (std::size_t row = first; row < first + count; ++row, at += record)
-                        std::memcpy(at, &values[row], sizeof values[row]);
-                    offset += sizeof(values[0]);
+                    char* at = piece.data() + offset;
+                    const auto* value = values.data() + first;
+                    for (std::size_t row = 0; row < count; ++row, at += record) std::memcpy(at, value + row, sizeof *value);
+                    offset += sizeof *value;
                 },
                 column.values);
         }
+        bytes.append(piece.data(), record * count);
     }
 }
 

@@ -41,8 +41,10 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     return picked;
 }
 
-bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
+bool readRecords(PointTable& table, const PointFields& all, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source) {
+    PointFields fields = all;
+    if (source.placesOnly) fields = {all.x, all.y, all.z, {}, {}, {}, {}, {}, {}, {}, all.unitMm};
     constexpr std::size_t kAtOnce = 4096; // records stay in the cache while their fields are read one after the other
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
     table.points.resize(points);

@@ -21,8 +21,9 @@ struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
-    bool inMemory = false;  ///< there is no file, and no other may be touched
-    LinePlayed played = {}; ///< called behind every line of a recording
+    bool inMemory = false;   ///< there is no file, and no other may be touched
+    LinePlayed played = {};  ///< called behind every line of a recording
+    bool placesOnly = false; ///< of points x y z alone are wanted: what else stands beside them may be left out
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     /// Named scan.pcd.gz: what is packed carries its own extension before the last one.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,6 +77,8 @@ public:
     /// Which columns digits() is about; the first three unless told otherwise.
     void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
     void measureAll() { measured_.reset(); }
+    /// What stands behind the first so many numbers of a row is not looked at.
+    void takeOnly(std::size_t columns) { mostNumbers_ = columns; }
     /// What stands before the numbers of the row that next() gave, where the layout has labels.
     [[nodiscard]] std::string_view label() const { return label_; }
     /// Of the measured columns of the rows read so far.
@@ -84,7 +87,10 @@ public:
 private:
     bool readRow(std::vector<double>& numbers);
     bool skipLabel();
+    const char* endOfRow();
     bool readCell(std::vector<double>& numbers);
+    bool readUsualCell(std::vector<double>& numbers);
+    void measureCell(std::size_t column, const char* from, const char* to);
     void countDigits(const char* from, const char* to);
 
     const Source* source_;
@@ -93,6 +99,8 @@ private:
     const char* end_;
     const TextLayout* layout_;
     const char* rowEnd_ = nullptr;
+    const char* newline_ = nullptr; // the next one, or the end
+    std::size_t mostNumbers_ = std::numeric_limits<std::size_t>::max();
     std::size_t line_;
     std::size_t nextLine_;
     std::size_t measuredNumbers_ = 0;

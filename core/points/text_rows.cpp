@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace edgescan {
@@ -45,6 +47,50 @@ std::from_chars_result numberFrom(const char* from, const char* to, double& valu
     return {at, std::errc{}};
 }
 
+// Up to seven digits at once, the first in the lowest byte of the eight that stand there.
+struct EightBytes {
+    std::uint64_t value = 0; ///< of the digits
+    unsigned count = 0;      ///< of digits; 8: perhaps there are more
+};
+inline EightBytes digitsAt(const char* from) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
+    word ^= 0x3030303030303030U; // digits are 0 to 9 now
+    const std::uint64_t others = ((word + 0x7676767676767676U) | word) & 0x8080808080808080U;
+    if (others == 0) return {0, 8};
+    const unsigned count = static_cast<unsigned>(std::countr_zero(others)) / 8;
+    if (count == 0) return {};
+    word <<= 8U * (8U - count); // as if zeros stood before them
+    // Pairs of digits, of pairs, and of fours.
+    word = word * 10U + (word >> 8U);
+    word = ((word & 0x000000FF000000FFU) * 0x000F424000000064U + ((word >> 16U) & 0x000000FF000000FFU) * 0x0000271000000001U) >> 32U;
+    return {word & 0xFFFFFFFFU, count};
+}
+
+// "-12.345678": at most seven digits on each side of the point. Null for all else. As in numberFrom(), value is what from_chars gives.
+inline const char* usualNumber(const char* from, const char* end, double& value) {
+    static constexpr std::array<double, 8> kPowers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+    if (end - from < 24) return nullptr; // a sign, eight, a point, eight
+    const bool negative = *from == '-';
+    from += negative ? 1 : 0;
+    const EightBytes whole = digitsAt(from);
+    if (whole.count == 8) return nullptr;
+    from += whole.count;
+    double size = static_cast<double>(whole.value);
+    if (*from == '.') {
+        const EightBytes part = digitsAt(from + 1);
+        if (part.count == 8) return nullptr;
+        from += 1 + part.count;
+        if (whole.count + part.count == 0) return nullptr;
+        size = (size * kPowers[part.count] + static_cast<double>(part.value)) / kPowers[part.count]; // whole and below 10^15
+    } else if (whole.count == 0) {
+        return nullptr;
+    }
+    value = negative ? -size : size;
+    return from;
+}
+
 } // namespace
 
 RowReader::RowReader(const Source& source, const TextLayout& layout)
@@ -55,8 +101,7 @@ double RowReader::fraction() const { return begin_ == end_ ? 1.0 : static_cast<d
 
 bool RowReader::next(std::vector<double>& numbers) {
     while (at_ < end_) {
-        const char* rowEnd = at_;
-        while (rowEnd < end_ && *rowEnd != '\n' && *rowEnd != '\r') ++rowEnd;
+        const char* const rowEnd = endOfRow();
         rowEnd_ = rowEnd;
         line_ = nextLine_++;
         numbers.clear();
@@ -69,6 +114,15 @@ bool RowReader::next(std::vector<double>& numbers) {
     return false;
 }
 
+const char* RowReader::endOfRow() {
+    const auto found = [](char c, const char* from, const char* to) {
+        const void* at = std::memchr(from, c, static_cast<std::size_t>(to - from));
+        return at == nullptr ? to : static_cast<const char*>(at);
+    };
+    if (newline_ == nullptr || newline_ < at_) newline_ = found('\n', at_, end_);
+    return found('\r', at_, newline_);
+}
+
 bool RowReader::readRow(std::vector<double>& numbers) {
     const auto isComment = [&] { return *at_ == '#' || *at_ == '%' || *at_ == '!' || (*at_ == '/' && at_ + 1 < rowEnd_ && at_[1] == '/'); };
     const char separator = layout_->separator;
@@ -76,7 +130,8 @@ bool RowReader::readRow(std::vector<double>& numbers) {
     if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true; // Ctrl+Z ended files once
     if (layout_->labels && !skipLabel()) return true;
     for (;;) {
-        if (!readCell(numbers)) return false;
+        if (!readUsualCell(numbers) && !readCell(numbers)) return false;
+        if (numbers.size() == mostNumbers_) return true;
         while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
         if (separator == ' ') {
             while (at_ < rowEnd_ && isBlank(*at_)) ++at_;
@@ -100,6 +155,25 @@ bool RowReader::skipLabel() {
     ++at_;
     while (separator == ' ' && at_ < rowEnd_ && isBlank(*at_)) ++at_;
     return at_ < rowEnd_ || separator != ' ';
+}
+
+/// A number of a few digits with a blank, a separator or nothing behind it; false, and nothing is read, for all else.
+bool RowReader::readUsualCell(std::vector<double>& numbers) {
+    if (layout_->decimalComma) return false;
+    double value = 0;
+    const char* const to = usualNumber(at_, end_, value);
+    if (to == nullptr || (to < rowEnd_ && *to != layout_->separator && !isBlank(*to))) return false;
+    measureCell(numbers.size(), at_, to);
+    numbers.push_back(value);
+    at_ = to;
+    return true;
+}
+
+void RowReader::measureCell(std::size_t column, const char* from, const char* to) {
+    if (measuredNumbers_ >= kNumbersWithDigits) return;
+    if (measured_ && std::find(measured_->begin(), measured_->end(), column) == measured_->end()) return;
+    ++measuredNumbers_;
+    countDigits(from, to);
 }
 
 bool RowReader::readCell(std::vector<double>& numbers) {
@@ -154,11 +228,7 @@ bool RowReader::readCell(std::vector<double>& numbers) {
         problem_ = source_->refusedAtLine(line_, "\"" + word + "\" is no number", "correct the line or export the file again");
         return false;
     }
-    const bool measured = !measured_ || std::find(measured_->begin(), measured_->end(), numbers.size()) != measured_->end();
-    if (measured && measuredNumbers_ < kNumbersWithDigits) {
-        ++measuredNumbers_;
-        countDigits(from, end);
-    }
+    measureCell(numbers.size(), from, end);
     numbers.push_back(value);
     at_ = end;
     return true;

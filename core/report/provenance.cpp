@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <span>
 #include <system_error>
 
@@ -114,14 +115,25 @@ Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     return Done{};
 }
 
+/// Read again piece by piece, each beside what it should be.
+bool holds(const fs::path& path, std::span<const std::byte> bytes) {
+    constexpr std::size_t kPiece = std::size_t{1} << 18U; // stays in the cache
+    std::ifstream file(path, std::ios::binary);
+    file.rdbuf()->pubsetbuf(nullptr, 0); // no second copy
+    std::vector<char> piece(kPiece);
+    while (file) {
+        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        const auto count = static_cast<std::size_t>(file.gcount());
+        if (count > bytes.size() || std::memcmp(piece.data(), bytes.data(), count) != 0) return false;
+        bytes = bytes.subspan(count);
+    }
+    return file.eof() && bytes.empty();
+}
+
 /// What did not arrive as it was written is taken away again.
 Result<Done> readBack(const std::vector<FileContent>& contents) {
     for (const FileContent& content : contents) {
-        const auto found = readWholeFile(content.path);
-        const auto isWritten = [&content](const std::vector<std::byte>& bytes) {
-            return bytes.size() == content.bytes.size() && std::memcmp(bytes.data(), content.bytes.data(), bytes.size()) == 0;
-        };
-        if (found && isWritten(*found)) continue;
+        if (holds(content.path, content.bytes)) continue;
         std::error_code ignored;
         for (const FileContent& other : contents) fs::remove(other.path, ignored);
         return Error{"what was read back is not what was written, so it was removed", content.path.string(),

@@ -2,14 +2,16 @@
 #include "core/formats/formats.h"
 #include "core/report/record_parts.h"
 
-#include <ranges>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
+#include <type_traits>
 
 namespace edgescan {
 namespace {
 
-template <class Points>
-PointBounds boundsOf(const Points& points) {
+PointBounds boundsOf(const std::vector<Eigen::Vector3d>& points) {
     PointBounds bounds;
     for (const Eigen::Vector3d& p : points) {
         if (!p.allFinite()) continue; // a cell without a point
@@ -22,14 +24,30 @@ PointBounds boundsOf(const Points& points) {
 
 template <class T>
 PointBounds boundsOf(const std::vector<T>& x, const std::vector<T>& y, const std::vector<T>& z) {
-    return boundsOf(std::views::iota(std::size_t{0}, x.size()) | std::views::transform([&](std::size_t n) {
-                        return Eigen::Vector3d(static_cast<double>(x[n]), static_cast<double>(y[n]), static_cast<double>(z[n]));
-                    }));
+    PointBounds bounds;
+    std::array<T, 3> least{}, most{};
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        const std::array<T, 3> p{x[n], y[n], z[n]};
+        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue; // a cell without a point
+        if (bounds.count++ == 0) least = most = p;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], p[axis]);
+            most[axis] = std::max(most[axis], p[axis]);
+        }
+    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        bounds.leastM[axis] = static_cast<double>(least[static_cast<std::size_t>(axis)]);
+        bounds.mostM[axis] = static_cast<double>(most[static_cast<std::size_t>(axis)]);
+    }
+    return bounds;
 }
 
 PointBounds boundsOf(const CloudColumns& cloud) {
-    const auto of = [&]<class T>(const std::vector<T>& x) {
-        return boundsOf(x, std::get<std::vector<T>>(cloud.columns[1].values), std::get<std::vector<T>>(cloud.columns[2].values));
+    const auto of = [&]<class T>(const std::vector<T>& x) -> PointBounds {
+        if constexpr (std::is_floating_point_v<T>)
+            return boundsOf(x, std::get<std::vector<T>>(cloud.columns[1].values), std::get<std::vector<T>>(cloud.columns[2].values));
+        else
+            return {}; // coordinates are numbers with a point
     };
     return std::visit(of, cloud.columns[0].values);
 }
@@ -44,7 +62,8 @@ PointBounds pointsToWrite(ExportContent content, const Detection& detection, con
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {
     const ReadingOptions options;
-    const Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
+    Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
+    source.placesOnly = true;
     const Format* format = writtenFormat(path);
     if (format == nullptr || format->points == nullptr) return std::optional<PointBounds>();
     const auto table = format->points(source);

@@ -45,14 +45,20 @@ template <bool kSpin, bool kSkewed, class Number>
 inline __attribute__((always_inline)) void multiplyLine(const LineTables& of, Number* __restrict x, Number* __restrict y,
                                                         Number* __restrict z) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    for (int j = 0; j < of.beams; ++j) {
-        const double cosLine = of.cosLine[kSkewed ? j : 0];
-        const double sinLine = of.sinLine[kSkewed ? j : 0];
-        // A product with NaN is NaN.
-        const double range = of.states[j] == CellState::Valid ? static_cast<double>(of.rangeMm[j]) * kMetresPerMm : kNone;
-        x[j] = static_cast<Number>((kSpin ? of.cosBeam[j] * cosLine : of.cosBeam[j]) * range);
-        y[j] = static_cast<Number>((kSpin ? of.cosBeam[j] * sinLine : -of.sinBeam[j] * sinLine) * range);
-        z[j] = static_cast<Number>((kSpin ? of.sinBeam[j] : of.sinBeam[j] * cosLine) * range);
+    // Read before the loop: what is written cannot change them.
+    const double *const cosBeam = of.cosBeam, *const sinBeam = of.sinBeam, *const cosLines = of.cosLine, *const sinLines = of.sinLine;
+    const double oneCosLine = *cosLines, oneSinLine = *sinLines;
+    const float* const rangeMm = of.rangeMm;
+    const CellState* const states = of.states;
+    const int beams = of.beams;
+    for (int j = 0; j < beams; ++j) {
+        const double cosLine = kSkewed ? cosLines[j] : oneCosLine;
+        const double sinLine = kSkewed ? sinLines[j] : oneSinLine;
+        const double measured = static_cast<double>(rangeMm[j]) * kMetresPerMm;
+        const double range = states[j] == CellState::Valid ? measured : kNone; // a product with NaN is NaN
+        x[j] = static_cast<Number>((kSpin ? cosBeam[j] * cosLine : cosBeam[j]) * range);
+        y[j] = static_cast<Number>((kSpin ? cosBeam[j] * sinLine : -sinBeam[j] * sinLine) * range);
+        z[j] = static_cast<Number>((kSpin ? sinBeam[j] : sinBeam[j] * cosLine) * range);
     }
 }
 

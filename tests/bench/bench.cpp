@@ -16,9 +16,11 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <optional>
 
 using namespace edgescan;
@@ -139,45 +141,62 @@ cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const Settings& thesis) {
     return edges;
 }
 
-// The valid cells: index, place and label of each.
+// The valid cells: index, place and label of each. The memory is not cleared before it is written.
 struct LabelledCloud {
-    std::vector<std::uint32_t> index;
-    std::vector<float> x, y, z;
-    std::vector<std::uint8_t> label;
+    std::size_t points = 0;
+    std::unique_ptr<std::uint32_t[]> index;
+    std::unique_ptr<float[]> x, y, z;
+    std::unique_ptr<std::uint8_t[]> label;
 
-    explicit LabelledCloud(std::size_t points) : index(points), x(points), y(points), z(points), label(points) {}
-    void resize(std::size_t points) {
-        index.resize(points);
-        for (std::vector<float>* axis : {&x, &y, &z}) axis->resize(points);
-        label.resize(points);
-    }
+    explicit LabelledCloud(std::size_t most)
+        : index(new std::uint32_t[most]), x(new float[most]), y(new float[most]), z(new float[most]), label(new std::uint8_t[most]) {}
 };
+constexpr int kAtOnce = 16; // cells
+
+// Adds a line's valid cells, many at once where all of them are.
+void addLine(LabelledCloud& cloud, const std::vector<float>& xyz, const CellState* states, const std::uint8_t* labels, int beams,
+             std::uint32_t first) {
+    const float *const x = xyz.data(), *const y = x + beams, *const z = y + beams;
+    std::size_t n = cloud.points;
+    const auto add = [&](int j) {
+        cloud.x[n] = x[j];
+        cloud.y[n] = y[j];
+        cloud.z[n] = z[j];
+        cloud.label[n] = labels[j];
+        cloud.index[n] = first + static_cast<std::uint32_t>(j);
+        n += states[j] == CellState::Valid ? 1U : 0U;
+    };
+    int j = 0;
+    for (; j + kAtOnce <= beams; j += kAtOnce) {
+        std::array<std::uint64_t, 2> eight;
+        std::memcpy(eight.data(), states + j, kAtOnce);
+        static_assert(static_cast<int>(CellState::Valid) == 0);
+        if ((eight[0] | eight[1]) != 0) {
+            for (int m = j; m < j + kAtOnce; ++m) add(m);
+            continue;
+        }
+        std::memcpy(cloud.x.get() + n, x + j, kAtOnce * sizeof(float));
+        std::memcpy(cloud.y.get() + n, y + j, kAtOnce * sizeof(float));
+        std::memcpy(cloud.z.get() + n, z + j, kAtOnce * sizeof(float));
+        std::memcpy(cloud.label.get() + n, labels + j, kAtOnce);
+        std::uint32_t* const index = cloud.index.get() + n;
+        for (int m = 0; m < kAtOnce; ++m) index[m] = first + static_cast<std::uint32_t>(j + m);
+        n += kAtOnce;
+    }
+    for (; j < beams; ++j) add(j);
+    cloud.points = n;
+}
+
 LabelledCloud labelledCloud(const Scan& scan, const Settings& thesis) {
     const Grid<std::uint8_t> mask = thesisMask(scan, thesis);
     const CartesianTables tables(scan);
-    LabelledCloud cloud(scan.cells());
-    std::size_t points = 0;
+    LabelledCloud cloud(scan.cells() + 1); // a cell that does not count is written behind the last
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    std::vector<float> xyz(3 * beams);
     for (int i = 0; i < scan.lines(); ++i) {
-        // Written at the place of the next point, and closed up: one that does not count is overwritten.
-        float* const x = cloud.x.data() + points;
-        float* const y = cloud.y.data() + points;
-        float* const z = cloud.z.data() + points;
-        tables.pointsOfLine(i, x, y, z);
-        const CellState* states = scan.state.line(i);
-        const std::uint8_t* labels = mask.line(i);
-        const auto first = static_cast<std::uint32_t>(scan.rangeMm.index(i, 0));
-        std::size_t kept = 0;
-        for (int j = 0; j < scan.beams(); ++j) {
-            x[kept] = x[j];
-            y[kept] = y[j];
-            z[kept] = z[j];
-            cloud.index[points + kept] = first + static_cast<std::uint32_t>(j);
-            cloud.label[points + kept] = labels[j];
-            kept += states[j] == CellState::Valid ? 1U : 0U;
-        }
-        points += kept;
+        tables.pointsOfLine(i, xyz.data(), xyz.data() + beams, xyz.data() + 2 * beams);
+        addLine(cloud, xyz, scan.state.line(i), mask.line(i), scan.beams(), static_cast<std::uint32_t>(scan.rangeMm.index(i, 0)));
     }
-    cloud.resize(points);
     return cloud;
 }
 

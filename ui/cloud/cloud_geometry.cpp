@@ -1,6 +1,7 @@
 // Float coordinates, drawing order, tiles and the frame of the view, from a scan.
 #include "ui/cloud/cloud_geometry.h"
 
+#include "core/base/bands.h"
 #include "core/scan/cartesian.h"
 #include "ui/cloud/cloud_normals.h"
 
@@ -44,21 +45,26 @@ Vector3d pickOrigin(const Scan& scan) {
 }
 
 void fillPoints(const CartesianTables& tables, CloudGeometry& out) {
-    const std::size_t cells = static_cast<std::size_t>(out.lines) * static_cast<std::size_t>(out.beams);
+    const auto beams = static_cast<std::size_t>(out.beams);
+    const std::size_t cells = static_cast<std::size_t>(out.lines) * beams;
     out.xyz.resize(3 * cells);
     out.valid.assign(cells, 0);
-    std::size_t k = 0;
-    for (int line = 0; line < out.lines; ++line) {
-        for (int beam = 0; beam < out.beams; ++beam, ++k) {
-            const Vector3d p = tables.point(line, beam);
-            const bool drawn = p.allFinite();
-            const Vector3f local = drawn ? Vector3f((p - out.originM).cast<float>()) : out.sensor;
-            out.xyz[3 * k] = local.x();
-            out.xyz[3 * k + 1] = local.y();
-            out.xyz[3 * k + 2] = local.z();
-            out.valid[k] = drawn ? 1 : 0;
+    inBands(out.lines, bandsFor(cells, 0), [&](int first, int last) {
+        std::vector<double> x(beams), y(beams), z(beams);
+        for (int line = first; line < last; ++line) {
+            tables.pointsOfLine(line, x.data(), y.data(), z.data());
+            std::size_t k = static_cast<std::size_t>(line) * beams;
+            for (std::size_t beam = 0; beam < beams; ++beam, ++k) {
+                const Vector3d p(x[beam], y[beam], z[beam]);
+                const bool drawn = p.allFinite();
+                const Vector3f local = drawn ? Vector3f((p - out.originM).cast<float>()) : out.sensor;
+                out.xyz[3 * k] = local.x();
+                out.xyz[3 * k + 1] = local.y();
+                out.xyz[3 * k + 2] = local.z();
+                out.valid[k] = drawn ? 1 : 0;
+            }
         }
-    }
+    });
 }
 
 void fillOrder(CloudGeometry& out) {

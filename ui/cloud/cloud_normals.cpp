@@ -1,6 +1,8 @@
 // Which way the surface faces at each cell.
 #include "ui/cloud/cloud_normals.h"
 
+#include "core/base/bands.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -38,6 +40,17 @@ struct Neighbourhood {
         }
         return sum;
     }
+
+    // Towards the sensor.
+    [[nodiscard]] Vector3f normalAt(std::size_t k, int line, int beam) const {
+        const Vector3f toSensor = (cloud.sensor - cloud.point(k)).normalized();
+        const Vector3f alongBeams = tangent(k, 1, beam, cloud.beams - 1 - beam);
+        const Vector3f alongLines = tangent(k, cloud.beams, line, cloud.lines - 1 - line);
+        Vector3f normal = alongBeams.cross(alongLines);
+        const float length = normal.norm();
+        normal = length > 0.0F && std::isfinite(length) ? Vector3f(normal / length) : toSensor;
+        return normal.dot(toSensor) < 0.0F ? Vector3f(-normal) : normal;
+    }
 };
 
 } // namespace
@@ -45,20 +58,16 @@ struct Neighbourhood {
 std::vector<float> surfaceNormals(const CloudGeometry& cloud) {
     const Neighbourhood around(cloud);
     std::vector<float> normals(3 * cloud.cells());
-    std::size_t k = 0;
-    for (int line = 0; line < cloud.lines; ++line) {
-        for (int beam = 0; beam < cloud.beams; ++beam, ++k) {
-            if (cloud.valid[k] == 0) continue;
-            const Vector3f toSensor = (cloud.sensor - cloud.point(k)).normalized();
-            const Vector3f alongBeams = around.tangent(k, 1, beam, cloud.beams - 1 - beam);
-            const Vector3f alongLines = around.tangent(k, cloud.beams, line, cloud.lines - 1 - line);
-            Vector3f normal = alongBeams.cross(alongLines);
-            const float length = normal.norm();
-            normal = length > 0.0F && std::isfinite(length) ? Vector3f(normal / length) : toSensor;
-            if (normal.dot(toSensor) < 0.0F) normal = -normal;
-            for (int axis = 0; axis < 3; ++axis) normals[3 * k + static_cast<std::size_t>(axis)] = normal[axis];
+    inBands(cloud.lines, bandsFor(cloud.cells(), 0), [&](int first, int last) {
+        std::size_t k = static_cast<std::size_t>(first) * static_cast<std::size_t>(cloud.beams);
+        for (int line = first; line < last; ++line) {
+            for (int beam = 0; beam < cloud.beams; ++beam, ++k) {
+                if (cloud.valid[k] == 0) continue;
+                const Vector3f normal = around.normalAt(k, line, beam);
+                for (int axis = 0; axis < 3; ++axis) normals[3 * k + static_cast<std::size_t>(axis)] = normal[axis];
+            }
         }
-    }
+    });
     return normals;
 }
 
