@@ -6,6 +6,7 @@
 #include "core/base/memory.h"
 #include "core/points/column_names.h"
 #include "core/points/column_rows.h"
+#include "core/points/own_scan.h"
 #include "core/points/point_columns.h"
 #include "core/points/text_words.h"
 
@@ -95,15 +96,15 @@ std::optional<std::string> guessedColumns(const Columns& columns, const TextLayo
 }
 
 /// Room for as many rows as the text has line ends, but for no more than its bytes suffice for.
-void reserveRows(PointTable& table, const Source& source, const TextLayout& layout, const NamedColumns& named) {
+void reserveRows(PointTable& table, const Source& source, const TextLayout& layout, const NamedColumns& named, bool rangesOnly) {
     const std::string_view text = source.text();
     const auto lineEnds = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     const std::size_t rows = std::min(lineEnds + 1, text.size() / (2 * layout.columns) + 1);
-    table.points.reserve(rows);
+    if (!rangesOnly) table.points.reserve(rows);
     if (named[ColumnRole::RangeMm]) table.rangeMm.reserve(rows);
     if (named[ColumnRole::State]) table.state.reserve(rows);
     if (named[ColumnRole::Intensity]) table.intensity.reserve(rows);
-    if (named.hasCell()) {
+    if (named.hasCell() && !rangesOnly) {
         table.line.reserve(rows);
         table.beam.reserve(rows);
     }
@@ -130,20 +131,24 @@ Result<PointTable> readTextPoints(const Source& source) {
     if (source.placesOnly) {
         for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) named.of[role].reset();
     }
-    reserveRows(table, source, layout, named);
+    const bool rangesOnly =
+        named[ColumnRole::RangeMm] && named[ColumnRole::State] && !named[ColumnRole::FilledSdMm] && takesRangesOnly(layout.description);
+    reserveRows(table, source, layout, named, rangesOnly);
     RowReader rows(source, layout);
     rows.measure(columns->xyz);
     const std::size_t ofPlace = std::max({columns->xyz[0], columns->xyz[1], columns->xyz[2]}) + 1;
     const std::size_t needed = source.placesOnly ? ofPlace : columns->needed;
     if (source.placesOnly) rows.takeOnly(needed);
     std::vector<double> row;
+    std::size_t rowsRead = 0;
     while (rows.next(row)) {
         if (row.size() < needed) {
             return source.refusedAtLine(rows.lineNumber(),
                                         "holds " + std::to_string(row.size()) + " numbers where a point needs " + std::to_string(needed),
                                         "the file may be cut off here, copy it again");
         }
-        table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
+        ++rowsRead;
+        if (!rangesOnly) table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
         const auto value = [&](ColumnRole role) { return row[*named[role]]; };
         if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
         if (named[ColumnRole::State]) {
@@ -156,21 +161,20 @@ Result<PointTable> readTextPoints(const Source& source) {
         }
         if (const auto filled = named[ColumnRole::FilledSdMm])
             table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
-        if (named.hasCell()) {
+        if (named.hasCell() && !rangesOnly) {
             table.line.push_back(indexOf(value(ColumnRole::Line)));
             table.beam.push_back(indexOf(value(ColumnRole::Beam)));
         }
         if (named.hasScannerPoint())
             table.scannerPoints.emplace_back(value(ColumnRole::ScannerX), value(ColumnRole::ScannerY), value(ColumnRole::ScannerZ));
-        if (table.points.size() % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
+        if (rowsRead % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();
-    if (layout.promisedRows && *layout.promisedRows != table.points.size()) {
-        return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " +
-                                  std::to_string(table.points.size()),
+    if (layout.promisedRows && *layout.promisedRows != rowsRead) {
+        return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " + std::to_string(rowsRead),
                               "copy the file again");
     }
-    table.width = table.points.size();
+    table.width = rowsRead;
     table.precision = precisionOf(rows.digits());
     table.unitMm = named.unitMm;
     table.description = layout.description;

@@ -5,6 +5,8 @@
 #include "core/base/physical_limits.h"
 #include "core/points/description.h"
 
+#include <algorithm>
+
 namespace edgescan {
 namespace {
 
@@ -21,10 +23,16 @@ Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& s
 
 } // namespace
 
+bool takesRangesOnly(const std::string& description) {
+    if (description.empty()) return false;
+    const auto grid = parseDescription(description, "");
+    return grid && !grid->sensorM && grid->beamDeg && grid->lineDeg && grid->axis;
+}
+
 Result<Scan> ownScan(PointTable& table, const Source& source) {
     const auto grid = parseDescription(table.description, source.path.string());
     if (!grid) return grid.error();
-    const std::size_t cells = table.points.size();
+    const std::size_t cells = std::max(table.points.size(), table.rangeMm.size());
     const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
     if (productOf({grid->lines, grid->beams}) != cells)
         return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");

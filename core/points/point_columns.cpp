@@ -2,6 +2,7 @@
 #include "core/points/point_columns.h"
 
 #include "core/points/column_names.h"
+#include "core/points/own_scan.h"
 #include "core/points/text_layout.h"
 
 #include <algorithm>
@@ -45,9 +46,14 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
                  const Source& source) {
     PointFields fields = all;
     if (source.placesOnly) fields = {all.x, all.y, all.z, {}, {}, {}, {}, {}, {}, {}, all.unitMm};
+    const bool rangesOnly = !source.placesOnly && all.rangeMm && all.state && !all.filledSdMm && takesRangesOnly(table.description);
+    if (rangesOnly) {
+        fields.line.reset();
+        fields.beam.reset();
+    }
     constexpr std::size_t kAtOnce = 4096; // records stay in the cache while their fields are read one after the other
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
-    table.points.resize(points);
+    if (!rangesOnly) table.points.resize(points);
     if (fields.rangeMm) table.rangeMm.resize(points);
     if (fields.state) table.state.resize(points);
     if (fields.intensity) table.intensity.resize(points);
@@ -65,7 +71,7 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
             read(y, [&](std::size_t n, double value) { to[n].y() = value; });
             read(z, [&](std::size_t n, double value) { to[n].z() = value; });
         };
-        readPoint(table.points, fields.x, fields.y, fields.z);
+        if (!rangesOnly) readPoint(table.points, fields.x, fields.y, fields.z);
         if (const auto& s = fields.scanner; !s.empty()) readPoint(table.scannerPoints, s[0], s[1], s[2]);
         if (fields.rangeMm) read(*fields.rangeMm, [&](std::size_t n, double value) { table.rangeMm[n] = static_cast<float>(value); });
         if (fields.state) read(*fields.state, [&](std::size_t n, double value) { table.state[n] = stateByte(value); });
