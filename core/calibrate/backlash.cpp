@@ -20,7 +20,7 @@ constexpr double kMostBentMm = 60; // a place that its lines bend by more is an 
 constexpr std::size_t kFewestSame = 1000;
 constexpr int kBacklashRounds = 20;
 constexpr double kTukeyReach = 4.685;
-constexpr double kHonest = 1.5; // times the plain standard deviation, by trial
+constexpr double kHonest = 3; // times the plain standard deviation, by trial
 constexpr double kMostSdDeg = 0.05;
 constexpr double kSameBeamDeg = 0.01;
 

@@ -69,6 +69,32 @@ mantenga \ para verla</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
+<message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
+<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
+<message><source>a calibration</source><translation>una calibración</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
+<message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>brazo de palanca t1, en el abanico</translation></message>
+<message><source>lever arm t2, across it</source><translation>brazo de palanca t2, transversal</translation></message>
+<message><source>tilt of the fan</source><translation>inclinación del abanico</translation></message>
+<message><source>beam index</source><translation>índice de los haces</translation></message>
+<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
+<message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -91,7 +117,6 @@ visible %6 m², a %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
@@ -245,6 +270,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
+<message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
 <message><source>HELD</source><translation>HELD</translation></message>
@@ -280,6 +306,25 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
+<message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
+<message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
+<message><source>error of the assembly</source><translation>error del montaje</translation></message>
+<message><source>value</source><translation>valor</translation></message>
+<message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
+<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>working …</source><translation>trabajando …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
@@ -494,6 +539,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
+<message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
@@ -601,6 +647,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -627,7 +679,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
-<message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source>time not known</source><translation>hora desconocida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>

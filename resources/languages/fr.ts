@@ -69,6 +69,32 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
+<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
+<message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
+<message><source>given up</source><translation>abandonné</translation></message>
+<message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
+<message><source>a calibration</source><translation>un étalonnage</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
+<message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>bras de levier t1, dans l'éventail</translation></message>
+<message><source>lever arm t2, across it</source><translation>bras de levier t2, en travers</translation></message>
+<message><source>tilt of the fan</source><translation>inclinaison de l'éventail</translation></message>
+<message><source>beam index</source><translation>index des faisceaux</translation></message>
+<message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
+<message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Après : %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Écart des vues</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
@@ -91,7 +117,6 @@ visible %6 m², à %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
-<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
@@ -245,6 +270,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
+<message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
 <message><source>HELD</source><translation>HELD</translation></message>
@@ -280,6 +306,25 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Étalonner</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Étalonner le montage</translation></message>
+<message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Scans d'un même montage :</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
+<message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
+<message><source>error of the assembly</source><translation>erreur du montage</translation></message>
+<message><source>value</source><translation>valeur</translation></message>
+<message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
+<message><source>&amp;Give Up</source><translation>&amp;Abandonner</translation></message>
+<message><source>working …</source><translation>en cours …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
 <message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
 <message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
@@ -494,6 +539,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
+<message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
@@ -601,6 +647,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
+<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 à %2 %3</translation></message>
@@ -627,7 +679,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
-<message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source>time not known</source><translation>heure inconnue</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>

@@ -69,6 +69,32 @@ segure \ para vê-la</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
+<message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
+<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
+<message><source>a calibration</source><translation>uma calibração</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
+<message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>braço de alavanca t1, no leque</translation></message>
+<message><source>lever arm t2, across it</source><translation>braço de alavanca t2, transversal</translation></message>
+<message><source>tilt of the fan</source><translation>inclinação do leque</translation></message>
+<message><source>beam index</source><translation>índice dos feixes</translation></message>
+<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
+<message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Depois: %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -91,7 +117,6 @@ visível %6 m², a %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
@@ -245,6 +270,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
+<message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
 <message><source>HELD</source><translation>HELD</translation></message>
@@ -280,6 +306,25 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Calibrar a montagem</translation></message>
+<message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Varreduras de uma montagem:</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
+<message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
+<message><source>error of the assembly</source><translation>erro da montagem</translation></message>
+<message><source>value</source><translation>valor</translation></message>
+<message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
+<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>working …</source><translation>trabalhando …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
@@ -494,6 +539,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
+<message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
@@ -601,6 +647,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -627,7 +679,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
 <message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
-<message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source>time not known</source><translation>hora desconhecida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>

@@ -64,8 +64,10 @@ void LinkedPictures::resizeEvent(QResizeEvent* event) {
 
 void LinkedPictures::centre() {
     const QSize seen = areas_[0]->viewport()->size();
-    areas_[0]->horizontalScrollBar()->setValue(busiest_.x() - seen.width() / 2);
-    areas_[0]->verticalScrollBar()->setValue(busiest_.y() - seen.height() / 2);
+    for (QScrollArea* area : areas_) { // each: the other may not know yet how far it goes
+        area->horizontalScrollBar()->setValue(busiest_.x() - seen.width() / 2);
+        area->verticalScrollBar()->setValue(busiest_.y() - seen.height() / 2);
+    }
 }
 
 } // namespace edgescan::ui

@@ -7,6 +7,7 @@
 #include "core/settings/parameters.h"
 #include "ui/base/shown_text.h"
 #include "ui/panel/count_curve.h"
+#include "ui/panel/noise_words.h"
 #include "ui/panel/parameter_row.h"
 
 #include <QComboBox>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 namespace edgescan::ui {
 namespace {
@@ -61,7 +63,9 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     advancedGrid->setColumnStretch(1, 1);
     advancedGrid->setColumnMinimumWidth(0, kNarrowestLabel);
     for (const Parameter& p : parameters()) {
-        if (p.advanced) addRow(p, *advancedGrid);
+        if (!p.advanced) continue;
+        addRow(p, *advancedGrid);
+        if (std::string_view(p.key) == "noise-kind") addNoise(*advancedGrid);
     }
     advanced_->hide();
     connect(fold, &QToolButton::toggled, this, [this, fold](bool open) {
@@ -136,6 +140,15 @@ void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
         edit(row->parameter(), row->parameter().get(preset_.settings), false);
         emit editEnded();
     });
+}
+
+void EdgesPanel::addNoise(QGridLayout& grid) {
+    noise_ = new QLabel;
+    noise_->setObjectName("noise-found");
+    noise_->setWordWrap(true);
+    noise_->setTextFormat(Qt::PlainText);
+    noise_->hide();
+    grid.addWidget(noise_, grid.rowCount(), 0, 1, 4);
 }
 
 void EdgesPanel::addCurve(const Parameter& parameter, QGridLayout& grid) {
@@ -250,6 +263,9 @@ void EdgesPanel::showResult(const Detection& detection) {
     classCounts_ = countClasses(detection);
     const Parameter& swept = sweptParameter(detection.settings.method);
     curve(swept.key)->showFound(swept.get(detection.settings), detection.edges->size());
+    const QString noise = noiseWords(detection);
+    noise_->setText(noise);
+    noise_->setVisible(!noise.isEmpty());
     showInUse();
     showMeaning();
     showClasses();

@@ -69,6 +69,7 @@ signals:
 private:
     void addPresets(QGridLayout& grid);
     void addRow(const Parameter& parameter, QGridLayout& grid);
+    void addNoise(QGridLayout& grid);
     void addCurve(const Parameter& parameter, QGridLayout& grid);
     void addMeaning(QGridLayout& grid);
     [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
@@ -102,6 +103,7 @@ private:
     QLabel* upper_ = nullptr;
     QToolButton* fold_ = nullptr;
     QLabel* meaning_ = nullptr;
+    QLabel* noise_ = nullptr;
     QLabel* behind_ = nullptr;
     QToolButton* lock_ = nullptr;
     QWidget* advanced_ = nullptr;

@@ -1,0 +1,55 @@
+// The panel says which noise the edges were found with, as the record does, and lets another one be chosen.
+#include "core/settings/settings.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+
+#include <QComboBox>
+#include <QLabel>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class NoisePanelTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder folder_;
+
+private slots:
+    void theNoiseInUseIsToldAndAnotherKindCanBeChosen() {
+        SimulationSettings simulated;
+        simulated.lines = 200;
+        simulated.beams = 220;
+        const std::string path = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(simulate(simulated)->scan, path)));
+        WindowFixture on;
+        on.window.resize(1500, 950);
+        QVERIFY(on.showWith(path));
+        const auto* told = on.window.panel().findChild<QLabel*>("noise-found");
+        QVERIFY(told != nullptr && !told->isHidden());
+        const auto mm = [](const RangeNoise& noise, double at) {
+            return QString("%1 mm at %2 m").arg(noise.at(at), 0, 'f', 1).arg(at, 0, 'f', 1);
+        };
+        const auto laser = on.picture().detection->responses;
+        QVERIFY(!laser->neighboursAlike);
+        const double usual = laser->scales.rangeM;
+        QVERIFY2(told->text().startsWith("Noise in use: each cell errs for itself"), qPrintable(told->text()));
+        for (const double at : {0.5 * usual, usual, 2 * usual})
+            QVERIFY2(told->text().contains(mm(laser->noise, at)), qPrintable(told->text()));
+        QVERIFY(!told->text().contains("Folds"));
+
+        Settings camera = on.window.session().settings();
+        camera.noiseKind = NoiseKind::Camera;
+        QVERIFY(on.use(camera));
+        QTRY_VERIFY(told->text().contains("neighbours err alike"));
+        QVERIFY2(told->text().contains("Folds have to exceed " + mm(on.picture().detection->responses->foldNoise, usual)),
+                 qPrintable(told->text()));
+
+        Settings gray = camera;
+        gray.method = Method::Canny;
+        QVERIFY(on.use(gray));
+        QTRY_VERIFY(told->isHidden());
+    }
+};
+
+QTEST_MAIN(NoisePanelTest)
+#include "noise_panel_test.moc"
