@@ -22,8 +22,9 @@ constexpr double kOnShare = 0.006;   // of the range: a piece on a plane is as n
 constexpr double kLeastMm = 12.0;    // either, at least
 constexpr double kSameDeg = 6.0;     // between normals
 constexpr int kPlanes = 3;
-constexpr int kClearlyMore = 10; // pieces
-constexpr int kWallsOneIn = 3;   // pieces on planes, of all; where there are fewer there is no wall to go by
+constexpr int kClearlyMore = 10;  // pieces
+constexpr int kLeastPieces = 150; // a few flat things are no room
+constexpr int kWallsOneIn = 3;    // pieces on planes, of all; where there are fewer there is no wall to go by
 constexpr double kClearTimes = 1.4;
 
 struct Piece {
@@ -106,7 +107,7 @@ CommonPlanes commonPlanes(const Scan& scan, const PolarGeometry& geometry) {
 }
 
 bool clearlyFlatter(const CommonPlanes& other, const CommonPlanes& now) {
-    const bool hasWalls = other.onPlanes * kWallsOneIn >= other.pieces;
+    const bool hasWalls = std::min(other.pieces, now.pieces) >= kLeastPieces && other.onPlanes * kWallsOneIn >= other.pieces;
     return hasWalls && other.onPlanes >= now.onPlanes + kClearlyMore &&
            static_cast<double>(other.onPlanes) >= kClearTimes * static_cast<double>(now.onPlanes);
 }

@@ -405,6 +405,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
 <message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
+<message><source>Float</source><translation>Separar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>

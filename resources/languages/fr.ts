@@ -405,6 +405,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Step up</source><translation>&amp;Augmenter</translation></message>
 <message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
+<message><source>Float</source><translation>Détacher</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>

@@ -405,6 +405,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
 <message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
+<message><source>Float</source><translation>Destacar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>

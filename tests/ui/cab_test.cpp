@@ -17,11 +17,15 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTimer>
 #include <QToolButton>
 
 using namespace edgescan;
@@ -108,6 +112,65 @@ private slots:
             on.window.cab().set(false);
             QApplication::processEvents();
         }
+    }
+
+    // Every dialog that a command opens; those of Qt that ask for a file have their own sizes.
+    void dialogsAreLargeEnoughForGlovesToo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, QSize(1280, 800));
+        on.window.views().pin(on.window.views().cellAt(100, 120));
+        on.window.rocks().setShown(true);
+        on.window.comparing().keep();
+        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() != nullptr; }, 30000));
+        on.window.selection().select({100, 101, 102});
+        on.window.markedEdges().mark(on.window.views().cellAt(100, 120), true);
+        QSet<QString> dialogs;
+        QStringList small;
+        const auto measure = [&] {
+            for (QWidget* top : QApplication::topLevelWidgets()) {
+                auto* dialog = qobject_cast<QDialog*>(top);
+                if (dialog == nullptr || !dialog->isVisible()) continue;
+                if (qobject_cast<QFileDialog*>(dialog) == nullptr) {
+                    dialogs << dialog->windowTitle();
+                    for (const QWidget* each : dialog->findChildren<QWidget*>()) {
+                        const bool pressed =
+                            qobject_cast<const QAbstractButton*>(each) != nullptr || qobject_cast<const QComboBox*>(each) != nullptr ||
+                            qobject_cast<const QAbstractSpinBox*>(each) != nullptr || qobject_cast<const QLineEdit*>(each) != nullptr;
+                        const bool isPart = qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr ||
+                                            qobject_cast<QComboBox*>(each->parentWidget()) != nullptr ||
+                                            qobject_cast<QLineEdit*>(each->parentWidget()) != nullptr ||
+                                            each->objectName().startsWith("qt_");
+                        if (!pressed || isPart || !each->isVisible()) continue;
+                        if (each->width() < kGlovePx || each->height() < kGlovePx)
+                            small << QString("%1: %2 \"%3\" %4 x %5")
+                                         .arg(dialog->windowTitle(), each->metaObject()->className(), each->objectName())
+                                         .arg(each->width())
+                                         .arg(each->height());
+                    }
+                }
+                dialog->reject();
+            }
+            if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+        };
+        for (QAction* action : on.window.actions()) {
+            const QString text = QString(action->text()).remove('&');
+            const bool asks = text.endsWith("…") || text.startsWith("Why") || text.startsWith("Does This") || text.startsWith("Keys") ||
+                              text.startsWith("About");
+            if (!asks || !action->isEnabled() || text.startsWith("Connect")) continue;
+            QTimer look; // also while the dialog has a loop of its own
+            look.setInterval(50);
+            connect(&look, &QTimer::timeout, this, measure);
+            look.start();
+            action->trigger();
+            QTest::qWait(150); // those that are not modal
+            measure();
+        }
+        qInfo("%d dialogs measured", static_cast<int>(dialogs.size()));
+        QVERIFY2(dialogs.size() >= 8, qPrintable(QStringList(dialogs.values()).join(", ")));
+        small.removeDuplicates();
+        QVERIFY2(small.isEmpty(), qPrintable(small.join("\n")));
     }
 
     void theMenuHasRowsForGlovesAndAllThatTheMenuBarHas() {

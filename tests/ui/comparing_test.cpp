@@ -255,7 +255,7 @@ private slots:
         QVERIFY(!on.window.views().flipped());
     }
 
-    // The full grid: one flip is a new cloud in the graphics memory, and still no wait.
+    // The full grid: both clouds stay in the graphics memory. Time of this thread, which a busy machine does not lengthen.
     void flippingTheFullGridIsQuick() {
         WindowFixture on;
         const auto save = [&](bool after) {
@@ -270,24 +270,28 @@ private slots:
         QVERIFY(keepByKey(on));
         QVERIFY(on.open(save(true)));
         QVERIFY(known(on));
-        std::vector<qint64> times;
-        for (int n = 0; n < 7; ++n) {
-            QElapsedTimer timer;
-            timer.start();
-            const CloudView& cloud = on.window.views().cloud();
+        std::vector<double> times, waits;
+        const CloudView& cloud = on.window.views().cloud();
+        for (int n = 0; n < 8; ++n) {
             for (const auto press : {true, false}) { // each until the cloud is drawn
+                QElapsedTimer timer;
+                timer.start();
+                const double before = threadCpuMilliseconds();
                 const int frames = cloud.framesDrawn();
                 press ? QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash)
                       : QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
                 QCOMPARE(on.window.views().flipped(), press);
                 QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
+                if (n == 0) continue; // the first one sends a cloud
+                times.push_back(threadCpuMilliseconds() - before);
+                waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
             }
-            times.push_back(timer.elapsed());
         }
         std::ranges::sort(times);
-        qInfo("there and back, %zu cells: median %lld ms, most %lld ms", on.picture().detection->scan->cells(),
-              static_cast<long long>(times[3]), static_cast<long long>(times.back()));
-        QVERIFY2(times[3] < 400, qPrintable(QString::number(times[3])));
+        std::ranges::sort(waits);
+        qInfo("a flip of %zu cells until it is drawn: this thread %.1f ms (most %.1f), on the clock %.1f ms (most %.1f)",
+              on.picture().detection->scan->cells(), times[times.size() / 2], times.back(), waits[waits.size() / 2], waits.back());
+        QVERIFY2(times[times.size() / 2] < 100.0, qPrintable(QString::number(times[times.size() / 2])));
     }
 };
 

@@ -8,15 +8,20 @@
 #include "ui/base/notice_bar.h"
 #include "ui/language/catalogue.h"
 #include "ui/language/languages.h"
+#include "ui/live/live_panel.h"
 #include "ui/panel/status_line.h"
 #include "ui/targets/target_card.h"
 #include "ui/targets/targets_panel.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QRegularExpression>
 
@@ -55,6 +60,52 @@ QStringList shownIn(const QWidget& window) {
     for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) shown << button->text() << button->toolTip();
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) shown << dock->windowTitle();
     return shown;
+}
+
+/// The same and all else: lists, tables, fields, names for screen readers, tools. One line per text.
+QSet<QString> everyTextIn(const QWidget& window) {
+    QSet<QString> shown;
+    for (const QString& text : shownIn(window)) shown << text;
+    for (const QComboBox* list : window.findChildren<QComboBox*>()) {
+        for (int n = 0; n < list->count(); ++n) shown << list->itemText(n) << list->itemData(n, Qt::ToolTipRole).toString();
+    }
+    for (const QAbstractItemView* view : window.findChildren<QAbstractItemView*>()) {
+        const QAbstractItemModel* model = view->model();
+        if (model == nullptr) continue;
+        for (int n = 0; n < model->columnCount(); ++n)
+            shown << model->headerData(n, Qt::Horizontal).toString() << model->headerData(n, Qt::Horizontal, Qt::ToolTipRole).toString();
+        for (int row = 0; row < std::min(model->rowCount(), 5); ++row) {
+            for (int n = 0; n < model->columnCount(); ++n) shown << model->index(row, n).data().toString();
+        }
+    }
+    for (const QLineEdit* field : window.findChildren<QLineEdit*>()) shown << field->placeholderText();
+    for (const QGroupBox* box : window.findChildren<QGroupBox*>()) shown << box->title();
+    for (const QWidget* widget : window.findChildren<QWidget*>())
+        shown << widget->toolTip() << widget->statusTip() << widget->accessibleName() << widget->windowTitle();
+    QSet<QString> lines;
+    for (const QString& text : shown) {
+        for (const QString& line : text.split('\n')) lines << line.trimmed();
+    }
+    return lines;
+}
+
+/// With a scan, rocks, a pin, a measurement, A/B, confidence and the scanner's panel on the screen.
+bool laidOut(WindowFixture& on, const std::string& scan) {
+    on.window.resize(1920, 1080);
+    if (!on.showWith(scan)) return false;
+    on.window.rocks().setShown(true);
+    on.window.comparing().keep();
+    on.window.confidence().setOn(true);
+    on.window.views().pin(on.window.views().cellAt(20, 30));
+    on.window.live().panel().show();
+    Settings other = on.window.session().settings();
+    other.sensitivity = 1.4;
+    return on.use(other) && QTest::qWaitFor(
+                                [&] {
+                                    return on.window.targets().settled() && on.window.rocks().picture() != nullptr &&
+                                           on.window.confidence().made() != nullptr && on.window.comparing().settled();
+                                },
+                                60000);
 }
 
 } // namespace
@@ -136,6 +187,40 @@ private slots:
         auto* number = on.window.findChild<QDoubleSpinBox*>("number-sensitivity");
         QVERIFY(number != nullptr);
         QVERIFY2(number->text().startsWith("1.00"), qPrintable(number->text()));
+    }
+
+    // What says the same in two languages bypasses the translations, unless it is a name, or a sentence of the core about scans.
+    void nothingIsLeftInEnglish_data() { everyTextHasItsTranslation_data(); }
+    void nothingIsLeftInEnglish() {
+        QFETCH(QString, code);
+        QVERIFY(useLanguage("en"));
+        QSet<QString> english;
+        {
+            WindowFixture on;
+            QVERIFY(laidOut(on, scan_));
+            english = everyTextIn(on.window);
+        }
+        QVERIFY(useLanguage(code, kTexts));
+        Catalogue catalogue;
+        QVERIFY(catalogue.read(kTexts + "/" + code + ".ts"));
+        static const QRegularExpression keyOrCount(R"( +\([^)]*\)$)");
+        QSet<QString> meantAlike; // lines of texts that are the same in both
+        for (auto text = catalogue.texts().begin(); text != catalogue.texts().end(); ++text) {
+            const QString source = QString(text.key()).remove('&');
+            if (source == QString(text.value()).remove('&')) meantAlike << source << QString(source).remove(keyOrCount);
+        }
+        WindowFixture on;
+        QVERIFY(laidOut(on, scan_));
+        static const QRegularExpression word("[A-Za-z]{3,}");
+        static const QRegularExpression name(
+            R"(^(Español|Français|Português|English|EdgeScan\+?|edgescan.*|boxes.*|llvmpipe.*|.*\(LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|(A: )?boxes.*|one scan with two settings|default|thesis|window|log|.*\.json.*|.*\d+ ?mm.*)$)");
+        QStringList left;
+        for (const QString& text : everyTextIn(on.window)) {
+            const bool alike = english.contains(text) && word.match(text).hasMatch();
+            if (alike && !meantAlike.contains(QString(text).remove('&').remove(keyOrCount)) && !name.match(text).hasMatch()) left << text;
+        }
+        left.sort();
+        QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));
     }
 
     void theChoiceIsKeptAndUsedAtTheNextStart() {

@@ -107,7 +107,7 @@ void CloudScene::Layer::setCells(vtkPoints* points, std::span<const std::uint32_
 }
 
 CloudScene::CloudScene(vtkRenderWindow* window)
-    : halo_(vtkSmartPointer<HaloMapper>::New()), outlineHalo_(vtkSmartPointer<HaloMapper>::New()) {
+    : window_(window), halo_(vtkSmartPointer<HaloMapper>::New()), outlineHalo_(vtkSmartPointer<HaloMapper>::New()) {
     window->SetMultiSamples(0);
     window->AddRenderer(renderer_);
     // The culler would walk through all points for their bounds; the clip range is ours.
@@ -117,12 +117,8 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     vtkNew<vtkLight> light;
     light->SetLightTypeToHeadlight();
     renderer_->AddLight(light);
-    for (Layer& part : parts_) {
-        part.actor->GetProperty()->SetAmbient(kAmbient);
-        part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
-        part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
-        renderer_->AddActor(part.actor);
-    }
+    now_ = newCloud();
+    spare_ = newCloud();
     renderer_->AddActor(selection_.actor);
     setColour(selection_.actor, kSelected);
     selection_.actor->GetProperty()->SetAmbient(kAmbient);
@@ -154,68 +150,101 @@ CloudScene::CloudScene(vtkRenderWindow* window)
 
 CloudScene::~CloudScene() = default;
 
+std::unique_ptr<CloudScene::DrawnCloud> CloudScene::newCloud() {
+    auto made = std::make_unique<DrawnCloud>();
+    for (Layer& part : made->parts) {
+        part.actor->GetProperty()->SetAmbient(kAmbient);
+        part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
+        part.actor->VisibilityOff();
+        renderer_->AddActor(part.actor);
+    }
+    return made;
+}
+
 void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
     setEdges({});
     setFaces(nullptr);
     setOutline(nullptr);
     setSelection(nullptr);
-    uploaded_.fill(false);
-    points_ = nullptr;
+    const bool isSpare = cloud && spare_->cloud == cloud;
+    if (isSpare || (ready_ && (cloud == ready_ || now_->cloud == ready_))) {
+        for (Layer& part : now_->parts) part.actor->VisibilityOff();
+        std::swap(now_, spare_);
+    }
+    if (!isSpare) load(std::move(cloud));
+    colourParts();
+}
+
+void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
+    now_->uploaded.fill(false);
+    now_->points = nullptr;
     if (cloud) {
         vtkNew<vtkFloatArray> xyz;
         xyz->SetNumberOfComponents(3);
         xyz->SetArray(const_cast<float*>(cloud->xyz.data()), static_cast<vtkIdType>(cloud->xyz.size()), 1);
-        points_ = vtkSmartPointer<vtkPoints>::New();
-        points_->SetData(xyz);
-        normals_ = vtkSmartPointer<vtkFloatArray>::New();
-        normals_->SetNumberOfComponents(3);
-        normals_->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
+        now_->points = vtkSmartPointer<vtkPoints>::New();
+        now_->points->SetData(xyz);
+        now_->normals = vtkSmartPointer<vtkFloatArray>::New();
+        now_->normals->SetNumberOfComponents(3);
+        now_->normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
     }
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        parts_[i].actor->VisibilityOff();
-        if (cloud) {
-            parts_[i].setCells(points_, cloud->drawOrder[i]);
-            parts_[i].data->GetPointData()->SetNormals(normals_);
-        } else {
-            parts_[i].setCells(nullptr, {});
-            parts_[i].data->GetPointData()->SetNormals(nullptr);
-        }
+    useFaces(); // those of the cloud before go with it
+    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
+        Layer& part = now_->parts[i];
+        part.actor->VisibilityOff();
+        if (cloud)
+            part.setCells(now_->points, cloud->drawOrder[i]);
+        else
+            part.setCells(nullptr, {});
+        part.data->GetPointData()->SetNormals(cloud ? now_->normals.Get() : nullptr);
     }
-    cloud_ = std::move(cloud); // only now may the floats of the cloud before go
+    now_->cloud = std::move(cloud); // only now may the floats of the cloud before go
+}
+
+void CloudScene::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
+    if (ready_ != cloud) spareGoes_ = spare_->cloud && spare_->cloud != cloud;
+    ready_ = cloud;
 }
 
 // Leaves out what is not drawable; the layer is left with the cells as they are then, which must outlive their use.
 void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
-    const auto drawable = [this](std::uint32_t k) { return cloud_->drawable(k); };
-    if (cells && cloud_ && !std::all_of(cells->begin(), cells->end(), drawable)) {
+    const auto drawable = [this](std::uint32_t k) { return now_->cloud->drawable(k); };
+    if (cells && now_->cloud && !std::all_of(cells->begin(), cells->end(), drawable)) {
         auto kept = std::make_shared<std::vector<std::uint32_t>>();
         std::copy_if(cells->begin(), cells->end(), std::back_inserter(*kept), drawable);
         cells = std::move(kept);
     }
-    if (cells && (!cloud_ || cells->empty())) cells = nullptr;
+    if (cells && (!now_->cloud || cells->empty())) cells = nullptr;
     if (cells) {
-        layer.setCells(points_, *cells);
+        layer.setCells(now_->points, *cells);
     } else {
         layer.setCells(nullptr, {}); // never the floats of a cloud that goes
     }
 }
 
-void CloudScene::setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours) {
+void CloudScene::setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours) { facesWanted_ = std::move(colours); }
+
+// Only when it is drawn: a cloud that comes back has the colours of before, and mostly wants them.
+void CloudScene::useFaces() {
+    std::shared_ptr<const std::vector<std::uint32_t>> colours = facesWanted_;
     vtkSmartPointer<vtkUnsignedCharArray> bytes;
-    if (colours && cloud_ && colours->size() == cloud_->cells()) {
+    if (colours && now_->cloud && colours->size() == now_->cloud->cells()) {
+        if (now_->faces == colours) return;
         bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
         bytes->SetNumberOfComponents(4); // with three VTK would make a copy for each part
         auto* first = const_cast<std::uint32_t*>(colours->data());
         bytes->SetArray(reinterpret_cast<unsigned char*>(first), static_cast<vtkIdType>(4 * colours->size()), 1);
     } else {
         colours = nullptr;
+        if (!now_->faces) return;
     }
-    for (Layer& part : parts_) {
+    for (Layer& part : now_->parts) {
         part.data->GetPointData()->SetScalars(bytes);
         part.mapper->SetColorModeToDirectScalars();
         part.mapper->SetScalarVisibility(bytes != nullptr);
     }
-    faces_ = std::move(colours); // only now may the colours before go
+    now_->faces = std::move(colours); // only now may the colours before go
 }
 
 void CloudScene::setOutline(EdgeCells::Indices cells) {
@@ -229,7 +258,7 @@ void CloudScene::setOutline(EdgeCells::Indices cells) {
 
 void CloudScene::setSelection(EdgeCells::Indices cells) {
     setLayer(selection_, cells);
-    selection_.data->GetPointData()->SetNormals(cells ? normals_.Get() : nullptr); // shaded as the cloud is: it keeps its form
+    selection_.data->GetPointData()->SetNormals(cells ? now_->normals.Get() : nullptr); // shaded as the cloud is: it keeps its form
     selection_.actor->SetVisibility(cells != nullptr);
     selected_ = std::move(cells);
 }
@@ -256,12 +285,17 @@ void CloudScene::showEdgeLayers() {
 
 std::size_t CloudScene::edgesDrawn() const { return edges_.all && edgesShown_ ? edges_.all->size() : 0; }
 
+void CloudScene::colourParts() {
+    for (Layer& part : now_->parts) {
+        setColour(part.actor, look_.cloud);
+        part.actor->GetProperty()->SetLighting(look_.shaded);
+    }
+}
+
 void CloudScene::setLook(const CloudLook& look) {
     renderer_->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
-    for (Layer& part : parts_) {
-        setColour(part.actor, look.cloud);
-        part.actor->GetProperty()->SetLighting(look.shaded);
-    }
+    look_ = look;
+    colourParts();
     pointSize_ = look.pointSize;
     setColour(edge_.actor, look.edge.front());
     edgeSize_ = static_cast<float>(look.edgeSize);
@@ -294,18 +328,36 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     pullNearer(outlineHalo_.actor, pose, kHaloNearer);
 }
 
+// Called while the graphics context is current.
+void CloudScene::letSpareGo() {
+    if (!std::exchange(spareGoes_, false)) return;
+    for (Layer& part : spare_->parts) {
+        part.setCells(nullptr, {});
+        part.data->GetPointData()->SetNormals(nullptr);
+        part.data->GetPointData()->SetScalars(nullptr);
+        part.mapper->SetScalarVisibility(false);
+        part.actor->ReleaseGraphicsResources(window_);
+    }
+    spare_->faces = nullptr;
+    spare_->points = nullptr;
+    spare_->normals = nullptr;
+    spare_->cloud = nullptr;
+}
+
 bool CloudScene::setParts(const Parts& parts) {
     bool first = false;
     const double share = kPartEnds[static_cast<std::size_t>(parts.last)];
     const double larger = parts.enlarge ? std::clamp(std::sqrt(0.5 / share), 1.0, kLargestGrowth) : 1.0;
     const auto size = static_cast<float>(std::round(pointSize_ * larger));
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
+    useFaces();
+    letSpareGo();
+    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
         const int part = static_cast<int>(i);
-        const bool shown = part >= parts.first && part <= parts.last && cloud_ && !cloud_->drawOrder[i].empty();
-        parts_[i].actor->SetVisibility(shown);
-        parts_[i].actor->GetProperty()->SetPointSize(size);
-        first = first || (shown && !uploaded_[i]);
-        uploaded_[i] = uploaded_[i] || shown;
+        const bool shown = part >= parts.first && part <= parts.last && now_->cloud && !now_->cloud->drawOrder[i].empty();
+        now_->parts[i].actor->SetVisibility(shown);
+        now_->parts[i].actor->GetProperty()->SetPointSize(size);
+        first = first || (shown && !now_->uploaded[i]);
+        now_->uploaded[i] = now_->uploaded[i] || shown;
     }
     renderer_->SetPreserveColorBuffer(parts.onTop);
     renderer_->SetPreserveDepthBuffer(parts.onTop);

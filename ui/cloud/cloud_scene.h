@@ -46,6 +46,9 @@ public:
     ~CloudScene();
 
     void setCloud(std::shared_ptr<const CloudGeometry> cloud);
+    /// This cloud and the one before or after it stay in the graphics memory both, so that going from one to the other sends nothing; null:
+    /// only the one that is drawn stays.
+    void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Cells that are not drawable are left out.
     void setEdges(EdgeCells cells);
     /// By cell, four bytes: red, green, blue, 255. Instead of the one colour of the cloud; null, or of another number of cells: none.
@@ -80,17 +83,31 @@ private:
         vtkNew<vtkActor> actor;
     };
 
+    /// A cloud with what VTK made of it.
+    struct DrawnCloud {
+        std::shared_ptr<const CloudGeometry> cloud; ///< owns the floats that VTK draws
+        vtkSmartPointer<vtkPoints> points;
+        vtkSmartPointer<vtkFloatArray> normals;
+        std::array<Layer, kCloudParts> parts;
+        std::array<bool, kCloudParts> uploaded{};
+        std::shared_ptr<const std::vector<std::uint32_t>> faces;
+    };
+    [[nodiscard]] std::unique_ptr<DrawnCloud> newCloud();
+    void load(std::shared_ptr<const CloudGeometry> cloud);
+    void useFaces();
+    void colourParts();
+    void letSpareGo();
     void showEdgeLayers();
     void setLayer(Layer& layer, EdgeCells::Indices& cells);
 
     vtkNew<vtkRenderer> renderer_;
-    std::shared_ptr<const CloudGeometry> cloud_; // owns the floats that VTK draws
-    EdgeCells edges_;                            // and the indices
-    vtkSmartPointer<vtkPoints> points_;
-    vtkSmartPointer<vtkFloatArray> normals_;
-    std::array<Layer, kCloudParts> parts_;
-    std::array<bool, kCloudParts> uploaded_{};
-    std::shared_ptr<const std::vector<std::uint32_t>> faces_;
+    vtkRenderWindow* window_;
+    std::unique_ptr<DrawnCloud> now_, spare_; // the spare one is not drawn
+    std::shared_ptr<const CloudGeometry> ready_;
+    bool spareGoes_ = false; // once the graphics context is current
+    CloudLook look_;
+    EdgeCells edges_; // owns the indices that VTK draws
+    std::shared_ptr<const std::vector<std::uint32_t>> facesWanted_;
     EdgeCells::Indices outlined_, selected_;
     Layer halo_, edge_, outlineHalo_, outline_, selection_;
     std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes

@@ -137,6 +137,8 @@ public slots:
     void viewIsometric();
     void resetView(); ///< from the scanner, clipping undone
     void zoomToFit(); ///< keeps the direction
+    /// CloudScene::keepReady().
+    void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// From the side that the scanner saw them from, all but a few at the rim in the view, with some of what is round them.
     void lookAtCells(const CellIndices& cells);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);

@@ -1,5 +1,6 @@
 // A region of cells in the middle of the cloud view.
 #include "core/base/order_statistic.h"
+#include "ui/cloud/cloud_scene.h"
 #include "ui/cloud/cloud_view.h"
 
 #include <algorithm>
@@ -7,6 +8,11 @@
 #include <vector>
 
 namespace edgescan::ui {
+
+void CloudView::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
+    scene_->keepReady(cloud);
+    requestFrame();
+}
 
 void CloudView::lookAtCells(const CellIndices& cells) {
     if (!cloud_) return;

@@ -22,7 +22,7 @@ const EdgeColours& bandColours(bool colourBlind) {
     static const EdgeColours usual{QColor(0, 255, 0), QColor(200, 255, 90), QColor(240, 228, 66), QColor(255, 215, 160),
                                    QColor(255, 204, 212)};
     static const EdgeColours withoutRedAndGreen{QColor(240, 228, 66), QColor(250, 242, 170), QColor(255, 255, 255), QColor(215, 235, 255),
-                                                QColor(160, 220, 255)};
+                                                QColor(170, 226, 255)};
     return colourBlind ? withoutRedAndGreen : usual;
 }
 

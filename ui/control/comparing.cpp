@@ -262,6 +262,7 @@ void Comparing::show() {
         *instead = {comparison_->edges, changeColours(), comparison_->map, comparison_->overlay,
                     rocks_.shown() ? nullptr : comparison_->points};
     }
+    views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
     const bool on = instead != nullptr;
     if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // what another one shows there stays
     drawn_ = std::move(instead);

@@ -1,21 +1,29 @@
 // How a file is read: a row per option of the table.
 #include "ui/dialogs/reading_dialog.h"
 
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace edgescan::ui {
 namespace {
+
+constexpr double kMostOfScreen = 0.65; // for the rows; above and below stand words and buttons
 
 QLabel* labelOf(const ReadingOption& option) {
     auto* label = new QLabel(QObject::tr(option.help));
@@ -33,11 +41,16 @@ ReadingDialog::ReadingDialog(const ReadingOptions& options, QWidget* parent) : Q
     auto* about = new QLabel(tr("An empty field: as the file says, or as it is found out. The file itself stays as it is."));
     about->setWordWrap(true);
     column->addWidget(about);
-    auto* form = new QFormLayout;
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
     for (const ReadingOption& option : readingOptionTable()) {
         if ((option.uses & ReadingOption::kFlag) != 0) addField(option, *form);
     }
-    column->addLayout(form);
+    QScrollArea* area = scrolled(*fields); // for gloves the rows are higher than a screen
+    const int room = QGuiApplication::primaryScreen()->availableGeometry().height();
+    area->setMinimumHeight(std::min(fields->sizeHint().height(), static_cast<int>(kMostOfScreen * room)));
+    column->addWidget(area, 1);
     refusal_->setObjectName("refusal");
     refusal_->setWordWrap(true);
     refusal_->hide();
