@@ -1,8 +1,10 @@
 // Cells on the borders of leaves choose the leaf whose plane they lie on.
 #include "core/rocks/leaf_refinement.h"
 
+#include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/rocks/leaf_planes.h"
+#include "core/scan/beam_width.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +18,11 @@ namespace {
 
 constexpr int kPasses = 4;
 constexpr std::uint32_t kVoid = UINT32_MAX;
-constexpr double kFarOff = 30.0; // standard deviations; beyond, more hardly counts
+// mostDeviations(): by how many times the step from beam to beam the beam widens.
+constexpr double kBesideEachOther = 1.1;
+constexpr double kOverlapping = 1.5;
+constexpr double kMostBeside = 5.0;
+constexpr double kMostOverlapping = 30.0;
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
 constexpr float kAcrossEdge = 0.5F; // how little a neighbour counts behind a full jump or valley
@@ -61,8 +67,8 @@ struct LeafChoice {
 
 class Refinement {
 public:
-    Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf)
-        : inverse_(inverse), noise_(noise), leaf_(leaf),
+    Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf)
+        : inverse_(inverse), noise_(noise), most_(most), leaf_(leaf),
           inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
           u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
           weighed_(leaf.lines, leaf.beams, kNeighbours) {
@@ -162,9 +168,9 @@ private:
             weighed |= markOf(choices[n].leaf);
             const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
             // In standard deviations of the noise.
-            const double off = plane.n == 0 ? kFarOff : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
+            const double off = plane.n == 0 ? most_ : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
             if (own == kOpen && off >= kFitsOpen) continue;
-            const double cost = (off > kFarOff ? kFarOff + kBeyond * (off - kFarOff) : off) - kPerNeighbour * choices[n].neighbours;
+            const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - kPerNeighbour * choices[n].neighbours;
             if (cost < least || (cost == least && choices[n].leaf < best)) {
                 least = cost;
                 best = choices[n].leaf;
@@ -216,6 +222,7 @@ private:
 
     const InverseRange& inverse_;
     const RangeNoise& noise_;
+    const double most_;
     Grid<std::uint32_t>& leaf_;
     // With kPlaneReach cells more on each side, and a few beams more after them.
     const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kPlaneReach);
@@ -229,14 +236,22 @@ private:
 
 } // namespace
 
-void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, Grid<std::uint32_t>& leaf,
+double mostDeviations(const AngularSteps& steps) {
+    const double beamToBeam = std::sqrt(static_cast<double>(median(steps.beam)) * static_cast<double>(median(steps.line)) *
+                                        static_cast<double>(median(steps.fromAxis)));
+    if (!(beamToBeam > 0)) return kMostOverlapping;
+    const double overlap = (BeamWidth{}.growthRad / beamToBeam - kBesideEachOther) / (kOverlapping - kBesideEachOther);
+    return kMostBeside + (kMostOverlapping - kMostBeside) * std::clamp(overlap, 0.0, 1.0);
+}
+
+void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf,
                   std::uint32_t count) {
     std::vector<std::uint32_t> cells(static_cast<std::size_t>(count) + 1);
     for (const std::uint32_t l : leaf.cells) ++cells[l];
     for (std::uint32_t& l : leaf.cells) {
         if (cells[l] < kSmallestLeaf) l = kOpen;
     }
-    Refinement refinement(inverse, cracks, noise, leaf);
+    Refinement refinement(inverse, cracks, noise, most, leaf);
     for (int pass = 0; pass < kPasses; ++pass) refinement.pass();
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kChainLow = 0.5F;
 constexpr float kChainHigh = 0.8F;
-constexpr int kChainCells = 4;
+constexpr int kChainCells = 3;
 constexpr std::uint8_t kFree = 255;
 
 // 0 at barriers, as OpenCV wants it.

@@ -88,7 +88,7 @@ RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std:
     cutLeaves(links, cuts, leaves.leaf);
     leaves.borders = leafBorders(inputs, leaves.leaf);
     const std::uint32_t count = leaves.leaf.size() == 0 ? 0 : *std::max_element(leaves.leaf.cells.begin(), leaves.leaf.cells.end());
-    refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, leaves.leaf, count);
+    refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.leaf, count);
     leaves.beamRuns = runsAlongBeams(leaves.leaf);
     leaves.sums = leafSums(inputs, leaves.beamRuns, count);
     leaves.lineRuns = runsAlongLines(leaves.leaf);

@@ -227,14 +227,15 @@ TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
         }
     }
     const Grid<float> none(40, 40);
-    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, leaf, 2);
+    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 2);
     EXPECT_EQ(leaf, wanted);
 }
 
 // One pass of the refinement as docs/rocks-method.md says it, from the leaves before it. 0 where a cell may not choose.
 class SlowPass {
 public:
-    SlowPass(const RockInputs& inputs, const Grid<std::uint32_t>& leaf) : in_(inputs), leaf_(leaf), inverse_(inputs.surface->inverse) {}
+    SlowPass(const RockInputs& inputs, double most, const Grid<std::uint32_t>& leaf)
+        : in_(inputs), most_(most), leaf_(leaf), inverse_(inputs.surface->inverse) {}
 
     [[nodiscard]] bool touches(int i, int j) const {
         bool other = false;
@@ -256,7 +257,7 @@ public:
         double least = 1e9;
         for (const auto& [leaf, counted] : nearby) {
             const double off = deviations(i, j, leaf);
-            const double cost = (off > 30 ? 30 + 0.01 * (off - 30) : off) - 2 * counted;
+            const double cost = (off > most_ ? most_ + 0.01 * (off - most_) : off) - 2 * counted;
             if ((leaf_.at(i, j) == kOpen && off >= 20) || cost >= least) continue;
             least = cost;
             best = leaf;
@@ -288,7 +289,7 @@ private:
                 values.push_back(static_cast<double>(inverse_.u.at(y, x)));
             }
         }
-        if (rows.empty()) return 30;
+        if (rows.empty()) return most_;
         double fit = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
         if (rows.size() >= 6) {
             Eigen::Matrix3d squares = Eigen::Vector3d(0, 0.5, 0.5).asDiagonal();
@@ -304,12 +305,14 @@ private:
     }
 
     const RockInputs& in_;
+    double most_;
     const Grid<std::uint32_t>& leaf_;
     const InverseRange& inverse_;
 };
 
 TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
-    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+        const double most = seed % 2 == 0 ? 5 : 30;
         const RockInputs inputs = rockInputs(*boxes(seed));
         Grid<std::uint32_t> leaf = leafBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
         const std::uint32_t count = *std::max_element(leaf.cells.begin(), leaf.cells.end());
@@ -320,17 +323,26 @@ TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
         const Grid<std::uint32_t> before = slow;
         for (int pass = 0; pass < 4; ++pass) {
             const Grid<std::uint32_t> from = slow;
-            const SlowPass one(inputs, from);
+            const SlowPass one(inputs, most, from);
             for (int i = 0; i < slow.lines; ++i) {
                 for (int j = 0; j < slow.beams; ++j) {
                     if (one.touches(i, j)) slow.at(i, j) = one.choice(i, j);
                 }
             }
         }
-        refineLeaves(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, leaf, count);
+        refineLeaves(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, most, leaf, count);
         EXPECT_EQ(leaf, slow) << "seed " << seed;
         EXPECT_NE(slow, before) << "seed " << seed;
     }
+}
+
+TEST(RockLeaves, DeviationsCountForLongerWhereBeamsOverlap) {
+    const auto most = [](float step) { return mostDeviations({{step, step}, {step, step}, {1.0F, 1.0F}}); };
+    EXPECT_EQ(most(0.0058F), 5.0);  // a third of a degree
+    EXPECT_EQ(most(0.0029F), 30.0); // a sixth
+    EXPECT_GT(most(0.0036F), 5.0);
+    EXPECT_LT(most(0.0036F), 30.0);
+    EXPECT_EQ(mostDeviations({}), 30.0);
 }
 
 TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
@@ -342,7 +354,7 @@ TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
         inverse.u.at(25, 10 + n) = 0.4F; // far before the plane
     }
     const Grid<float> none(leaf.lines, leaf.beams);
-    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, leaf, 3);
+    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 3);
     EXPECT_EQ(leaf.at(10, 11), 1U);
     EXPECT_EQ(leaf.at(25, 11), kOpen);
     EXPECT_EQ(std::count(leaf.cells.begin(), leaf.cells.end(), kOpen), 3);
