@@ -7,6 +7,7 @@
 #include "core/scan/inverse_range.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -20,7 +21,6 @@ constexpr double kMostBentMm = 60; // a place that its lines bend by more is an 
 constexpr std::size_t kFewestSame = 1000;
 constexpr int kBacklashRounds = 20;
 constexpr double kTukeyReach = 4.685;
-constexpr double kHonest = 3; // times the plain standard deviation, by trial
 constexpr double kMostSdDeg = 0.05;
 constexpr double kSameBeamDeg = 0.01;
 
@@ -69,7 +69,7 @@ struct SortedPass {
 
 struct SamePlace {
     double offMm, slopeThereMm, slopeBackMm; // per degree
-    std::size_t line;
+    std::size_t line, beam;
 };
 
 // Both passes fitted alike, so that what a fit smooths is the same on both sides. The pass back is fitted at its own lines: there the
@@ -81,22 +81,44 @@ std::vector<SamePlace> samePlaces(const SortedPass& there, const SortedPass& bac
             double u1 = 0, u2 = 0, slope1 = 0, slope2 = 0;
             if (!back.at(back.deg[k], j, u2, slope2) || !there.at(back.deg[k] + backlashDeg, j, u1, slope1)) continue;
             const double mmPerU = 1000 / (u2 * u2);
-            places.push_back({(u1 - u2) * mmPerU, slope1 * mmPerU, slope2 * mmPerU, k});
+            places.push_back({(u1 - u2) * mmPerU, slope1 * mmPerU, slope2 * mmPerU, k, static_cast<std::size_t>(j)});
         }
     }
     return places;
 }
 
-// Of the sum over lines whose neighbours err alike: the fits of lines side by side share lines.
-double scatterOf(const std::vector<double>& ofLine) {
-    constexpr std::size_t kShared = 2 * (2 * kSlopeLines + 1);
-    double sum = std::inner_product(ofLine.begin(), ofLine.end(), ofLine.begin(), 0.0);
-    for (std::size_t lag = 1; lag <= kShared && lag < ofLine.size(); ++lag) {
-        const double share = 1.0 - static_cast<double>(lag) / (kShared + 1);
-        sum += 2 * share * std::inner_product(ofLine.begin() + static_cast<std::ptrdiff_t>(lag), ofLine.end(), ofLine.begin(), 0.0);
+// What each block of lines x beams adds to the normal equation.
+class Blocks {
+public:
+    Blocks(std::size_t lines, int beams) : lines_(lines), beams_(static_cast<std::size_t>(beams)) {}
+    void add(const SamePlace& place, double information, double gradient) {
+        const std::size_t block = place.line * kSide / lines_ * kSide + place.beam * kSide / beams_;
+        information_[block] += information;
+        gradient_[block] += gradient;
     }
-    return std::max(0.0, sum);
-}
+    [[nodiscard]] double information() const { return std::accumulate(information_.begin(), information_.end(), 0.0); }
+    [[nodiscard]] double gradient() const { return std::accumulate(gradient_.begin(), gradient_.end(), 0.0); }
+    // By leaving out one block after the other (Efron 1982, the jackknife): places side by side share lines, a surface and its faults, and
+    // so err alike; blocks hardly do.
+    [[nodiscard]] double sd() const {
+        std::vector<double> without;
+        for (std::size_t n = 0; n < kBlocks; ++n) {
+            const double rest = information() - information_[n];
+            if (information_[n] != 0 && rest > 0) without.push_back(-(gradient() - gradient_[n]) / rest);
+        }
+        if (without.size() < kFewestBlocks) return kMostSdDeg;
+        const auto count = static_cast<double>(without.size());
+        const double mean = std::accumulate(without.begin(), without.end(), 0.0) / count;
+        double sum = 0;
+        for (const double one : without) sum += (one - mean) * (one - mean);
+        return std::sqrt((count - 1) / count * sum);
+    }
+
+private:
+    static constexpr std::size_t kSide = 8, kBlocks = kSide * kSide, kFewestBlocks = 8;
+    std::size_t lines_, beams_;
+    std::array<double, kBlocks> information_{}, gradient_{};
+};
 
 double medianOff(const std::vector<SamePlace>& places) {
     std::vector<double> sizes;
@@ -120,7 +142,6 @@ Result<Backlash> backlashOf(const Scan& there, const Scan& back) {
     if (const auto error = unlike(a, b)) return *error;
     const SortedPass first(there, *a), second(back, *b);
     Backlash found;
-    double information = 0, scatter = 0;
     for (int round = 0; round < kBacklashRounds; ++round) {
         const std::vector<SamePlace> places = samePlaces(first, second, found.deg);
         if (places.size() < kFewestSame)
@@ -131,25 +152,21 @@ Result<Backlash> backlashOf(const Scan& there, const Scan& back) {
         found.apartAfterMm = apart;
         found.cells = places.size();
         const double reach = kTukeyReach * std::max(0.3, 1.4826 * apart);
-        std::vector<double> ofLine(second.deg.size());
-        information = 0;
-        double gradient = 0;
+        Blocks blocks(second.deg.size(), second.inverse.u.beams);
         for (const SamePlace& place : places) {
             const double t = place.offMm / reach;
             if (std::abs(t) >= 1) continue;
             const double weight = (1 - t * t) * (1 - t * t);
-            information += weight * place.slopeBackMm * place.slopeThereMm;
-            gradient += weight * place.slopeBackMm * place.offMm;
-            ofLine[place.line] += weight * place.slopeBackMm * place.offMm;
+            blocks.add(place, weight * place.slopeBackMm * place.slopeThereMm, weight * place.slopeBackMm * place.offMm);
         }
-        scatter = scatterOf(ofLine);
+        const double information = blocks.information();
         if (!(information > 0))
             return Error{"no surface slants across the lines, so a turn of the stepper does not show", "", "scan rocks or a corner"};
-        const double step = std::clamp(-gradient / information, -0.5, 0.5);
+        const double step = std::clamp(-blocks.gradient() / information, -0.5, 0.5);
         found.deg += step;
+        found.sdDeg = blocks.sd();
         if (std::abs(step) < 1e-6) break;
     }
-    found.sdDeg = kHonest * std::sqrt(scatter) / information;
     if (!(found.sdDeg < kMostSdDeg))
         return Error{"the two passes tell the backlash to no better than " + fixedText(2 * found.sdDeg, 3) + " degrees", "",
                      "scan rocks or a corner, in fine steps"};
