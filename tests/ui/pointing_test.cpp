@@ -144,6 +144,8 @@ private slots:
         QVERIFY(chooseInMenu(cloud, *at, "Why"));
         QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
         QTRY_VERIFY(window_->explanation().card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
+        QVERIFY(!window_->views().pinned()); // asking why pins nothing
+        QVERIFY(chooseInMenu(cloud, *at, "Pin"));
         QCOMPARE(*window_->views().pinned(), static_cast<std::size_t>(cell));
         QVERIFY(chooseInMenu(cloud, *at, "Let go"));
         QVERIFY(!window_->views().pinned());
