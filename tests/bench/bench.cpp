@@ -53,7 +53,7 @@ constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 24};
-constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.2}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.5};
+constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.0}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.3};
 constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
 constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 15};
 constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", 400, 700, 100};
