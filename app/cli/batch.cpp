@@ -13,7 +13,7 @@
 #include "core/base/whole_file.h"
 #include "core/method/pipeline.h"
 #include "core/page/survey_page.h"
-#include "core/rocks/rock_attributes.h"
+#include "core/rock_shapes/rock_attributes.h"
 #include "core/settings/parameters.h"
 
 #include <nlohmann/json.hpp>

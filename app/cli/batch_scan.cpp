@@ -20,7 +20,7 @@
 #include "core/report/report.h"
 #include "core/report/rock_files.h"
 #include "core/report/rock_report.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 #include "core/scan/acquisition.h"
 #include "core/settings/parameters.h"
 

@@ -14,8 +14,8 @@
 #include "core/report/provenance.h"
 #include "core/report/rock_files.h"
 #include "core/report/rock_report.h"
-#include "core/rocks/rock_study.h"
-#include "core/rocks/size_curve.h"
+#include "core/rock_shapes/rock_study.h"
+#include "core/rock_shapes/size_curve.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "core/compare/watershed_rocks.h"
 #include "core/method/pipeline.h"
-#include "core/rocks/rock_attributes.h"
+#include "core/rock_shapes/rock_attributes.h"
 #include "core/rocks/rock_map.h"
 #include "core/scan/inverse_range.h"
 

@@ -1,7 +1,7 @@
 // Watershed of the distance to edges.
 #include "core/compare/watershed_rocks.h"
 
-#include "core/rocks/leaf_basins.h"
+#include "core/leaves/leaf_basins.h"
 #include "core/scan/opencv_view.h"
 
 #include <opencv2/imgproc.hpp>

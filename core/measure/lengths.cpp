@@ -4,7 +4,7 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/measure/surface_path.h"
-#include "core/rocks/rock_attributes.h"
+#include "core/rock_shapes/rock_attributes.h"
 
 #include <Eigen/Geometry>
 

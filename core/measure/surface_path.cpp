@@ -1,8 +1,8 @@
 // Means of cells along a line, their errors carried to the length.
 #include "core/measure/surface_path.h"
 
+#include "core/leaves/leaf_cuts.h"
 #include "core/measure/lengths.h"
-#include "core/rocks/leaf_cuts.h"
 
 #include <cmath>
 #include <vector>

@@ -1,8 +1,8 @@
 // Rims, pairs by length, and what lies between.
 #include "core/measure/throat.h"
 
+#include "core/leaves/leaf_cuts.h"
 #include "core/measure/resolution.h"
-#include "core/rocks/leaf_cuts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/page/html.h"
 #include "core/page/scan_pictures.h"
-#include "core/rocks/size_curve.h"
+#include "core/rock_shapes/size_curve.h"
 
 #include <nlohmann/json.hpp>
 

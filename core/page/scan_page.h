@@ -4,7 +4,7 @@
 #include "core/change/scene_change.h"
 #include "core/measure/notebook.h"
 #include "core/method/detection.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 
 #include <string>
 

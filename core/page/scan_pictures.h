@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/method/detection.h"
-#include "core/rocks/rock_faces.h"
+#include "core/rock_shapes/rock_faces.h"
 
 #include <string>
 

@@ -20,7 +20,7 @@
 
 namespace edgescan {
 
-struct RockStudy; // core/rocks/rock_study.h
+struct RockStudy; // core/rock_shapes/rock_study.h
 
 enum class ExportContent : std::uint8_t {
     EdgeCloud,

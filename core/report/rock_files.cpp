@@ -10,8 +10,8 @@
 #include "core/points/cloud_columns.h"
 #include "core/points/source.h"
 #include "core/report/rock_report.h"
-#include "core/rocks/rock_hulls.h"
-#include "core/rocks/rock_outlines.h"
+#include "core/rock_shapes/rock_hulls.h"
+#include "core/rock_shapes/rock_outlines.h"
 #include "core/scan/cartesian.h"
 
 #include <nlohmann/json.hpp>

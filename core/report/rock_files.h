@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/report/provenance.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 #include "core/scan/placement.h"
 
 #include <nlohmann/json_fwd.hpp>

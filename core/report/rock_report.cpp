@@ -5,7 +5,7 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/georef/placed_points.h"
-#include "core/rocks/size_curve.h"
+#include "core/rock_shapes/size_curve.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // Rocks as JSON and as a table (docs/command-line.md, "JSON of rocks").
 #pragma once
 
-#include "core/rocks/rock_study.h"
-#include "core/rocks/rock_why.h"
+#include "core/rock_shapes/rock_study.h"
+#include "core/rock_shapes/rock_why.h"
 #include "core/scan/placement.h"
 
 #include <nlohmann/json_fwd.hpp>

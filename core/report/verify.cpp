@@ -15,7 +15,7 @@
 #include "core/report/find_scan.h"
 #include "core/report/record_parts.h"
 #include "core/report/report.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 #include "core/settings/parameters.h"
 #include "core/settings/presets.h"
 

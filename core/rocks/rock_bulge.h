@@ -1,7 +1,7 @@
 // How far regions lie before their own chords (docs/rocks-method.md, "Step 7").
 #pragma once
 
-#include "core/rocks/rock_leaves.h"
+#include "core/leaves/rock_leaves.h"
 
 #include <span>
 #include <vector>

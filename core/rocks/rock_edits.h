@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/rocks/leaf_cuts.h"
+#include "core/leaves/leaf_cuts.h"
 #include "core/rocks/rock_map.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,8 +1,8 @@
 // Which leaves are one rock at one level, and which regions are none (docs/rocks-method.md, "Step 7"). What a move of the slider costs.
 #pragma once
 
-#include "core/rocks/merge_tree.h"
-#include "core/rocks/rock_leaves.h"
+#include "core/leaves/merge_tree.h"
+#include "core/leaves/rock_leaves.h"
 #include "core/rocks/rock_settings.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "core/gray/smooth.h"
 #include "core/io/open_scan.h"
 #include "core/method/pipeline.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 #include "core/settings/presets.h"
 #include "core/sim/simulate.h"
 #include "tests/bench/timing.h"

@@ -6,8 +6,8 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/linked_pictures.h"
 #include "ui/base/notice_bar.h"
-#include "ui/control/calibrating.h"
 #include "ui/dialogs/calibration_card.h"
+#include "ui/file_control/calibrating.h"
 #include "ui/live/state_badge.h"
 
 #include <QAction>

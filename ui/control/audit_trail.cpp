@@ -7,7 +7,7 @@
 #include "core/settings/presets.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/control/linked_views.h"
+#include "ui/linked/linked_views.h"
 #include "ui/session/in_background.h"
 
 #include <QUndoStack>

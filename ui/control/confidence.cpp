@@ -2,7 +2,7 @@
 #include "ui/control/confidence.h"
 
 #include "ui/confidence/confidence_legend.h"
-#include "ui/control/linked_views.h"
+#include "ui/linked/linked_views.h"
 #include "ui/session/memory.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // Why a cell is an edge, or why it is none: the question, the card that answers it, the chain that is framed in the images.
 #pragma once
 
-#include "ui/control/linked_views.h"
+#include "ui/linked/linked_views.h"
 #include "ui/session/newest.h"
 
 #include <memory>

@@ -10,11 +10,11 @@
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/control/comparing.h"
-#include "ui/control/files.h"
-#include "ui/control/rocks.h"
-#include "ui/control/targets.h"
+#include "ui/file_control/files.h"
+#include "ui/rock_control/rocks.h"
 #include "ui/session/in_background.h"
 #include "ui/session/memory.h"
+#include "ui/target_control/targets.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -8,7 +8,7 @@
 #include "ui/cab/hold_button.h"
 #include "ui/cab/numbers_side.h"
 #include "ui/cloud/cloud_view.h"
-#include "ui/control/source.h"
+#include "ui/file_control/source.h"
 #include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/main_window.h"

@@ -1,7 +1,7 @@
 // The commands of A/B and of edge confidence, and where their legends stand.
 #pragma once
 
-#include "ui/control/commands.h"
+#include "ui/keys/commands.h"
 
 namespace edgescan::ui {
 

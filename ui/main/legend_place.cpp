@@ -3,7 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/cloud/cloud_view.h"
-#include "ui/control/linked_views.h"
+#include "ui/linked/linked_views.h"
 
 #include <QLayout>
 

@@ -1,7 +1,7 @@
 // The menus of the window as a table of commands.
 #pragma once
 
-#include "ui/control/commands.h"
+#include "ui/keys/commands.h"
 
 namespace edgescan::ui {
 

@@ -2,7 +2,7 @@
 #include "ui/main/rock_docks.h"
 
 #include "ui/base/scrolled.h"
-#include "ui/control/rocks.h"
+#include "ui/rock_control/rocks.h"
 #include "ui/rocks/rock_table.h"
 #include "ui/rocks/rocks_panel.h"
 

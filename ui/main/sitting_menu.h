@@ -1,7 +1,7 @@
 // Sessions in the window: their commands, and what of the window they keep.
 #pragma once
 
-#include "ui/control/commands.h"
+#include "ui/keys/commands.h"
 
 #include <memory>
 #include <vector>

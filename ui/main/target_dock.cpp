@@ -2,7 +2,7 @@
 #include "ui/main/target_dock.h"
 
 #include "ui/base/scrolled.h"
-#include "ui/control/targets.h"
+#include "ui/target_control/targets.h"
 #include "ui/targets/targets_panel.h"
 
 #include <QAction>

@@ -1,7 +1,7 @@
 // View > Theme and View > Cab Mode.
 #pragma once
 
-#include "ui/control/commands.h"
+#include "ui/keys/commands.h"
 
 namespace edgescan::ui {
 

@@ -1,7 +1,7 @@
 // Colours of rock faces as Qt's.
 #pragma once
 
-#include "core/rocks/rock_faces.h"
+#include "core/rock_shapes/rock_faces.h"
 
 #include <QColor>
 

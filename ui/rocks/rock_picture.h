@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/method/detection.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 
 #include <QImage>
 #include <QLine>

@@ -1,7 +1,7 @@
 // The size curve of the visible rocks as a drawing: how large a share of them is no wider than so many metres.
 #pragma once
 
-#include "core/rocks/size_curve.h"
+#include "core/rock_shapes/size_curve.h"
 
 #include <QWidget>
 

@@ -8,16 +8,16 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/comparing.h"
-#include "ui/control/files.h"
-#include "ui/control/linked_views.h"
-#include "ui/control/marked_edges.h"
-#include "ui/control/rocks.h"
-#include "ui/control/selection.h"
+#include "ui/file_control/files.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
+#include "ui/linked/linked_views.h"
+#include "ui/rock_control/rocks.h"
 #include "ui/session/in_background.h"
 #include "ui/session/memory.h"
 #include "ui/sitting/sitting_file.h"
+#include "ui/target_control/marked_edges.h"
+#include "ui/target_control/selection.h"
 
 #include <QAction>
 #include <QDir>

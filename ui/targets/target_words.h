@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/measure/cell_target.h"
-#include "core/rocks/rock_attributes.h"
+#include "core/rock_shapes/rock_attributes.h"
 
 #include <QString>
 

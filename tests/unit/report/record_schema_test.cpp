@@ -6,7 +6,7 @@
 #include "core/method/pipeline.h"
 #include "core/report/provenance.h"
 #include "core/report/verify.h"
-#include "core/rocks/rock_study.h"
+#include "core/rock_shapes/rock_study.h"
 #include "core/scan/acquisition.h"
 #include "core/settings/presets.h"
 #include "tests/support/json_schema.h"

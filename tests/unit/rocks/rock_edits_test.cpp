@@ -1,9 +1,9 @@
 // Edits hold whatever is turned afterwards, and say what went wrong when they are read.
+#include "core/rock_shapes/rock_study.h"
+#include "core/rock_shapes/rock_why.h"
 #include "core/rocks/region_of_interest.h"
 #include "core/rocks/rock_preset.h"
 #include "core/rocks/rock_strokes.h"
-#include "core/rocks/rock_study.h"
-#include "core/rocks/rock_why.h"
 #include "tests/support/rock_scene.h"
 
 #include <gtest/gtest.h>
