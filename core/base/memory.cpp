@@ -20,6 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kAnyMachine = std::uint64_t{1} << 60; ///< version 1 says "no limit" with a number close to 2^63
+constexpr std::uint64_t kNotAsked = std::uint64_t{1}
+                                    << 20; ///< asking costs a quarter of a millisecond; what starts a program is more than this
 
 std::optional<std::uint64_t> numberIn(const fs::path& path) {
     std::ifstream file(path);
@@ -54,8 +57,9 @@ constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes",
 
 std::uint64_t leftIn(const fs::path& group, const GroupFiles& files) {
     const auto limit = numberIn(group / files.limit);
+    if (!limit || *limit > kAnyMachine) return kNoLimit;
     const auto used = numberIn(group / files.used);
-    if (!limit || !used) return kNoLimit;
+    if (!used) return kNoLimit;
     const std::uint64_t taken = *used - std::min(*used, numberAfter(group / "memory.stat", files.reclaimable).value_or(0));
     return *limit - std::min(*limit, taken);
 }
@@ -120,6 +124,7 @@ std::string sizeText(std::uint64_t bytes) {
 }
 
 Result<Done> checkMemory(std::uint64_t neededBytes, const std::string& where) {
+    if (neededBytes < kNotAsked) return Done{};
     const std::uint64_t available = availableMemoryBytes();
     if (neededBytes <= available) return Done{};
     return Error{"needs " + sizeText(neededBytes) + " of memory, " + sizeText(available) + " are free", where,

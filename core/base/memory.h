@@ -18,7 +18,8 @@ namespace edgescan {
 /// of /proc/self/cgroup, `mount` the folder /sys/fs/cgroup. The largest number there is where nothing is limited.
 [[nodiscard]] std::uint64_t memoryLeftInGroups(std::string_view groups, const std::filesystem::path& mount);
 
-/// Error when `neededBytes` is more than is available: "needs 3.1 GB of memory, 2.2 GB are free". `where` is the path it is needed for.
+/// Error when `neededBytes`, from 1 MB on, is more than is available: "needs 3.1 GB of memory, 2.2 GB are free". `where` is the path it is
+/// needed for.
 Result<Done> checkMemory(std::uint64_t neededBytes, const std::string& where);
 
 /// "3.1 GB", "162.7 kB", "12 bytes"; decimal prefixes.
