@@ -48,7 +48,7 @@ EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int re
 }
 
 // The votes of a line, summed quickly: cells that are as many lanes apart share a sum, so each lane is of one parity.
-constexpr int kVoteLanes = 32;
+constexpr int kVoteLanes = 64;
 struct QuickVotes {
     std::array<float, kVoteLanes> weight{}, below{}, upTo{};
 };
