@@ -24,7 +24,7 @@ constexpr float kDegPerRad = 57.2957795F;
 
 // What is known of the cells of a block, so many that all of it stays in the nearest cache.
 constexpr int kBlock = 128;
-using Values = std::array<float, kBlock + kMostLanes>;
+using Values = std::array<float, kBlock>;
 
 // Sums over one side of each cell, of differences to the cell: these keep more digits than sums of u.
 struct SideSums {
@@ -49,7 +49,7 @@ struct Cells {
 
 // How many cells of both sides belong to them, whatever the window, 15 at most. A side ends at a break; the cell before a break is left out
 // unless it is the first: the spot of the beam may lie on what is behind, too.
-using Counts = std::array<std::uint8_t, kBlock + kMostLanes>;
+using Counts = std::array<std::uint8_t, kBlock>;
 template <class Count>
 FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
     constexpr auto kSteps = static_cast<int>(kMost);
@@ -77,38 +77,71 @@ FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts
     }
 }
 
-// The sums of one side of some cells, from the farthest to the nearest: what is added up on the way is then the weighted sum.
+// The sums of both sides of some cells, from the farthest to the nearest: what is added up on the way is then the weighted sum.
 template <class Lanes>
 struct LaneSums {
-    Lanes cells, sum{}, weighted{};
-    explicit LaneSums(const float* from) { load(cells, from); }
-
-    FOLD_INLINE void add(const Lanes& here, const float* u, const Lanes& distance) {
+    Lanes here, cells, sum{}, weighted{};
+    LaneSums(const float* u, const float* from) {
+        load(here, u);
+        load(cells, from);
+    }
+    FOLD_INLINE void add(const float* u, const Lanes& distance) {
         Lanes there;
         load(there, u);
         sum += distance <= cells ? there - here : Lanes{};
         weighted += sum;
     }
+    FOLD_INLINE void storeTo(SideSums& side, int j) const {
+        store(side.sum.data() + j, sum);
+        store(side.weighted.data() + j, weighted);
+    }
 };
 
+// So many cells look as far as the one of them that looks farthest: what the others add is 0, and the loop is of one length.
+constexpr int kAlike = 64;
+
 template <class Lanes>
-FOLD_INLINE void addUpLanes(const Cells& at, int j, SideSums& left, SideSums& right) {
-    Lanes here;
-    load(here, at.u + j);
-    LaneSums<Lanes> before(left.cells.data() + j), after(right.cells.data() + j);
-    const Lanes more = before.cells > after.cells ? before.cells : after.cells;
-    std::array<float, kLanes<Lanes>> most;
-    store(most.data(), more);
-    auto farthest = static_cast<int>(largest<kLanes<Lanes>>(most.data()));
-    Lanes distance = Lanes{} + static_cast<float>(farthest);
-    for (std::ptrdiff_t there = farthest * at.step; farthest > 0; --farthest, there -= at.step, distance -= 1.0F) {
-        before.add(here, at.u + j - there, distance);
-        after.add(here, at.u + j + there, distance);
+FOLD_INLINE int farthestOf(const SideSums& left, const SideSums& right, int first) {
+    Lanes most{};
+    for (int j = first; j < first + kAlike; j += kLanes<Lanes>) {
+        Lanes before, after;
+        load(before, left.cells.data() + j);
+        load(after, right.cells.data() + j);
+        most = most > before ? most : before;
+        most = most > after ? most : after;
     }
-    store(left.sum.data() + j, before.sum);
-    store(left.weighted.data() + j, before.weighted);
-    store(right.sum.data() + j, after.sum);
-    store(right.weighted.data() + j, after.weighted);
+    std::array<float, kLanes<Lanes>> values;
+    store(values.data(), most);
+    return static_cast<int>(largest<kLanes<Lanes>>(values.data()));
+}
+
+// The sums of two vectors of cells, whose additions do not wait for each other.
+template <class Lanes>
+FOLD_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
+    const int k = j + kLanes<Lanes>;
+    LaneSums<Lanes> before(at.u + j, left.cells.data() + j), after(at.u + j, right.cells.data() + j);
+    LaneSums<Lanes> before2(at.u + k, left.cells.data() + k), after2(at.u + k, right.cells.data() + k);
+    Lanes distance = Lanes{} + static_cast<float>(farthest);
+    const float* back = at.u + j - farthest * at.step;
+    const float* on = at.u + j + farthest * at.step;
+    for (int n = farthest; n > 0; --n, back += at.step, on -= at.step, distance -= 1.0F) {
+        before.add(back, distance);
+        after.add(on, distance);
+        before2.add(back + kLanes<Lanes>, distance);
+        after2.add(on + kLanes<Lanes>, distance);
+    }
+    before.storeTo(left, j);
+    after.storeTo(right, j);
+    before2.storeTo(left, k);
+    after2.storeTo(right, k);
+}
+
+template <class Lanes>
+FOLD_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& right) {
+    for (int j = 0; j < count; j += kAlike) {
+        const int farthest = farthestOf<Lanes>(left, right, j);
+        for (int k = j; k < std::min(j + kAlike, count); k += 2 * kLanes<Lanes>) addUpLanes<Lanes>(at, k, farthest, left, right);
+    }
 }
 
 // Angle whose tangent is y / x, y >= 0, degrees. A polynomial (Abramowitz and Stegun 4.4.49): within 0.01 degrees on every machine alike.
@@ -140,8 +173,8 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
         left.cells[j] = static_cast<float>(std::min<int>(reach, before[j]));
         right.cells[j] = static_cast<float>(std::min<int>(reach, after[j]));
     }
-    for (int j = count; j < count + kMostLanes; ++j) left.cells[j] = right.cells[j] = 0; // beyond the last
-    for (int j = 0; j < count; j += kLanes<Lanes>) addUpLanes<Lanes>(at, j, left, right);
+    for (int j = count; j < kBlock; ++j) left.cells[j] = right.cells[j] = 0; // beyond the last
+    addUp<Lanes>(at, count, left, right);
     const auto offset = static_cast<float>(limits.foldNoise.offsetMm);
     const auto perMetre = static_cast<float>(limits.foldNoise.perMetreMm);
     const auto perSquareMetre = static_cast<float>(limits.foldNoise.perSquareMetreMm);

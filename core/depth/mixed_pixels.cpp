@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <span>
+#include <type_traits>
 
 namespace edgescan {
 namespace {
@@ -78,9 +81,11 @@ inline __attribute__((always_inline)) TwoSurfaces surfacesAt(float before, float
     const float nearer = std::max(before, after);
     return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer};
 }
+inline __attribute__((always_inline)) bool areApart(const TwoSurfaces& at) {
+    return at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed;
+}
 inline __attribute__((always_inline)) bool canBeBetween(float u, const TwoSurfaces& at) {
-    return (at.farther > 0) & (u > at.farther) & (u < at.nearer) &
-           (at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed);
+    return (at.farther > 0) & (u > at.farther) & (u < at.nearer) & areApart(at);
 }
 inline __attribute__((always_inline)) bool canBeOff(float u, const TwoSurfaces& at, float thresholds) {
     const float least = thresholds * u * at.allowed;
@@ -139,27 +144,64 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
            std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
-// A first look at some cells: not 0 at every one that the closer looks could snap, and at a few more.
-EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
-                                 const DepthLimits& limits, float* __restrict worth) {
-    for (int j = 0; j < cells; ++j) {
-        const float b3 = u[j - 3 * s], b2 = u[j - 2 * s], b1 = u[j - s], here = u[j];
-        const float a1 = u[j + s], a2 = u[j + 2 * s], a3 = u[j + 3 * s], a4 = u[j + 4 * s];
-        const float spot = kWiderSpot * (kSpotM * here + kSpotRad);
-        const float slopeBefore = solid[j - 3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
-        const float slopeSecond = solid[j + 4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
-        const TwoSurfaces alone = surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits);
-        const TwoSurfaces first = surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits);
-        const TwoSurfaces second = surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits);
-        const bool one = canBeBetween(here, alone) & canBeOff(here, alone, 1);
-        const bool two = canBeBetween(here, first) & canBeBetween(a1, second) &
-                         (canBeOff(here, first, kOffSurface) | canBeOff(a1, second, kOffSurface)) & (2 * angle[j] <= spot);
-        worth[j] = (one | two) & (solid[j] != 0) ? 1.0F : 0.0F;
-    }
+// The neighbours of a cell, what lies beside it, and where the lines of both sides lead: to the cell itself where it may stand alone, and
+// to it and the next where these may be a run.
+struct FirstLook {
+    float here, next;
+    float spot; // of the beam, as a share of the range
+    TwoSurfaces alone, first, second;
+};
+inline __attribute__((always_inline)) FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
+    const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s], here = u[0];
+    const float a1 = u[s], a2 = u[2 * s], a3 = u[3 * s], a4 = u[4 * s];
+    const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
+    const float slopeSecond = solid[4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
+    return {here,
+            a1,
+            kWiderSpot * (kSpotM * here + kSpotRad),
+            surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits),
+            surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits),
+            surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits)};
 }
 
-EDGESCAN_SIMD void toMarked(const float* look, int cells, std::uint8_t* __restrict marked) {
-    for (int j = 0; j < cells; ++j) marked[j] = look[j] != 0 ? 1 : 0;
+constexpr int kLookBlock = 32;
+
+// Whether the surfaces beside any cell are far enough apart: in most blocks none are, and the rest of the look is left out.
+template <class Count>
+inline __attribute__((always_inline)) bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells,
+                                                    const DepthLimits& limits) {
+    std::int32_t any = 0;
+    for (int j = 0; j < cells; ++j) {
+        const FirstLook look = lookAt(u + j, solid + j, s, limits);
+        any |= areApart(look.alone) | areApart(look.first) ? -1 : 0;
+    }
+    return any != 0;
+}
+
+template <class Count>
+inline __attribute__((always_inline)) void lookAtBlock(const float* u, const float* solid, const float* angle, std::ptrdiff_t s,
+                                                       Count cells, const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    std::array<float, kLookBlock> worth;
+    for (int j = 0; j < cells; ++j) {
+        const FirstLook at = lookAt(u + j, solid + j, s, limits);
+        const bool one = canBeBetween(at.here, at.alone) & canBeOff(at.here, at.alone, 1);
+        const bool two = canBeBetween(at.here, at.first) & canBeBetween(at.next, at.second) &
+                         (canBeOff(at.here, at.first, kOffSurface) | canBeOff(at.next, at.second, kOffSurface)) & (2 * angle[j] <= at.spot);
+        worth[j] = (one | two) & (solid[j] != 0) ? 1.0F : 0.0F;
+    }
+    for (int j = 0; j < cells; ++j) marked[j] = worth[j] != 0 ? 1 : 0;
+}
+
+// A first look at some cells: 1 at every one that the closer looks could snap, and at a few more.
+EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
+                                 const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    constexpr auto kCount = std::integral_constant<int, kLookBlock>();
+    std::memset(marked, 0, static_cast<std::size_t>(cells));
+    int j = 0;
+    for (; j + kLookBlock <= cells; j += kLookBlock) {
+        if (anyApart(u + j, solid + j, s, kCount, limits)) lookAtBlock(u + j, solid + j, angle + j, s, kCount, limits, marked + j);
+    }
+    lookAtBlock(u + j, solid + j, angle + j, s, cells - j, limits, marked + j);
 }
 
 // The closer look at one cell; `angle` of an index step.
@@ -181,13 +223,11 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     const float* u = field.u.line(line);
     const float* solid = field.solid.line(line);
     float* out = snapped.line(line);
-    constexpr int kBlock = 256; // cells that are looked at together
-    std::array<float, kBlock> look;
-    std::array<std::uint8_t, kBlock> marked;
-    for (int from = 0; from < field.u.beams; from += kBlock) {
-        const int cells = std::min(kBlock, field.u.beams - from);
-        takeFirstLook(u + from, solid + from, angle + from, step, cells, limits, look.data());
-        toMarked(look.data(), cells, marked.data());
+    constexpr int kTogether = 1024; // cells that are looked at before the first is worked on
+    std::array<std::uint8_t, kTogether> marked;
+    for (int from = 0; from < field.u.beams; from += kTogether) {
+        const int cells = std::min(kTogether, field.u.beams - from);
+        takeFirstLook(u + from, solid + from, angle + from, step, cells, limits, marked.data());
         forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
             const std::size_t j = static_cast<std::size_t>(from) + place;
             snapAt({u + j, solid + j, step}, angle[j], limits, out + j);

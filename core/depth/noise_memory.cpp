@@ -5,6 +5,7 @@
 #include "core/depth/depth_crease.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -30,11 +31,25 @@ constexpr std::size_t kRangeBins = 33;
 
 using Bins = std::vector<std::vector<float>>;
 
-std::size_t binOf(double rangeM) {
-    std::size_t bin = 0;
-    for (double far = kNearestBinM * kBinFactor; rangeM >= far && bin + 1 < kRangeBins; far *= kBinFactor) ++bin;
-    return bin;
-}
+// The bins of ranges that come one after the other: neighbours are alike, so the search begins at the bin before.
+class RangeBins {
+public:
+    RangeBins() {
+        for (double far = kNearestBinM * kBinFactor; double& end : ends_) {
+            end = far;
+            far *= kBinFactor;
+        }
+    }
+    [[nodiscard]] std::size_t of(double rangeM) {
+        while (bin_ + 1 < kRangeBins && rangeM >= ends_[bin_]) ++bin_;
+        while (bin_ > 0 && rangeM < ends_[bin_ - 1]) --bin_;
+        return bin_;
+    }
+
+private:
+    std::array<double, kRangeBins> ends_{};
+    std::size_t bin_ = 0;
+};
 
 double middleOf(std::size_t bin) {
     double near = kNearestBinM;
@@ -42,10 +57,15 @@ double middleOf(std::size_t bin) {
     return near * std::sqrt(kBinFactor);
 }
 
+// The value that a share of them lies below, one at least.
+double shareBelow(const std::vector<float>& sizes, double share) {
+    return static_cast<double>(nthSmallest(sizes, static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1))));
+}
+
 // Standard deviation of values whose sizes are given, without what is far off: a jump, a fold.
-double trimmedRms(std::vector<float> sizes) {
+double trimmedRms(const std::vector<float>& sizes) {
     if (sizes.size() < kFewestValues) return 0;
-    const double most = kTrimmedAt / kEighty * static_cast<double>(quantile(sizes, 0.8));
+    const double most = kTrimmedAt / kEighty * shareBelow(sizes, 0.8);
     double sum = 0;
     std::size_t count = 0;
     for (const float size : sizes) {
@@ -93,10 +113,11 @@ float differenceAt(const NoiseWay& way, int line, int beam, int lag) {
 // The same by range.
 Bins differencesByRange(const InverseRange& inverse, int lag, std::size_t cells) {
     Bins bins(kRangeBins);
+    RangeBins bin;
     for (const Along along : {Along::Beams, Along::Lines}) {
         forSome(inverse, cells, [&](int i, int j) {
             const float size = differenceAt({inverse, along}, i, j, lag);
-            if (size >= 0) bins[binOf(1.0 / static_cast<double>(inverse.u.at(i, j)))].push_back(size);
+            if (size >= 0) bins[bin.of(1.0 / static_cast<double>(inverse.u.at(i, j)))].push_back(size);
         });
     }
     return bins;
@@ -149,16 +170,16 @@ private:
     std::vector<Bin> bins_;
 };
 
-RangeNoise lawOf(Bins bins, double (*spread)(std::vector<float>)) {
+RangeNoise lawOf(const Bins& bins, double (*spread)(const std::vector<float>&)) {
     NoiseLaw law;
     for (std::size_t b = 0; b < bins.size(); ++b) {
         const std::size_t count = bins[b].size();
-        if (count >= kFewestValues) law.add(middleOf(b), spread(std::move(bins[b])), count);
+        if (count >= kFewestValues) law.add(middleOf(b), spread(bins[b]), count);
     }
     return law.fitted();
 }
 
-double spreadByForty(std::vector<float> sizes) { return static_cast<double>(quantile(sizes, 0.4)) / kForty; }
+double spreadByForty(const std::vector<float>& sizes) { return shareBelow(sizes, 0.4) / kForty; }
 
 // The white noise whose folds would be as large as the one at this cell, mm; below 0 where it cannot be told. Both sides run through the
 // cell and `reach` more on smoothed ranges, as foldStrengths() fits them.
@@ -211,7 +232,7 @@ NoiseScales noiseScales(const InverseRange& inverse, bool all) {
     forSome(inverse, kCellsLookedAt, [&](int i, int j) {
         if (inverse.isMeasured(i, j)) ranges.push_back(1.0F / inverse.u.at(i, j));
     });
-    scales.rangeM = static_cast<double>(median(std::move(ranges)));
+    if (!ranges.empty()) scales.rangeM = static_cast<double>(nthSmallest(ranges, ranges.size() / 2));
     const auto measure = [&](std::size_t n) {
         std::vector<float> sizes;
         for (std::vector<float>& bin :
@@ -242,16 +263,17 @@ MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, 
     noise.windowMm = windowMm;
     noise.range = lawOf(differencesByRange(inverse, kNoiseLags[plateau], 2 * kCellsLookedAt), trimmedRms);
     Bins bins(kRangeBins);
+    RangeBins bin;
     for (const Along along : {Along::Beams, Along::Lines}) {
         forSome(inverse, kFoldsLookedAt, [&](int i, int j) {
             if (!inverse.isMeasured(i, j)) return;
             const double rangeM = 1.0 / static_cast<double>(inverse.u.at(i, j));
             const auto angle = static_cast<double>(along == Along::Beams ? steps.beam[static_cast<std::size_t>(j)] : steps.lineAt(i, j));
             const float size = foldAt({inverse, along}, i, j, reachOfFold(rangeM, angle, windowMm));
-            if (size >= 0) bins[binOf(rangeM)].push_back(size);
+            if (size >= 0) bins[bin.of(rangeM)].push_back(size);
         });
     }
-    noise.fold = lawOf(std::move(bins), spreadByForty);
+    noise.fold = lawOf(bins, spreadByForty);
     if (scales.sigmaMm[0] > 0) noise.cells = std::max(1.0, std::pow(noise.fold.at(scales.rangeM) / scales.sigmaMm[0], 2));
     return noise;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace edgescan {
@@ -90,13 +91,31 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
     return steps;
 }
 
-// Range of the inner cells of a line, and how far they lie off the straight line of their neighbours, both in metres.
-EDGESCAN_SIMD void offStraight(const float* u, int beams, float* __restrict rangeM, float* __restrict off) {
+// How far the inner cells of a line lie off the straight line of their neighbours, metres, and the bin of their range: the one after the
+// last where one of the three was not measured or is too far.
+EDGESCAN_SIMD void offStraight(const float* u, const Support* support, int beams, float* __restrict off, std::uint8_t* __restrict bin) {
+    static_assert(kBinM == 1 && kBins < 256);
     for (int j = 1; j < beams - 1; ++j) {
         const float range = 1.0F / u[j];
-        rangeM[j] = range;
+        const bool measured =
+            (support[j - 1] == Support::Measured) & (support[j] == Support::Measured) & (support[j + 1] == Support::Measured);
         off[j] = std::abs(u[j - 1] - 2 * u[j] + u[j + 1]) * range * range;
+        const int metres = static_cast<int>(range < static_cast<float>(kBins) ? range : static_cast<float>(kBins));
+        bin[j] = static_cast<std::uint8_t>(measured ? metres : static_cast<int>(kBins));
     }
+}
+
+// The end of the run of cells that begins at `from`, all of one bin.
+std::size_t endOfRun(const std::vector<std::uint8_t>& bins, std::size_t from, std::size_t end) {
+    std::uint64_t eight = 0;
+    const std::uint64_t all = bins[from] * 0x0101010101010101U;
+    std::size_t j = from;
+    for (; j + sizeof eight <= end; j += sizeof eight) {
+        std::memcpy(&eight, bins.data() + j, sizeof eight);
+        if (eight != all) break;
+    }
+    while (j < end && bins[j] == bins[from]) ++j;
+    return j;
 }
 
 float medianAngle(std::vector<float>& angles) { return std::max(median(std::move(angles), static_cast<float>(0.5 * kRadPerDeg)), 1e-6F); }
@@ -161,16 +180,16 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     std::vector<std::vector<float>> bins(kBins);
     // A quarter of a million cells tell it well enough.
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForNoise));
-    std::vector<float> rangeM(static_cast<std::size_t>(inverse.u.beams));
-    std::vector<float> off(rangeM.size());
+    const auto beams = static_cast<std::size_t>(inverse.u.beams);
+    std::vector<float> off(beams);
+    std::vector<std::uint8_t> binOf(beams);
     for (int i = std::min(every, inverse.u.lines) / 2; i < inverse.u.lines; i += every) {
-        offStraight(inverse.u.line(i), inverse.u.beams, rangeM.data(), off.data());
-        const Support* support = inverse.support.line(i);
-        for (int j = 1; j + 1 < inverse.u.beams; ++j) {
-            if (support[j - 1] != Support::Measured || support[j] != Support::Measured || support[j + 1] != Support::Measured) continue;
-            const auto n = static_cast<std::size_t>(j);
-            const auto bin = static_cast<std::size_t>(rangeM[n] / kBinM);
-            if (bin < kBins) bins[bin].push_back(off[n]);
+        offStraight(inverse.u.line(i), inverse.support.line(i), inverse.u.beams, off.data(), binOf.data());
+        for (std::size_t from = 1, end = 0; from + 1 < beams; from = end) {
+            end = endOfRun(binOf, from, beams - 1);
+            if (binOf[from] == kBins) continue;
+            std::vector<float>& values = bins[binOf[from]];
+            values.insert(values.end(), off.begin() + static_cast<std::ptrdiff_t>(from), off.begin() + static_cast<std::ptrdiff_t>(end));
         }
     }
     double weight = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
@@ -204,7 +223,7 @@ double pointSpacingMm(const InverseRange& inverse, const AngularSteps& steps) {
                 areas.push_back(steps.beam[static_cast<std::size_t>(j)] * steps.lineAt(i, j) / (u[j] * u[j]));
         }
     }
-    return 1000.0 * std::sqrt(static_cast<double>(median(std::move(areas))));
+    return areas.empty() ? 0 : 1000.0 * std::sqrt(static_cast<double>(nthSmallest(areas, areas.size() / 2)));
 }
 
 } // namespace edgescan
