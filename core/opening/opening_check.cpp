@@ -22,11 +22,28 @@ constexpr double kFarthestUsualM = 100.0; // half of all ranges longer: no scann
 constexpr const char* kRangeTable = "range CSV";
 constexpr double kCrowded = 0.1; // of the points behind others of their cell
 
+// How each unit and each mounting is told. Every sentence below is one that the window translates (resources/languages/collect).
 struct Unit {
     double mm;
-    const char* name;
+    const char *taken, *other;
 };
-constexpr std::array<Unit, 3> kUnits{{{1.0, "millimetres"}, {10.0, "centimetres"}, {1000.0, "metres"}}};
+constexpr std::array<Unit, 3> kUnits{{
+    {1.0, "millimetres, so that half of the ranges are below %1 m", "millimetres: half of the ranges are below %1 m"},
+    {10.0, "centimetres, so that half of the ranges are below %1 m", "centimetres: half of the ranges are below %1 m"},
+    {1000.0, "metres, so that half of the ranges are below %1 m", "metres: half of the ranges are below %1 m"},
+}};
+constexpr const char* kOddUnit = "%2 mm, so that half of the ranges are below %1 m";
+constexpr const char* kUnusual = "In the unit that was taken half of the ranges are below %1 m, which is unusual for a scan of rocks.";
+
+struct Mounting {
+    const char *taken, *other, *bent;
+};
+constexpr Mounting kSpin{"spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes",
+                         "spin, about the viewing direction: %1 of %2 flat pieces lie on three planes",
+                         "Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do."};
+constexpr Mounting kSweep{"sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes",
+                          "sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes",
+                          "Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do."};
 
 double medianRangeM(const Scan& scan) {
     std::vector<float> ranges;
@@ -38,8 +55,6 @@ double medianRangeM(const Scan& scan) {
 
 bool isUsual(double rangeM) { return rangeM >= kNearestUsualM && rangeM <= kFarthestUsualM; }
 
-std::string halfOfRanges(double medianM) { return "half of the ranges are below " + significantText(medianM, 2) + " m"; }
-
 std::optional<OpeningPoint> unitOf(const Scan& scan, const ReadingOptions& options) {
     const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitToldBy(w).has_value(); });
     const bool whole = scan.format == kRangeTable; // whole numbers in it are taken as millimetres without a word
@@ -50,24 +65,28 @@ std::optional<OpeningPoint> unitOf(const Scan& scan, const ReadingOptions& optio
     if (median <= 0.0) return std::nullopt;
     const auto now = std::ranges::find_if(kUnits, [mm](const Unit& unit) { return unit.mm == mm; });
     OpeningPoint point{"Unit", options.unitMm ? Source::Typed : Source::Guessed};
-    point.taken = (now != kUnits.end() ? std::string(now->name) : significantText(mm, 4) + " mm") + ", so that " + halfOfRanges(median);
-    if (!isUsual(median)) point.against = "In the unit that was taken " + halfOfRanges(median) + ", which is unusual for a scan of rocks.";
+    const std::string half = significantText(median, 2);
+    point.taken = now != kUnits.end() ? Sentence{now->taken, {half}} : Sentence{kOddUnit, {half, significantText(mm, 4)}};
+    if (!isUsual(median)) point.against = {kUnusual, {half}};
     for (const Unit& unit : kUnits) {
         if (unit.mm == mm) continue;
         ReadingOptions other = options;
         other.unitMm = unit.mm;
-        point.others.push_back({std::string(unit.name) + ": " + halfOfRanges(median * unit.mm / mm), std::move(other)});
+        point.others.push_back({{unit.other, {significantText(median * unit.mm / mm, 2)}}, std::move(other)});
     }
     // What is usual first.
     std::ranges::stable_sort(point.others, {}, [&](const OtherReading& o) { return isUsual(median * *o.options.unitMm / mm) ? 0 : 1; });
     return point;
 }
 
-const char* nameOf(Axis axis) { return axis == Axis::Spin ? "spin" : "sweep"; }
-const char* meaningOf(Axis axis) { return axis == Axis::Spin ? "about the viewing direction" : "about the 0/180 degree line"; }
+const Mounting& wordsOf(Axis axis) { return axis == Axis::Spin ? kSpin : kSweep; }
 
-std::string flatText(const CommonPlanes& planes) {
-    return std::to_string(planes.onPlanes) + " of " + std::to_string(planes.pieces) + " flat pieces lie on three planes";
+/// "%1 of %2 flat pieces".
+std::vector<std::string> flatOf(const CommonPlanes& planes) { return {std::to_string(planes.onPlanes), std::to_string(planes.pieces)}; }
+
+std::vector<std::string> with(std::vector<std::string> values, const std::string& last) {
+    values.push_back(last);
+    return values;
 }
 
 bool anglesWereTaken(const Scan& scan) {
@@ -76,16 +95,14 @@ bool anglesWereTaken(const Scan& scan) {
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
     OpeningPoint point{"Mounting", options.axis ? Source::Typed : anglesWereTaken(scan) ? Source::Guessed : Source::Said};
-    point.taken = std::string(nameOf(polar.axis)) + ": the stepper turns " + meaningOf(polar.axis) + "; " + flatText(now);
+    point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
     turned.axis = polar.axis == Axis::Spin ? Axis::Sweep : Axis::Spin;
     const CommonPlanes other = commonPlanes(scan, turned);
-    ReadingOptions with = options;
-    with.axis = turned.axis;
-    point.others.push_back({std::string(nameOf(turned.axis)) + ", " + meaningOf(turned.axis) + ": " + flatText(other), std::move(with)});
-    if (clearlyFlatter(other, now))
-        point.against = std::string("Walls bend with mounting ") + nameOf(polar.axis) + ": " + flatText(now) + ", with " +
-                        nameOf(turned.axis) + " " + std::to_string(other.onPlanes) + " do.";
+    ReadingOptions so = options;
+    so.axis = turned.axis;
+    point.others.push_back({{wordsOf(turned.axis).other, flatOf(other)}, std::move(so)});
+    if (clearlyFlatter(other, now)) point.against = {wordsOf(polar.axis).bent, with(flatOf(now), std::to_string(other.onPlanes))};
     return point;
 }
 
@@ -108,8 +125,9 @@ ReadingOptions withLines(ReadingOptions options, double startDeg, double stepDeg
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
     OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : anglesWereTaken(scan) ? Source::Guessed : Source::Said};
-    point.taken = "a step of " + significantText(std::abs(step), 4) + " degrees, " +
-                  significantText(std::abs(step) * static_cast<double>(polar.lineDeg.size() - 1), 4) + " in all; " + flatText(now);
+    const double all = std::abs(step) * static_cast<double>(polar.lineDeg.size() - 1);
+    point.taken = {"a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes",
+                   with(with(flatOf(now), significantText(std::abs(step), 4)), significantText(all, 4))};
     std::vector<std::pair<int, OtherReading>> tried;
     for (const double times : {0.5, 2.0 / 3.0, 1.5, 2.0}) {
         PolarGeometry stretched = polar;
@@ -118,10 +136,13 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
         if (std::abs(stretched.lineDeg.back() - stretched.lineDeg.front()) > 400.0) continue;
         const CommonPlanes other = commonPlanes(scan, stretched);
         tried.push_back({other.onPlanes,
-                         {"a step of " + significantText(std::abs(step * times), 4) + " degrees: " + flatText(other),
+                         {{"a step of %3 degrees: %1 of %2 flat pieces lie on three planes",
+                           with(flatOf(other), significantText(std::abs(step * times), 4))},
                           withLines(options, polar.lineDeg.front(), step * times)}});
         if (mountingFits && clearlyFlatter(other, now) && point.against.empty())
-            point.against = "Walls bend at the line angles that were taken: " + flatText(now) + ", other steps give more.";
+            point.against = {
+                "Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.",
+                flatOf(now)};
     }
     std::ranges::stable_sort(tried, std::greater<>{}, [](const auto& one) { return one.first; });
     for (auto& [flat, other] : tried) point.others.push_back(std::move(other));
@@ -131,9 +152,9 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
 /// No surface tells left from right: only who was there can.
 OpeningPoint orderOf(const PolarGeometry& polar, double step, const ReadingOptions& options) {
     OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : Source::Said};
-    point.taken = "line angles from " + significantText(polar.lineDeg.front(), 4) + " to " + significantText(polar.lineDeg.back(), 4) +
-                  " degrees; whether left and right are exchanged no range tells";
-    point.others.push_back({"the other way round: left and right exchanged", withLines(options, -polar.lineDeg.front(), -step)});
+    point.taken = {"line angles from %1 to %2 degrees; whether left and right are exchanged no range tells",
+                   {significantText(polar.lineDeg.front(), 4), significantText(polar.lineDeg.back(), 4)}};
+    point.others.push_back({{"the other way round: left and right exchanged"}, withLines(options, -polar.lineDeg.front(), -step)});
     return point;
 }
 
@@ -144,15 +165,16 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
     if (!step) return std::nullopt;
     const double crowded = static_cast<double>(scan.pointsLeftOut) / static_cast<double>(scan.pointsRead);
     OpeningPoint point{"Grid", options.gridStepDeg ? Source::Typed : Source::Guessed};
-    point.taken = "projected onto cells of " + significantText(std::abs(*step), 3) + " degrees; " + significantText(100.0 * crowded, 2) +
-                  " % of the points stand behind others of their cell";
+    const std::string behind = significantText(100.0 * crowded, 2);
+    point.taken = {"projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell",
+                   {significantText(std::abs(*step), 3), behind}};
     if (crowded > kCrowded)
-        point.against = significantText(100.0 * crowded, 2) +
-                        " % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.";
+        point.against = {"%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.",
+                         {behind}};
     for (const double times : {0.5, 2.0}) {
         ReadingOptions other = options;
         other.gridStepDeg = std::abs(*step) * times;
-        point.others.push_back({"cells of " + significantText(*other.gridStepDeg, 3) + " degrees", std::move(other)});
+        point.others.push_back({{"cells of %1 degrees", {significantText(*other.gridStepDeg, 3)}}, std::move(other)});
     }
     return point;
 }
@@ -161,11 +183,12 @@ std::optional<OpeningPoint> displacementOf(const Scan& scan, const ReadingOption
     const auto told = std::ranges::find_if(scan.warnings, tellsOfDisplacement);
     if (told == scan.warnings.end() && !options.straighten) return std::nullopt;
     OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Said};
-    point.taken = options.straighten ? "straightened" : "where their angles say";
-    if (!options.straighten) point.against = *told;
+    point.taken = options.straighten ? Sentence{"straightened"} : Sentence{"where their angles say"};
+    if (!options.straighten) point.against = {"%1", {*told}}; // a warning of the scan: as it is in records
     ReadingOptions other = options;
     other.straighten = !options.straighten;
-    point.others.push_back({options.straighten ? "as they were recorded" : "straightened by the scan's own surfaces", std::move(other)});
+    point.others.push_back(
+        {options.straighten ? Sentence{"as they were recorded"} : Sentence{"straightened by the scan's own surfaces"}, std::move(other)});
     return point;
 }
 

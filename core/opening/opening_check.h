@@ -1,9 +1,9 @@
 // What was taken for granted when a scan was opened, what speaks against it, and how else it can be read.
 #pragma once
 
+#include "core/opening/sentence.h"
 #include "core/scan/reading_options.h"
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace edgescan {
 
 /// The scan read in another way.
 struct OtherReading {
-    std::string words; ///< "sweep instead of spin: 41 of 96 pieces would be flat instead of 6"
+    Sentence words; ///< "sweep instead of spin: 41 of 96 pieces would be flat instead of 6"
     ReadingOptions options;
 };
 
@@ -24,8 +24,8 @@ struct OpeningPoint {
     };
     const char* what; ///< "Unit", "Mounting", ...
     Source source = Source::Said;
-    std::string taken{};                ///< what it was taken as, in words
-    std::string against{};              ///< what the scan says against it, one sentence; empty: nothing
+    Sentence taken{};                   ///< what it was taken as, in words
+    Sentence against{};                 ///< what the scan says against it, one sentence; empty: nothing
     std::vector<OtherReading> others{}; ///< the likelier first; may be empty
 };
 

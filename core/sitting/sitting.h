@@ -21,15 +21,30 @@
 
 namespace edgescan {
 
+/// The first lines of a sweep that is being recorded: they stay as they are while the file grows, or is cut off by a crash.
+struct ScanHead {
+    int lines = 0;
+    std::string sha256; ///< of their ranges
+    bool operator==(const ScanHead&) const = default;
+};
+/// Of the first `lines` lines, or of those that there are.
+[[nodiscard]] ScanHead scanHead(const Scan& scan, int lines = 16);
+
 /// A scan that a session is about: where it lay, how it was read, and by what it is known again.
 struct SittingScan {
-    enum class Kind : std::uint8_t { File, Demo, DemoAfterBlast };
+    enum class Kind : std::uint8_t { File, Demo, DemoAfterBlast, Recording };
 
     Kind kind = Kind::File;
     std::filesystem::path path; ///< absolute; empty for the demo
-    NotebookScan identity;
-    ReadingOptions reading; ///< paths of pose and calibration absolute; no progress
+    NotebookScan identity;      ///< of a recording that is still being written without a hash, and with the lines that there were
+    ScanHead head;              ///< of a recording alone
+    ReadingOptions reading;     ///< paths of pose and calibration absolute; no progress
 };
+
+/// Of a file, or of a recording that was being written.
+[[nodiscard]] constexpr bool hasPath(SittingScan::Kind kind) {
+    return kind == SittingScan::Kind::File || kind == SittingScan::Kind::Recording;
+}
 
 /// A of A/B.
 struct SittingKept {
@@ -68,6 +83,9 @@ struct Sitting {
     std::map<std::string, std::string> layout; ///< of docks and splitters: base64, by name
     std::filesystem::path keptIn;              ///< of what is saved by itself: the file that the person saved it as; may be empty
 };
+
+/// What of it names cells below `cells` alone: a recording may have lost its last lines in a crash.
+[[nodiscard]] Sitting cutTo(Sitting sitting, std::size_t cells);
 
 inline constexpr const char* kSittingEnding = ".edgescan-session.json";
 

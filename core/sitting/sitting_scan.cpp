@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestPath = 4096;
 constexpr int kMostSide = 1'000'000;
 constexpr std::uint64_t kMostSittingCells = std::uint64_t{1} << 28U;
-const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast"}; // as SittingScan::Kind
+const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SittingScan::Kind
 
 /// Relative where it stays meaningful when both are moved together: from the folder above `folder` downwards. Else empty.
 std::string relativePath(const fs::path& path, const fs::path& folder) {
@@ -61,7 +61,8 @@ std::string pathThere(const std::vector<fs::path>& paths) {
 
 nlohmann::ordered_json sittingScanJson(const SittingScan& scan, const fs::path& folder) {
     nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};
-    if (scan.kind == SittingScan::Kind::File) json["path"] = pathJson(scan.path, folder);
+    if (hasPath(scan.kind)) json["path"] = pathJson(scan.path, folder);
+    if (scan.kind == SittingScan::Kind::Recording) json["head"] = {{"lines", scan.head.lines}, {"sha256", scan.head.sha256}};
     json["sha256"] = scan.identity.sha256;
     json["name"] = scan.identity.name;
     json["lines"] = scan.identity.lines;
@@ -78,7 +79,12 @@ Result<PlacedSittingScan> sittingScanFrom(JsonFields fields, const fs::path& fol
     PlacedSittingScan placed;
     SittingScan& scan = placed.scan;
     scan.kind = static_cast<SittingScan::Kind>(fields.choice("kind", kScanKinds));
-    if (scan.kind == SittingScan::Kind::File) placed.places = pathsFrom(fields.object("path"), folder);
+    if (hasPath(scan.kind)) placed.places = pathsFrom(fields.object("path"), folder);
+    if (scan.kind == SittingScan::Kind::Recording) {
+        JsonFields head = fields.object("head");
+        scan.head = {static_cast<int>(head.wholeNumber("lines", 1, kMostSide)), head.text("sha256")};
+        head.done();
+    }
     scan.path = pathThere(placed.places);
     scan.identity = {fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, kMostSide)),
                      static_cast<int>(fields.wholeNumber("beams", 1, kMostSide))};

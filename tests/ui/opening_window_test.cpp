@@ -3,9 +3,11 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/dialogs/opening_card.h"
+#include "ui/language/languages.h"
 
 #include <QAction>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -52,11 +54,22 @@ class OpeningWindowTest : public QObject {
         }
         return false;
     }
+    static bool allIsRead(const QTreeWidget& list) {
+        for (const QTreeWidgetItem* row = list.topLevelItem(0); row != nullptr; row = list.itemBelow(row)) {
+            const int margin = 2 * (list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+            const QRect room(0, 0, list.columnWidth(1) - margin, 10000);
+            const QRect needed = list.fontMetrics().boundingRect(room, Qt::TextWordWrap, row->text(1));
+            if (list.visualItemRect(row).height() < needed.height()) return false;
+        }
+        return true;
+    }
     static bool checked(WindowFixture& on) {
         return on.settled() && QTest::qWaitFor([&] { return on.window.opening().points().has_value(); }, 20000);
     }
 
 private slots:
+    void cleanup() { useLanguage("en"); }
+
     void initTestCase() {
         metres_ = (folder_ / "table.csv").string();
         writeTable(metres_);
@@ -120,6 +133,46 @@ private slots:
         QVERIFY(!on.window.opening().card()->isVisible());
         QVERIFY(!on.window.files().options().unitMm);
         QCOMPARE(on.window.files().path(), QString::fromStdString(path));
+    }
+
+    // In each language: what is said of the scan is translated, its numbers are not, and every row is high enough for all its words.
+    void whatItSaysOfTheScanIsInTheLanguageOfTheWindow() {
+        for (const auto& [code, words] : {std::pair{"fr", "la moitié des distances est inférieure à "},
+                                          {"es", "la mitad de las distancias es inferior a "},
+                                          {"pt", "metade das distâncias é inferior a "},
+                                          {"en", "half of the ranges are below "}}) {
+            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            WindowFixture on;
+            on.window.resize(1280, 800);
+            QVERIFY(on.showWith(metres_) && on.activate());
+            QVERIFY(checked(on));
+            on.window.opening().show();
+            OpeningCard* card = on.window.opening().card();
+            QVERIFY(QTest::qWaitForWindowExposed(card));
+            QTreeWidget* list = card->list();
+            const OpeningPoint& unit = on.window.opening().points()->front();
+            const QString said = list->topLevelItem(0)->text(1);
+            QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
+            // Every sentence has its place, and none is left in English.
+            const auto& points = *on.window.opening().points();
+            int others = 0;
+            for (int n = 0; n < list->topLevelItemCount(); ++n) {
+                for (int m = 0; m < list->topLevelItem(n)->childCount(); ++m) {
+                    const QTreeWidgetItem* row = list->topLevelItem(n)->child(m);
+                    if (row->data(0, Qt::UserRole).isNull()) continue;
+                    const OtherReading& other =
+                        points[static_cast<std::size_t>(n)].others[static_cast<std::size_t>(row->data(0, Qt::UserRole).toInt())];
+                    QCOMPARE(row->text(1), shownSentence(other.words));
+                    QCOMPARE(row->text(1) == QString::fromStdString(other.words.text()), QString(code) == "en");
+                    ++others;
+                }
+            }
+            QVERIFY(others > 4);
+            for (const int width : {680, 1000}) { // rows follow the width
+                card->resize(width, 500);
+                QTRY_VERIFY2(allIsRead(*list), qPrintable(QString("%1 %2").arg(code).arg(width)));
+            }
+        }
     }
 
     void withoutAFileItSaysSo() {

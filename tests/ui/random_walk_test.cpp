@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <map>
 #include <random>
+#include <set>
 
 #include <unistd.h>
 
@@ -33,6 +35,37 @@ class RandomWalkTest : public QObject {
     template <class T>
     T* anyOf(const QList<T*>& all) {
         return all.isEmpty() ? nullptr : all[static_cast<int>(below(static_cast<std::size_t>(all.size())))];
+    }
+    // One of several, every second time one that was not used yet. What was there and what was used is counted by kind and name.
+    template <class T, class Name>
+    T* freshOf(const QString& kind, const QList<T*>& all, Name name) {
+        QList<T*> fresh;
+        for (T* one : all) {
+            met_[kind].insert(name(*one));
+            if (used_[kind].count(name(*one)) == 0) fresh << one;
+        }
+        T* const chosen = below(2) == 0 && !fresh.isEmpty() ? anyOf(fresh) : anyOf(all);
+        if (chosen != nullptr) {
+            used_[kind].insert(name(*chosen));
+            last_ = kind + " " + name(*chosen);
+        }
+        return chosen;
+    }
+    template <class T>
+    static QList<T*> usableOf(const WindowFixture& on) {
+        QList<T*> usable;
+        for (T* widget : on.window.template findChildren<T*>()) {
+            if (widget->isVisible() && widget->isEnabled()) usable << widget;
+        }
+        return usable;
+    }
+    // A name that is the same as often as the widget is built: its own, or that of the nearest parent that has one.
+    static QString nameOf(const QWidget& widget) {
+        QString name = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();
+        for (const QWidget* parent = widget.parentWidget(); name.isEmpty() && parent != nullptr; parent = parent->parentWidget()) {
+            if (!parent->objectName().isEmpty()) name = QString("%1 in %2").arg(widget.metaObject()->className(), parent->objectName());
+        }
+        return name;
     }
     static double megabytes() {
         std::ifstream file("/proc/self/statm");
@@ -72,10 +105,7 @@ class RandomWalkTest : public QObject {
         for (QAction* action : on.window.findChildren<QAction*>()) {
             if (!isLeftOut(*action)) actions << action;
         }
-        if (QAction* action = anyOf(actions)) {
-            last_ = "action " + action->text();
-            action->trigger();
-        }
+        if (QAction* action = freshOf("action", actions, [](const QAction& one) { return one.text(); })) action->trigger();
     }
     void useMouse(WindowFixture& on) {
         QWidget& view = anyView(on);
@@ -98,16 +128,14 @@ class RandomWalkTest : public QObject {
         QTest::keyClick(&anyView(on), key, below(3) == 0 ? Qt::ShiftModifier : Qt::NoModifier);
     }
     void useWidget(WindowFixture& on) {
-        const auto seen = [](const QWidget* widget) { return widget->isVisible() && widget->isEnabled(); };
-        if (auto* slider = anyOf(on.window.findChildren<QAbstractSlider*>()); below(3) == 0 && slider != nullptr && seen(slider)) {
-            last_ = "slider " + slider->objectName();
+        const auto name = [](const QWidget& widget) { return nameOf(widget); };
+        const std::size_t what = below(3);
+        if (auto* slider = what == 0 ? freshOf("slider", usableOf<QAbstractSlider>(on), name) : nullptr) {
             slider->setValue(slider->minimum() +
                              static_cast<int>(below(static_cast<std::size_t>(slider->maximum() - slider->minimum()) + 1)));
-        } else if (auto* list = anyOf(on.window.findChildren<QComboBox*>()); below(2) == 0 && list != nullptr && seen(list)) {
-            last_ = "list " + list->objectName();
+        } else if (auto* list = what == 1 ? freshOf("list", usableOf<QComboBox>(on), name) : nullptr) {
             if (list->count() > 0) list->setCurrentIndex(static_cast<int>(below(static_cast<std::size_t>(list->count()))));
-        } else if (auto* box = anyOf(on.window.findChildren<QCheckBox*>()); box != nullptr && seen(box)) {
-            last_ = "switch " + box->text();
+        } else if (auto* box = freshOf("switch", usableOf<QCheckBox>(on), [](const QCheckBox& one) { return one.text(); })) {
             box->click();
         }
     }
@@ -129,7 +157,21 @@ class RandomWalkTest : public QObject {
         QApplication::processEvents(QEventLoop::AllEvents, 20);
     }
 
+    // How many of each kind were used, and which were there and were not.
+    QString whatWasUsed() const {
+        QString told;
+        for (const auto& [kind, met] : met_) {
+            const std::set<QString>& used = used_.at(kind);
+            told += QString("; %1s %2 of %3").arg(kind).arg(used.size()).arg(met.size());
+            for (const QString& one : met) {
+                if (used.count(one) == 0) told += " [" + one + "]";
+            }
+        }
+        return told.mid(2);
+    }
+
     QString last_;
+    std::map<QString, std::set<QString>> met_, used_;
 
 private slots:
     void initTestCase() {
@@ -165,8 +207,11 @@ private slots:
             timer.start();
             step(on);
             slowest.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+            if (slowest.back() > 2000) qInfo("event %d took %.0f ms: %s", n, slowest.back(), qPrintable(last_));
             QVERIFY2(on.window.isVisible(), qPrintable("the window is gone after: " + last_));
-            if (n % std::max(1, events / 20) == 0) memory.push_back(megabytes());
+            if (n % std::max(1, events / 20) != 0) continue;
+            memory.push_back(megabytes());
+            if (events >= 4000) qInfo("event %d: %.0f MB", n, memory.back());
         }
         closer.stop();
         closeDialogs();
@@ -180,7 +225,9 @@ private slots:
         for (const double mb : memory) curve += QString(" %1").arg(mb, 0, 'f', 0);
         qInfo("%d events; a step: median %.1f ms, 99 of 100 below %.1f ms; memory, MB:%s", events, slowest[slowest.size() / 2],
               slowest[slowest.size() * 99 / 100], qPrintable(curve));
+        qInfo("used: %s", qPrintable(whatWasUsed()));
         if (events < 4000) return; // too few to tell growth from what is built once
+        for (const auto& [kind, met] : met_) QVERIFY2(10 * used_[kind].size() >= 9 * met.size(), qPrintable(whatWasUsed()));
         const double middle = memory[memory.size() / 2];
         QVERIFY2(memory.back() < 1.15 * middle + 20, qPrintable("memory grows:" + curve));
     }

@@ -29,6 +29,11 @@ public:
     void setRecordingFolder(const QString& folder);
     void askRecordingFolder();
 
+    /// The file that has, or had, the sweeps of a stream as they came; empty: none.
+    [[nodiscard]] QString recordingOf(std::uint64_t stream) const {
+        return stream == scanner_.stream() ? scanner_.recordingPath() : QString();
+    }
+
     [[nodiscard]] ScannerLink& scanner() { return scanner_; }
     [[nodiscard]] LivePanel& panel() { return panel_; }
     [[nodiscard]] Timeline& timeline() { return timeline_; }

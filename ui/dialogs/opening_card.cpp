@@ -7,11 +7,17 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kAroundWords = 8; // px above and below the words of a row together
 
 /// A sign and a word: no colour.
 QString signOf(const OpeningPoint& point) {
@@ -28,6 +34,10 @@ QTreeWidgetItem* rowOf(const QStringList& words) {
 
 } // namespace
 
+QString shownSentence(const Sentence& sentence) {
+    return shownText(filledIn(QObject::tr(sentence.pattern).toStdString(), sentence.values));
+}
+
 OpeningCard::OpeningCard(QWidget* parent)
     : QDialog(parent), verdict_(new QLabel), state_(new QLabel), list_(new QTreeWidget), adopt_(nullptr) {
     setObjectName("opening-card");
@@ -43,6 +53,7 @@ OpeningCard::OpeningCard(QWidget* parent)
     list_->setMinimumSize(660, 300);
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
+    connect(list_->header(), &QHeaderView::sectionResized, this, &OpeningCard::fitRows);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     adopt_ = buttons->addButton(tr("&Adopt"), QDialogButtonBox::ApplyRole);
@@ -69,6 +80,16 @@ OpeningCard::OpeningCard(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+/// Rows as high as their words need at the width that they have: a tree asks its rows without a width.
+void OpeningCard::fitRows() {
+    const int margin = 2 * (list_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+    const QRect room(0, 0, std::max(60, list_->columnWidth(1) - margin), 10000);
+    for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
+        const int high = list_->fontMetrics().boundingRect(room, Qt::TextWordWrap, (*row)->text(1)).height() + kAroundWords;
+        if ((*row)->sizeHint(1).height() != high) (*row)->setSizeHint(1, QSize(0, high));
+    }
+}
+
 bool OpeningCard::chosen(int& point, int& other) const {
     const QTreeWidgetItem* row = list_->currentItem();
     const QTreeWidgetItem* above = row != nullptr ? row->parent() : nullptr;
@@ -82,16 +103,17 @@ void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& poi
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const OpeningPoint& point : points) {
-        auto* row = rowOf({signOf(point), QObject::tr(point.what) + ": " + shownText(point.taken)});
+        auto* row = rowOf({signOf(point), QObject::tr(point.what) + ": " + shownSentence(point.taken)});
         list_->addTopLevelItem(row);
-        if (!point.against.empty()) row->addChild(rowOf({QString(), "▲ " + shownText(point.against)}));
+        if (!point.against.empty()) row->addChild(rowOf({QString(), "▲ " + shownSentence(point.against)}));
         for (std::size_t n = 0; n < point.others.size(); ++n) {
-            auto* other = rowOf({tr("or"), shownText(point.others[n].words)});
+            auto* other = rowOf({tr("or"), shownSentence(point.others[n].words)});
             other->setData(0, Qt::UserRole, static_cast<int>(n));
             row->addChild(other);
         }
         row->setExpanded(true);
     }
+    fitRows();
     adopt_->setEnabled(false);
     verdict_->setText(points.empty()       ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
                       : looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)

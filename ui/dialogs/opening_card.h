@@ -11,6 +11,9 @@ class QTreeWidget;
 
 namespace edgescan::ui {
 
+/// In the language of the window; numbers and what the file says of itself as they are.
+[[nodiscard]] QString shownSentence(const Sentence& sentence);
+
 /// GUI thread only. Shows what it is told and says what the operator wants.
 class OpeningCard : public QDialog {
     Q_OBJECT
@@ -30,6 +33,7 @@ signals:
     void adoptWanted(int point, int other);
 
 private:
+    void fitRows();
     [[nodiscard]] bool chosen(int& point, int& other) const;
 
     QLabel *verdict_, *state_;

@@ -50,7 +50,7 @@ void Opening::take(Answer answer) {
     QStringList against;
     for (const OpeningPoint& point : *points_) {
         // Of beams and lines out of place the warnings of the scan tell.
-        if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownText(point.against);
+        if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownSentence(point.against);
     }
     const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // what was guessed
     if (against.isEmpty() && (displaced || !told || !looksGuessed(*points_))) return;
@@ -91,7 +91,7 @@ void Opening::preview(int point, int other) {
     if (wanted == nullptr) return;
     if (!before_) before_ = files_.options();
     files_.look(wanted->options);
-    card_->showState(tr("On the screen, not yet adopted: %1").arg(shownText(wanted->words)));
+    card_->showState(tr("On the screen, not yet adopted: %1").arg(shownSentence(wanted->words)));
 }
 
 void Opening::adopt(int point, int other) {

@@ -38,6 +38,8 @@ void ScannerLink::runAside(std::function<std::function<void()>()> work) {
 void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
     hangUp();
     stream_ = Session::newStream();
+    recordingPath_.clear();
+    recordingClosed_ = false;
     heldNumber_ = -1;
     finished_.reset();
     posted_ = {};
@@ -159,6 +161,7 @@ void ScannerLink::startRecording(const QString& path) {
     if (!feed_ || recording_) return;
     recording_ = true;
     recordingPath_ = path;
+    recordingClosed_ = false;
     recordingTroubleTold_ = false;
     runAside([this, feed = feed_, path]() -> std::function<void()> {
         const Result<Done> started = feed->startRecording(path.toStdString());
@@ -185,6 +188,7 @@ void ScannerLink::stopRecording() {
 
 void ScannerLink::tellRecorded(const Result<RecordingState>& closed, const QString& path) {
     if (!closed) return emit failed(shownText(closed.error().sentence()));
+    recordingClosed_ = recordingClosed_ || path == recordingPath_;
     if (closed->unsynced() == 0) return emit written(path);
     emit failed(tr("%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.")
                     .arg(path)

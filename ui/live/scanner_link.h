@@ -32,6 +32,10 @@ public:
     std::optional<int> useSweep(const SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] bool recording() const { return recording_; }
+    /// Of the newest recording of this connection; empty: none.
+    [[nodiscard]] const QString& recordingPath() const { return recordingPath_; }
+    /// It is written whole and closed.
+    [[nodiscard]] bool recordingClosed() const { return recordingClosed_; }
 
     /// Every telegram from now on into a new file.
     void startRecording(const QString& path);
@@ -78,6 +82,7 @@ private:
     bool following_ = false;
     bool holdAtEnd_ = true;
     bool recording_ = false;
+    bool recordingClosed_ = false;
     QString recordingPath_;
     bool recordingTroubleTold_ = false;
     int heldNumber_ = -1; // newest sweep that was shown whole

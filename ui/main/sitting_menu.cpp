@@ -12,10 +12,10 @@
 namespace edgescan::ui {
 
 std::unique_ptr<Sittings> sittingsOf(MainWindow& w, Memory& memory) {
-    auto sittings =
-        std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(), w.rocks(),
-                                        w.markedEdges(), w.comparing(), w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
-                                        [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
+    auto sittings = std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
+                                                    w.rocks(), w.markedEdges(), w.comparing(), w.live(), w.notice(), memory, w.undoStack(),
+                                                    [&w] { return w.layoutKept(); },
+                                                    [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
     w.exports().setCarried([made = sittings.get()](const QImage& image, const QString& path) {
         return withSitting(image, made->textFor(QFileInfo(path).absolutePath()));
     });

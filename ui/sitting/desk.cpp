@@ -5,6 +5,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/comparing.h"
+#include "ui/control/live.h"
 #include "ui/control/tuning.h"
 #include "ui/file_control/files.h"
 #include "ui/image/image_view.h"
@@ -38,12 +39,38 @@ SittingScan::Kind kindOf(std::optional<bool> demo) {
     return *demo ? SittingScan::Kind::DemoAfterBlast : SittingScan::Kind::Demo;
 }
 
+SittingScan scanIn(const QString& path, std::optional<bool> demo, const ReadingOptions& reading, const Scan& scan) {
+    SittingScan of;
+    of.kind = kindOf(demo);
+    of.path = absolutePath(path.toStdString());
+    of.identity = notebookScan(scan);
+    of.reading = kept(reading);
+    return of;
+}
+
 std::optional<SittingKept> keptOf(const Comparing& comparing) {
     const std::optional<KeptFrom>& from = comparing.keptFrom();
     if (!from || !comparing.kept()) return std::nullopt;
-    return SittingKept{
-        {kindOf(from->demo), absolutePath(from->path.toStdString()), notebookScan(*comparing.kept()->detection->scan), kept(from->reading)},
-        from->settings};
+    return SittingKept{scanIn(from->path, from->demo, from->reading, *comparing.kept()->detection->scan), from->settings};
+}
+
+/// Empty: it can not be opened again.
+std::optional<SittingScan> scanOf(const Desk& desk, const Picture& picture) {
+    const Scan& scan = *picture.detection->scan;
+    if (picture.source.growth.sweep >= 0) {
+        const QString recording = desk.live.recordingOf(picture.source.stream);
+        if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
+        NotebookScan identity = notebookScan(scan);
+        identity.sha256.clear(); // of a file that grows
+        SittingScan of;
+        of.kind = SittingScan::Kind::Recording;
+        of.path = absolutePath(recording.toStdString());
+        of.identity = std::move(identity);
+        of.head = scanHead(scan);
+        return of;
+    }
+    if (scan.sha256.empty() || (desk.files.path().isEmpty() && !desk.files.demo())) return std::nullopt;
+    return scanIn(desk.files.path(), desk.files.demo(), desk.files.options(), scan);
 }
 
 template <class Act>
@@ -58,12 +85,11 @@ void forSwitches(const QWidget& window, const Act& act) {
 
 std::optional<Sitting> taken(const Desk& desk) {
     const std::shared_ptr<const Picture>& picture = desk.session.picture();
-    if (!picture || picture->source.growth.sweep >= 0) return std::nullopt;
-    const Scan& scan = *picture->detection->scan;
-    if (scan.sha256.empty() || (desk.files.path().isEmpty() && !desk.files.demo())) return std::nullopt;
+    if (!picture) return std::nullopt;
+    auto of = scanOf(desk, *picture);
+    if (!of) return std::nullopt;
     Sitting sitting;
-    sitting.scan = {kindOf(desk.files.demo()), absolutePath(desk.files.path().toStdString()), notebookScan(scan),
-                    kept(desk.files.options())};
+    sitting.scan = std::move(*of);
     sitting.settings = desk.session.settings();
     const Preset& preset = desk.panel.preset();
     sitting.preset = preset.path.empty() ? preset.name : preset.path;
@@ -71,7 +97,7 @@ std::optional<Sitting> taken(const Desk& desk) {
     if (const PinnedTarget* active = desk.targets.active()) sitting.active = active->cell;
     sitting.selected = runsOf(desk.selection.cells());
     sitting.hidden = runsOf(desk.selection.hidden());
-    if (desk.rocks.shown()) sitting.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), scan.sha256};
+    if (desk.rocks.shown()) sitting.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), sitting.scan.identity.sha256};
     sitting.marks = desk.marked.marks();
     sitting.kept = keptOf(desk.comparing);
     const CameraPose pose = desk.views.cloud().camera();
@@ -95,11 +121,15 @@ void layOut(const Desk& desk, const Sitting& sitting) {
 bool isShown(const Desk& desk, const SittingScan& scan) {
     if (!desk.session.picture()) return false;
     const Scan& shown = *desk.session.picture()->detection->scan;
+    if (scan.kind == SittingScan::Kind::Recording)
+        return shown.beams() == scan.identity.beams && scanHead(shown, scan.head.lines) == scan.head &&
+               (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
     return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
 }
 
-void layOutOnScan(const Desk& desk, const Sitting& sitting) {
+void layOutOnScan(const Desk& desk, const Sitting& whole) {
     const std::size_t cells = desk.session.picture()->detection->scan->cells();
+    const Sitting sitting = cutTo(whole, cells);
     desk.targets.restore(sitting.notebook);
     desk.selection.restore(cellsOf(sitting.selected, cells), cellsOf(sitting.hidden, cells));
     desk.marked.restore(sitting.marks);

@@ -15,6 +15,7 @@ class Comparing;
 class EdgesPanel;
 class Files;
 class LinkedViews;
+class Live;
 class MarkedEdges;
 class Memory;
 class NoticeBar;
@@ -37,6 +38,7 @@ struct Desk {
     Rocks& rocks;
     MarkedEdges& marked;
     Comparing& comparing;
+    Live& live;
     NoticeBar& notice;
     Memory& memory;
     QUndoStack& undo;
@@ -44,7 +46,8 @@ struct Desk {
     std::function<void(const std::map<std::string, std::string>&)> useLayout;
 };
 
-/// Empty while there is nothing to come back to: no picture, a sweep that grows, or one of no file. GUI thread.
+/// Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not being recorded. GUI
+/// thread.
 [[nodiscard]] std::optional<Sitting> taken(const Desk& desk);
 /// What needs no scan: settings, switches, the layout of the window.
 void layOut(const Desk& desk, const Sitting& sitting);

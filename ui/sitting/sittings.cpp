@@ -1,6 +1,7 @@
 // Saving and opening sessions.
 #include "ui/sitting/sittings.h"
 
+#include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "ui/base/notice_bar.h"
@@ -8,6 +9,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/comparing.h"
+#include "ui/control/live.h"
 #include "ui/file_control/files.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
@@ -81,6 +83,8 @@ void Sittings::connectDesk() {
     follow(&desk_.rocks, &Rocks::rocksShown);
     follow(&desk_.marked, &MarkedEdges::changed);
     follow(&desk_.comparing, &Comparing::keptChanged);
+    follow(&desk_.live.scanner(), &ScannerLink::recordingChanged);
+    follow(&desk_.live.scanner(), &ScannerLink::written);
     follow(&desk_.views.cloud(), &CloudView::frameDrawn);
     follow(desk_.views.gray().viewPort().get(), &ViewPort::changed);
     for (QAction* action : desk_.window.actions()) {
@@ -102,7 +106,8 @@ std::optional<Sittings::Job> Sittings::job() {
     if (!sitting) return std::nullopt;
     sitting->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
-    return Job{std::move(*sitting), autosaves_.own(), file_, ++posted_};
+    const bool closed = sitting->scan.kind == SittingScan::Kind::Recording && desk_.live.scanner().recordingClosed();
+    return Job{std::move(*sitting), autosaves_.own(), file_, closed, ++posted_};
 }
 
 void Sittings::save() {
@@ -111,9 +116,18 @@ void Sittings::save() {
 
 Sittings::Written Sittings::write(const Job& job) {
     Written written{job.number, {}};
+    std::string hash;
+    if (job.closed) {
+        std::string& known = hashes_[job.sitting.scan.path];
+        if (known.empty()) {
+            if (auto of = sha256OfFile(job.sitting.scan.path)) known = *of;
+        }
+        hash = known;
+    }
     for (const QString& path : {job.own, job.file}) {
         if (path.isEmpty()) continue;
         Sitting sitting = job.sitting;
+        if (job.closed) sitting.scan.identity.sha256 = hash;
         if (path == job.file) sitting.keptIn.clear();
         std::string text = sittingText(sitting, folderOf(path), {});
         if (const auto last = lastTexts_.find(path); last != lastTexts_.end() && last->second == text) continue;
@@ -215,7 +229,7 @@ void Sittings::restore(ReadSitting read, const QString& file) {
 
 void Sittings::openNextPlace() {
     const SittingScan& scan = wanted_->sitting.scan;
-    if (scan.kind != SittingScan::Kind::File) return desk_.files.openDemo(scan.kind == SittingScan::Kind::DemoAfterBlast);
+    if (!hasPath(scan.kind)) return desk_.files.openDemo(scan.kind == SittingScan::Kind::DemoAfterBlast);
     if (place_ < wanted_->places.size()) return desk_.files.open({exactText(wanted_->places[place_].string())}, scan.reading);
     askForPlace(tr("%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest "
                    "comes with the scan.")
@@ -251,7 +265,7 @@ void Sittings::followStream() {
         }
         return;
     }
-    const bool isFile = wanted_->sitting.scan.kind == SittingScan::Kind::File;
+    const bool isFile = hasPath(wanted_->sitting.scan.kind);
     if (isFile && (place_ >= wanted_->places.size() || desk_.files.path().toStdString() != wanted_->places[place_].string())) {
         wanted_.reset(); // somebody opened another scan meanwhile
         return;

@@ -50,7 +50,8 @@ signals:
 private:
     struct Job {
         Sitting sitting;
-        QString own, file; ///< where to; either may be empty
+        QString own, file;   ///< where to; either may be empty
+        bool closed = false; ///< the recording of the sweep: it has its hash by now
         std::uint64_t number = 0;
     };
     struct Written {
@@ -80,8 +81,9 @@ private:
     QTimer soon_;
     std::uint64_t posted_ = 0, answered_ = 0;
     bool failing_ = false;
-    std::map<QString, std::string> lastTexts_; // worker's thread: by path
-    Newest<Job, Written> worker_;              // last
+    std::map<QString, std::string> lastTexts_;            // worker's thread: by path
+    std::map<std::filesystem::path, std::string> hashes_; // the same: of recordings
+    Newest<Job, Written> worker_;                         // last
 };
 
 } // namespace edgescan::ui

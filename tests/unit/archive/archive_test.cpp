@@ -18,7 +18,6 @@
 #include <random>
 #include <set>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace edgescan {

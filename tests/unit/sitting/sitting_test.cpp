@@ -65,6 +65,42 @@ TEST(Sitting, IsFoundAgainWhenItMovedWithItsScan) {
     EXPECT_EQ(far->places, std::vector<fs::path>{moved / "scans" / "bell.json"});
 }
 
+TEST(Sitting, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
+    Scan scan;
+    scan.rangeMm = Grid<float>(40, 30);
+    for (std::size_t k = 0; k < scan.cells(); ++k) scan.rangeMm[k] = static_cast<float>(1000 + k);
+    Sitting before = test::exampleSitting("/recordings/sweep.mcap");
+    before.scan.kind = SittingScan::Kind::Recording;
+    before.scan.identity.sha256.clear();
+    before.scan.head = scanHead(scan);
+    EXPECT_EQ(before.scan.head.lines, 16);
+    const auto read = sittingFromText(sittingText(before, "/sessions", ""), "/sessions", "test");
+    ASSERT_TRUE(bool(read)) << read.error().sentence();
+    EXPECT_EQ(read->sitting.scan.kind, SittingScan::Kind::Recording);
+    EXPECT_EQ(read->sitting.scan.head, before.scan.head);
+    EXPECT_EQ(read->places, std::vector<fs::path>{"/recordings/sweep.mcap"});
+    // Lines that came later change nothing, another sweep does.
+    Scan longer = scan;
+    longer.rangeMm = Grid<float>(60, 30);
+    std::ranges::copy(scan.rangeMm.cells, longer.rangeMm.cells.begin());
+    EXPECT_EQ(scanHead(longer, 16), before.scan.head);
+    longer.rangeMm[3] += 1.0F;
+    EXPECT_NE(scanHead(longer, 16), before.scan.head);
+    // Cells that were lost are named no more.
+    const Sitting whole = cutTo(before, 120000);
+    EXPECT_EQ(sittingText(whole, "/sessions", ""), sittingText(before, "/sessions", ""));
+    const Sitting cut = cutTo(before, 100);
+    EXPECT_EQ(cut.notebook.targets.size(), 1U);
+    EXPECT_TRUE(cut.notebook.measures.empty());
+    EXPECT_EQ(cut.active, 77U);
+    EXPECT_EQ(cut.selected, (std::vector<CellRun>{{5, 3}}));
+    EXPECT_EQ(cut.hidden, (std::vector<CellRun>{{0, 2}}));
+    EXPECT_EQ(cutTo(before, 6).selected, (std::vector<CellRun>{{5, 1}}));
+    EXPECT_FALSE(cutTo(before, 77).active);
+    EXPECT_EQ(cutTo(before, 25).rocks->edits.size(), 1U);
+    EXPECT_TRUE(cutTo(before, 9).marks.wanted == std::vector<std::uint32_t>{3} && cutTo(before, 9).marks.unwanted.empty());
+}
+
 TEST(Sitting, RefusesWhatDoesNotFitItsScan) {
     const std::string text = sittingText(test::exampleSitting("/scans/bell.json"), "/sessions", "");
     const auto refused = [&text](const std::string& what, const std::string& instead, const std::string& word) {

@@ -1,0 +1,170 @@
+// A session of a sweep that is being recorded: what was pinned on it is there again when the program was killed in the middle of it.
+#include "core/base/whole_file.h"
+#include "core/emulator/emulated_scanner.h"
+#include "core/emulator/emulated_telegram.h"
+#include "core/sitting/sitting.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/live/live_panel.h"
+#include "ui/live/state_badge.h"
+#include "ui/live/timeline.h"
+#include "ui/sitting/sittings.h"
+
+#include <QPushButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class LiveSittingTest : public QObject {
+    Q_OBJECT
+    static constexpr int kLines = 120;
+    static constexpr int kBeams = 381;
+
+    test::TemporaryFolder folder_;
+    Scan scan_;
+
+    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner() const {
+        auto telegrams = telegramsOf(scan_);
+        if (!telegrams) return nullptr;
+        EmulatedScannerSettings settings;
+        settings.linesPerSecond = 40;
+        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        return made ? std::move(*made) : nullptr;
+    }
+    static int lines(WindowFixture& on) {
+        const auto& picture = on.window.session().picture();
+        return picture ? picture->detection->scan->lines() : 0;
+    }
+    static void clickCell(WindowFixture& on, int line, int beam) {
+        ImageView& view = on.window.views().gray();
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier,
+                          view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint());
+    }
+    static void press(WindowFixture& on, const char* name) {
+        QTest::mouseClick(on.window.live().panel().findChild<QPushButton*>(name), Qt::LeftButton);
+    }
+    [[nodiscard]] static std::optional<std::filesystem::path> savedIn(const std::filesystem::path& sessions) {
+        std::error_code none;
+        for (const auto& entry : std::filesystem::directory_iterator(sessions, none)) {
+            const std::string name = entry.path().filename().string();
+            if (name.starts_with("running-") && name.ends_with(kSittingEnding)) return entry.path();
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] static std::optional<Sitting> saved(const std::filesystem::path& sessions) {
+        const auto path = savedIn(sessions);
+        auto read = path ? readSitting(*path) : Result<ReadSitting>(Error{});
+        return read ? std::optional(read->sitting) : std::nullopt;
+    }
+    bool connectAndRecord(WindowFixture& on, const EmulatedScanner& scanner, const std::filesystem::path& home) {
+        on.window.live().setRecordingFolder(QString::fromStdString((home / "recordings").string()));
+        if (!on.show() || !on.activate()) return false;
+        SweepSettings sweep;
+        sweep.expectedLines = kLines;
+        sweep.degPerLine = 180.0 / kLines;
+        sweep.firstLineDeg = -90;
+        sweep.axis = Axis::Sweep;
+        on.window.live().connectTo("127.0.0.1", scanner.port(), sweep);
+        press(on, "live-record"); // before the first line comes
+        return on.window.live().scanner().recording() && QTest::qWaitFor([&] { return lines(on) >= 50; }, 20000);
+    }
+
+private slots:
+    void initTestCase() {
+        SimulationSettings settings;
+        settings.lines = kLines;
+        settings.beams = kBeams;
+        scan_ = simulate(settings)->scan;
+    }
+
+    void afterAKillInTheMiddleOfASweepItsRecordingOpensWithItsPins() {
+        namespace fs = std::filesystem;
+        const fs::path home = folder_ / "home", left = folder_ / "left";
+        fs::create_directories(home);
+        const auto scanner = this->scanner();
+        QVERIFY(scanner);
+        {
+            WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
+            QVERIFY(connectAndRecord(on, *scanner, home));
+            clickCell(on, 20, 150);
+            clickCell(on, 40, 200);
+            // The session says which recording the sweep is in; a file that grows has no hash.
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    const auto now = saved(home / "sessions");
+                    return now && now->notebook.targets.size() == 2 && now->scan.kind == SittingScan::Kind::Recording;
+                },
+                20000));
+            QVERIFY(lines(on) < kLines);
+            QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
+            // What a kill leaves behind: the files as they are at this moment.
+            fs::copy(home, left, fs::copy_options::recursive);
+            // Once it is closed the recording has its hash.
+            press(on, "live-record");
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    const auto now = saved(home / "sessions");
+                    return now && now->scan.identity.sha256.size() == 64;
+                },
+                20000));
+            on.window.live().scanner().hangUp();
+        }
+        WindowFixture on(QString::fromStdString((folder_ / "later.ini").string()));
+        QVERIFY(on.show());
+        const auto session = savedIn(left / "sessions");
+        QVERIFY(session);
+        on.window.sittings().openSession(QString::fromStdString(session->string()));
+        QVERIFY(on.settled());
+        QVERIFY2(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 2; }, 20000),
+                 qPrintable(on.window.notice().text()));
+        // The recording beside the session that was taken, not the one that went on; its line and beam are what was clicked.
+        QVERIFY2(on.window.files().path().startsWith(QString::fromStdString(left.string())), qPrintable(on.window.files().path()));
+        QVERIFY(lines(on) >= 41 && lines(on) < kLines);
+        const auto& targets = on.window.targets().notebook().targets;
+        QCOMPARE(int(targets[0].cell), 20 * kBeams + 150);
+        QCOMPARE(int(targets[1].cell), 40 * kBeams + 200);
+        QVERIFY(on.window.live().timeline().labelShown().startsWith("RECORDED"));
+        const Scan& scan = *on.picture().detection->scan;
+        QVERIFY(std::ranges::any_of(scan.warnings, [](const std::string& warning) { return warning.starts_with("INCOMPLETE"); }));
+        for (int n = 0; n < 41 * kBeams; ++n)
+            QCOMPARE(scan.rangeMm[static_cast<std::size_t>(n)], scan_.rangeMm[static_cast<std::size_t>(n)]);
+    }
+
+    // Another sweep in the file's place: nothing is pinned on rocks that it was never pinned on.
+    void anotherSweepInItsPlaceIsToldApart() {
+        namespace fs = std::filesystem;
+        const fs::path home = folder_ / "mixed";
+        fs::create_directories(home);
+        const auto scanner = this->scanner();
+        QVERIFY(scanner);
+        fs::path session;
+        {
+            WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
+            QVERIFY(connectAndRecord(on, *scanner, home));
+            clickCell(on, 20, 150);
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    const auto now = saved(home / "sessions");
+                    return now && now->notebook.targets.size() == 1;
+                },
+                20000));
+            Sitting other = *saved(home / "sessions");
+            other.scan.head.sha256 = std::string(64, '0');
+            session = home / "sessions" / (std::string("other") + kSittingEnding);
+            QVERIFY(bool(writeWholeFile(session, sittingText(other, session.parent_path(), ""))));
+            press(on, "live-record");
+            QVERIFY(QTest::qWaitFor([&] { return on.window.live().scanner().recordingClosed(); }, 20000));
+            on.window.live().scanner().hangUp();
+        }
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.sittings().openSession(QString::fromStdString(session.string()));
+        QVERIFY(on.settled());
+        QVERIFY2(QTest::qWaitFor([&] { return on.window.notice().text().contains("is not the scan of this session"); }, 20000),
+                 qPrintable(on.window.notice().text()));
+        QVERIFY(on.window.targets().notebook().targets.empty());
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<LiveSittingTest>(argc, argv); }
+#include "live_sitting_test.moc"
