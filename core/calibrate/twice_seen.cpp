@@ -37,6 +37,10 @@ int nearestAngle(const std::vector<double>& deg, double at) {
     return static_cast<int>(place - deg.begin()) - (before ? 1 : 0);
 }
 
+int nearestLine(const PolarGeometry& polar, int beam, double atDeg) {
+    return nearestAngle(polar.lineDeg, atDeg - (polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)]));
+}
+
 double turnOf(const PolarGeometry& polar) {
     const auto [least, most] = std::minmax_element(polar.lineDeg.begin(), polar.lineDeg.end());
     return polar.lineDeg.empty() ? 0.0 : *most - *least;
@@ -77,17 +81,17 @@ std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRa
         if (!smooth.at(i, j).usable) continue;
         const double rangeM = 1.0 / static_cast<double>(inverse.u[k]);
         const double beam = radians(polar.beamDeg[static_cast<std::size_t>(j)]);
-        cells.push_back({i, j, polar.lineDeg[static_cast<std::size_t>(i)], {rangeM * std::cos(beam), 0, rangeM * std::sin(beam)}});
+        cells.push_back({i, j, lineDegAt(polar, i, j), {rangeM * std::cos(beam), 0, rangeM * std::sin(beam)}});
     }
     return cells;
 }
 
-SpinMounting spinMounting(const AssemblyErrors& errors, double lineDirection) {
-    return {sensorInMover(Axis::Spin, errors), lineDirection * errors.turnFactor()};
+TurningMounting turningMounting(const PolarGeometry& polar, const AssemblyErrors& errors) {
+    return {polar.axis, sensorInMover(polar.axis, errors), polar.lineDirection * errors.turnFactor()};
 }
 
-std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const SpinMounting& mounting) {
-    const auto& [mount, turnedDeg] = mounting;
+std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const TurningMounting& mounting) {
+    const auto& [axis, mount, turnedDeg] = mounting;
     const Eigen::Vector3d inMover = mount * cell.inSensorM;
     const double half = view == View::Late ? -kHalfTurnDeg : kHalfTurnDeg;
     // The stepper's angle between the two views is what counts: `apart` turns the mover from the cell's line to the other one.
@@ -95,10 +99,13 @@ std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const Spin
     Eigen::Vector3d inSensor;
     for (int step = 0; step <= kNewtonSteps; ++step) {
         const double c = std::cos(apart), s = std::sin(apart);
-        const Eigen::Vector3d p(c * inMover.x() + s * inMover.y(), c * inMover.y() - s * inMover.x(), inMover.z());
+        const Eigen::Vector3d p = axis == Axis::Spin
+                                      ? Eigen::Vector3d(c * inMover.x() + s * inMover.y(), c * inMover.y() - s * inMover.x(), inMover.z())
+                                      : Eigen::Vector3d(inMover.x(), c * inMover.y() + s * inMover.z(), c * inMover.z() - s * inMover.y());
         inSensor = mount.rotation.transpose() * (p - mount.translationM);
         if (step == kNewtonSteps) break;
-        const double slope = mount.rotation.col(1).dot(Eigen::Vector3d(p.y(), -p.x(), 0));
+        const Eigen::Vector3d moves = axis == Axis::Spin ? Eigen::Vector3d(p.y(), -p.x(), 0) : Eigen::Vector3d(0, p.z(), -p.y());
+        const double slope = mount.rotation.col(1).dot(moves);
         if (!(std::abs(slope) > 1e-6)) return std::nullopt;
         apart -= std::clamp(inSensor.y() / slope, -kLongestStep, kLongestStep);
     }
