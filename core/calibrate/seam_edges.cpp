@@ -26,12 +26,15 @@ struct SeamLines {
     [[nodiscard]] bool isEarly(double lineDeg) const { return lineDeg - first >= 0 && lineDeg - first <= std::min(turn - 180.0, 180.0); }
 };
 
+bool offAxis(const PolarGeometry& polar, double beamDeg) {
+    return polar.axis == Axis::Spin ? std::abs(beamDeg - 90.0) > kSeamOffAxisDeg
+                                    : std::min(std::abs(beamDeg), std::abs(180.0 - beamDeg)) > kSeamOffEndDeg;
+}
+
 std::optional<SeenCell> edgeAt(const Scan& scan, const Grid<std::uint8_t>& edges, const PolarGeometry& polar, int line, int beam) {
     const double beamDeg = polar.beamDeg[static_cast<std::size_t>(beam)];
     if (edges.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) return std::nullopt;
-    const bool offAxis = polar.axis == Axis::Spin ? std::abs(beamDeg - 90.0) > kSeamOffAxisDeg
-                                                  : std::min(std::abs(beamDeg), std::abs(180.0 - beamDeg)) > kSeamOffEndDeg;
-    if (!offAxis) return std::nullopt;
+    if (!offAxis(polar, beamDeg)) return std::nullopt;
     const double rangeM = 0.001 * static_cast<double>(scan.rangeMm.at(line, beam));
     const double a = radians(beamDeg);
     return SeenCell{line, beam, lineDegAt(polar, line, beam), {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
@@ -82,6 +85,7 @@ void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges
             seam.late.at(row, column) = 1;
             const auto before = otherViewOf(*cell, View::Late, mounting);
             if (!before || !lines.isEarly(before->lineDeg) || !inFan(lines.polar, before->beamDeg)) continue;
+            if (!offAxis(lines.polar, before->beamDeg)) continue; // drawn by neither view
             ++seam.lateEdges;
             seam.met += anyAround(seam.early, row, column) ? 1 : 0;
         }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
 constexpr double kOffAxisDeg = 4.0; // nearer to the axis a line angle says nothing
-constexpr int kNewtonSteps = 4;
+constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift turns the line angle far
 constexpr double kLongestStep = 0.1; // radians
 
 // A fixed order that looks like chance.
@@ -97,13 +97,14 @@ std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const Turn
     // The stepper's angle between the two views is what counts: `apart` turns the mover from the cell's line to the other one.
     double apart = radians(turnedDeg * half);
     Eigen::Vector3d inSensor;
-    for (int step = 0; step <= kNewtonSteps; ++step) {
+    const int steps = axis == Axis::Spin ? kNewtonSteps : kNewtonStepsAtEnds;
+    for (int step = 0; step <= steps; ++step) {
         const double c = std::cos(apart), s = std::sin(apart);
         const Eigen::Vector3d p = axis == Axis::Spin
                                       ? Eigen::Vector3d(c * inMover.x() + s * inMover.y(), c * inMover.y() - s * inMover.x(), inMover.z())
                                       : Eigen::Vector3d(inMover.x(), c * inMover.y() + s * inMover.z(), c * inMover.z() - s * inMover.y());
         inSensor = mount.rotation.transpose() * (p - mount.translationM);
-        if (step == kNewtonSteps) break;
+        if (step == steps) break;
         const Eigen::Vector3d moves = axis == Axis::Spin ? Eigen::Vector3d(p.y(), -p.x(), 0) : Eigen::Vector3d(0, p.z(), -p.y());
         const double slope = mount.rotation.col(1).dot(moves);
         if (!(std::abs(slope) > 1e-6)) return std::nullopt;

@@ -130,7 +130,11 @@ TEST(SelfCalibration, FindsTheErrorsOfTheAssembly) {
 }
 
 TEST(SelfCalibration, KnowsThatTheStepperMovesOnWhileTheMirrorSweeps) {
-    const auto found = calibrated(spun(200, someErrors(), 31, 0.4));
+    constexpr double kSkewDeg = 0.4;
+    Scan scan = *spun(200, someErrors(), 31, kSkewDeg);
+    auto& polar = std::get<PolarGeometry>(scan.geometry);
+    for (const double beam : polar.beamDeg) polar.lineSkewDeg.push_back(kSkewDeg * (beam - polar.beamDeg.front()) / 190.0);
+    const auto found = calibrated(std::make_shared<const Scan>(scan));
     ASSERT_TRUE(found) << found.error().sentence();
     const std::array<double, AssemblyErrors::kCount> limits{0.5, 1.5, 0.03, 0.01, 0.03};
     for (std::size_t q = 0; q < AssemblyErrors::kCount; ++q)
