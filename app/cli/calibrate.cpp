@@ -39,9 +39,11 @@ std::string tableOf(const SelfCalibration& found) {
            errorLine("  lever arm t2  ", e.t2Mm(), sd.t2Mm(), "mm", 2) +
            errorLine("  tilt of fan   ", e.tiltDeg(), sd.tiltDeg(), "degrees", 4) +
            errorLine("  beam index    ", e.indexDeg(), sd.indexDeg(), "degrees", 4) +
-           errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4) + "the two views of " + std::to_string(found.cells) +
-           " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " + fixedText(found.medianAfterMm, 1) +
-           " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) + " mm)\n";
+           (found.turnTold ? errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4)
+                           : "  turn at 180     not told by a sweep mounting; the step stays as it is\n") +
+           "the two views of " + std::to_string(found.cells) + " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " +
+           fixedText(found.medianAfterMm, 1) + " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) +
+           " mm)\n";
 }
 
 /// The picture is written; how many edges meet stands in `told`.
@@ -155,7 +157,9 @@ void addCalibrate(CLI::App& app, int& code) {
     auto asked = std::make_shared<Calibrate>();
     CLI::App& command =
         *app.add_subcommand("calibrate", "Errors of the scanner's assembly, from surfaces that a turn of more than 180 degrees sees twice");
-    command.add_option("FILE", asked->files, "Scans of one assembly, spin mounting, 200 to 360 degrees of turn")->required();
+    command
+        .add_option("FILE", asked->files, "Scans of one assembly: spin mounting, 200 to 360 degrees of turn; sweep mounting, 300 to 360")
+        ->required();
     command.add_option("-o,--output", asked->out, "New calibration file; - is stdout");
     command.add_flag("--backlash", asked->backlash,
                      "Of two passes over the same lines, there and back: tell how far the stepper lags behind when it turns the other way");

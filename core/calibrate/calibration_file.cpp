@@ -14,13 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json errorsJson(const AssemblyErrors& e) {
+Json errorsJson(const AssemblyErrors& e, bool turnTold) {
     constexpr double kMm = 1e3, kDeg = 1e5;
     return {{"t1_mm", rounded(e.t1Mm(), kMm)},
             {"t2_mm", rounded(e.t2Mm(), kMm)},
             {"tilt_deg", rounded(e.tiltDeg(), kDeg)},
             {"index_deg", rounded(e.indexDeg(), kDeg)},
-            {"turn_deg", rounded(e.turnDeg(), kDeg)}};
+            {"turn_deg", turnTold ? Json(rounded(e.turnDeg(), kDeg)) : Json(nullptr)}};
 }
 
 Json vectorJson(const Eigen::Vector3d& v) {
@@ -33,8 +33,8 @@ Json vectorJson(const Eigen::Vector3d& v) {
 Json estimateJson(const SelfCalibration& found, const std::vector<CalibrationSource>& sources) {
     Json scans = Json::array();
     for (const CalibrationSource& source : sources) scans.push_back({{"name", source.name}, {"sha256", source.sha256}});
-    return {{"errors", errorsJson(found.errors)},
-            {"one_sd", errorsJson(found.sd)},
+    return {{"errors", errorsJson(found.errors, found.turnTold)},
+            {"one_sd", errorsJson(found.sd, found.turnTold)},
             {"overlap_deg", rounded(found.overlapDeg, 1e3)},
             {"cells", found.cells},
             {"views_apart_before_mm", rounded(found.medianBeforeMm, 1e2)},
@@ -64,7 +64,7 @@ Result<std::string> calibrationText(std::string_view base, const std::string& wh
     stepper["mount_rpy_deg"] = vectorJson(after.mountRpyDeg);
     stepper["mount_m"] = vectorJson(after.mountM);
     if (!stepper.contains("axis")) stepper["axis"] = vectorJson(after.axis);
-    stepper["step_deg"] = rounded(after.degPerStep, 1e8);
+    if (found.turnTold) stepper["step_deg"] = rounded(after.degPerStep, 1e8);
     json["estimated"] = estimateJson(found, sources);
     return jsonText(json, 2) + "\n";
 }

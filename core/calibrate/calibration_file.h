@@ -16,7 +16,8 @@ struct CalibrationSource {
     std::string name, sha256;
 };
 
-/// The errors found with their uncertainty, units in the keys: the object "estimated" of the file, and the report on the screen.
+/// The errors found with their uncertainty, units in the keys, null for what is not told: the object "estimated" of the file, and the
+/// report on the screen.
 [[nodiscard]] nlohmann::ordered_json estimateJson(const SelfCalibration& found, const std::vector<CalibrationSource>& sources);
 
 /// The whole file. `base`: text of the robot's present file, whose stepper is set anew and all else stays; empty: a file with nothing but

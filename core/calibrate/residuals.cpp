@@ -27,18 +27,18 @@ std::vector<double> stepsOf(const std::vector<double>& deg) {
 
 /// The assembly as it is thought to be, and with each error a step greater and smaller.
 struct Mountings {
-    SpinMounting here;
-    std::array<SpinMounting, AssemblyErrors::kCount> greater, smaller;
+    TurningMounting here;
+    std::array<TurningMounting, AssemblyErrors::kCount> greater, smaller;
 };
 
-Mountings mountingsOf(const AssemblyErrors& errors, double lineDirection) {
-    Mountings all{spinMounting(errors, lineDirection), {}, {}};
+Mountings mountingsOf(const PolarGeometry& polar, const AssemblyErrors& errors) {
+    Mountings all{turningMounting(polar, errors), {}, {}};
     for (std::size_t q = 0; q < AssemblyErrors::kCount; ++q) {
         AssemblyErrors more = errors, less = errors;
         more.values[q] += kSteps[q];
         less.values[q] -= kSteps[q];
-        all.greater[q] = spinMounting(more, lineDirection);
-        all.smaller[q] = spinMounting(less, lineDirection);
+        all.greater[q] = turningMounting(polar, more);
+        all.smaller[q] = turningMounting(polar, less);
     }
     return all;
 }
@@ -47,18 +47,18 @@ std::optional<Residual> residualOf(const TurnedSweep& sweep, SurfaceFits& fits, 
                                    const Mountings& mountings) {
     const std::optional<OtherView> seen = otherViewOf(cell, view, mountings.here);
     if (!seen) return std::nullopt;
-    const int line = nearestAngle(sweep.polar.lineDeg, seen->lineDeg);
     const int beam = nearestAngle(sweep.polar.beamDeg, seen->beamDeg);
+    const int line = nearestLine(sweep.polar, beam, seen->lineDeg);
     const double lineStep = sweep.lineSteps[static_cast<std::size_t>(line)];
     const double beamStep = sweep.beamSteps[static_cast<std::size_t>(beam)];
     const double dx = (seen->beamDeg - sweep.polar.beamDeg[static_cast<std::size_t>(beam)]) / beamStep;
-    const double dy = (seen->lineDeg - sweep.polar.lineDeg[static_cast<std::size_t>(line)]) / lineStep;
+    const double dy = (seen->lineDeg - lineDegAt(sweep.polar, line, beam)) / lineStep;
     if (std::abs(dx) > kFarthestBeam || std::abs(dy) > kFarthestLine) return std::nullopt;
     const SurfaceFit& fit = fits.at(line, beam);
     if (!fit.usable) return std::nullopt;
 
     Residual residual;
-    residual.line = cell.line;
+    residual.line = residual.shares = cell.line;
     residual.beam = cell.beam;
     const Eigen::Vector3d x(1.0, dx, dy);
     const double toMm = 1000.0 * seen->rangeM * seen->rangeM;
@@ -89,7 +89,7 @@ TurnedSweep turnedSweep(const Scan& scan, const PolarGeometry& polar) {
 std::vector<Residual> residualsOf(const TurnedSweep& sweep, SurfaceFits& fits, const std::vector<SeenCell>& cells, View view,
                                   const AssemblyErrors& errors) {
     std::vector<Residual> residuals;
-    const Mountings mountings = mountingsOf(errors, sweep.polar.lineDirection);
+    const Mountings mountings = mountingsOf(sweep.polar, errors);
     for (const SeenCell& cell : cells) {
         if (std::optional<Residual> residual = residualOf(sweep, fits, cell, view, mountings)) residuals.push_back(*residual);
     }

@@ -21,6 +21,7 @@ struct Residual {
     AssemblyVector slope = AssemblyVector::Zero(); ///< of apartMm: mm per mm and per degree, in the order of AssemblyErrors
     int line = 0;
     int beam = 0;
+    int shares = 0; ///< residuals of the same number err alike: those of a line (spin), those of a place (sweep)
 };
 
 /// A scan made ready: its angles, its ranges cleaned, its noise. `polar` must outlive it.

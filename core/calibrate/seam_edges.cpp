@@ -2,6 +2,7 @@
 #include "core/calibrate/seam_edges.h"
 
 #include "core/base/angles.h"
+#include "core/calibrate/axis_ends.h"
 #include "core/calibrate/twice_seen.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kSeamOffAxisDeg = 4.0; // as in twice_seen.cpp
+constexpr double kSeamOffAxisDeg = 4.0, kSeamOffEndDeg = 0.5; // spin: as in twice_seen.cpp; sweep
 constexpr int kSeamPx = 3;
 constexpr Rgb kSeamGround{20, 22, 26}, kLateColour{255, 150, 40}, kEarlyColour{70, 160, 255}, kBothColour{255, 255, 255};
 
@@ -25,13 +26,18 @@ struct SeamLines {
     [[nodiscard]] bool isEarly(double lineDeg) const { return lineDeg - first >= 0 && lineDeg - first <= std::min(turn - 180.0, 180.0); }
 };
 
+bool offAxis(const PolarGeometry& polar, double beamDeg) {
+    return polar.axis == Axis::Spin ? std::abs(beamDeg - 90.0) > kSeamOffAxisDeg
+                                    : std::min(std::abs(beamDeg), std::abs(180.0 - beamDeg)) > kSeamOffEndDeg;
+}
+
 std::optional<SeenCell> edgeAt(const Scan& scan, const Grid<std::uint8_t>& edges, const PolarGeometry& polar, int line, int beam) {
     const double beamDeg = polar.beamDeg[static_cast<std::size_t>(beam)];
     if (edges.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) return std::nullopt;
-    if (!(std::abs(beamDeg - 90.0) > kSeamOffAxisDeg)) return std::nullopt;
+    if (!offAxis(polar, beamDeg)) return std::nullopt;
     const double rangeM = 0.001 * static_cast<double>(scan.rangeMm.at(line, beam));
     const double a = radians(beamDeg);
-    return SeenCell{line, beam, polar.lineDeg[static_cast<std::size_t>(line)], {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
+    return SeenCell{line, beam, lineDegAt(polar, line, beam), {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
 }
 
 bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
@@ -43,16 +49,45 @@ bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
     return false;
 }
 
-void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines, const SpinMounting& mounting) {
+/// Whether the fan has a beam there: a little beyond the last one still counts.
+bool inFan(const PolarGeometry& polar, double beamDeg) {
+    const auto [least, most] = std::minmax_element(polar.beamDeg.begin(), polar.beamDeg.end());
+    const double step = (*most - *least) / static_cast<double>(std::max<std::size_t>(1, polar.beamDeg.size() - 1));
+    return beamDeg >= *least - 0.5 * step && beamDeg <= *most + 0.5 * step;
+}
+
+void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines,
+               const TurningMounting& mounting) {
+    const PolarGeometry& polar = lines.polar;
+    std::vector<int> columnOf(polar.beamDeg.size(), -1);
+    for (std::size_t n = 0; n < seam.beams.size(); ++n) columnOf[static_cast<std::size_t>(seam.beams[n])] = static_cast<int>(n);
+    for (int line = 0; line < scan.lines(); ++line) {
+        if (!lines.isEarly(polar.lineDeg[static_cast<std::size_t>(line)])) continue;
+        for (const int beam : seam.beams) {
+            const auto cell = edgeAt(scan, edges, polar, line, beam);
+            const auto later = cell ? otherViewOf(*cell, View::Early, mounting) : std::nullopt;
+            if (!later || !inFan(polar, later->beamDeg)) continue;
+            const int at = nearestAngle(polar.beamDeg, later->beamDeg);
+            const int row = nearestLine(polar, at, later->lineDeg);
+            // What lies beyond the grid has its border as the nearest angle.
+            const bool inside = later->lineDeg <= lines.first + lines.turn && lines.isLate(row);
+            const int column = columnOf[static_cast<std::size_t>(at)];
+            if (inside && seam.early.contains(row - seam.firstLine, column)) seam.early.at(row - seam.firstLine, column) = 1;
+        }
+    }
+}
+
+void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines, const TurningMounting& mounting) {
     for (int row = 0; row < seam.late.lines; ++row) {
-        for (int beam = 0; beam < scan.beams(); ++beam) {
-            const auto cell = edgeAt(scan, edges, lines.polar, seam.firstLine + row, beam);
+        for (int column = 0; column < seam.late.beams; ++column) {
+            const auto cell = edgeAt(scan, edges, lines.polar, seam.firstLine + row, seam.beams[static_cast<std::size_t>(column)]);
             if (!cell) continue;
-            seam.late.at(row, beam) = 1;
+            seam.late.at(row, column) = 1;
             const auto before = otherViewOf(*cell, View::Late, mounting);
-            if (!before || !lines.isEarly(before->lineDeg)) continue;
+            if (!before || !lines.isEarly(before->lineDeg) || !inFan(lines.polar, before->beamDeg)) continue;
+            if (!offAxis(lines.polar, before->beamDeg)) continue; // drawn by neither view
             ++seam.lateEdges;
-            seam.met += anyAround(seam.early, row, beam) ? 1 : 0;
+            seam.met += anyAround(seam.early, row, column) ? 1 : 0;
         }
     }
 }
@@ -62,25 +97,14 @@ void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges
 SeamEdges seamEdges(const Scan& scan, const Grid<std::uint8_t>& edges, const AssemblyErrors& errors) {
     SeamEdges seam;
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    if (polar == nullptr || polar->axis != Axis::Spin || polar->lineDeg.empty() || turnOf(*polar) <= 180.0) return seam;
+    if (polar == nullptr || polar->lineDeg.empty() || turnOf(*polar) <= 180.0) return seam;
     const SeamLines lines{*polar, *std::min_element(polar->lineDeg.begin(), polar->lineDeg.end()), turnOf(*polar), lateLines(*polar)};
-    if (lines.late.count == 0) return seam;
+    seam.beams = beamsSeenTwice(*polar);
+    if (lines.late.count == 0 || seam.beams.empty()) return {};
     seam.firstLine = lines.late.first;
-    seam.late = seam.early = Grid<std::uint8_t>(lines.late.count, scan.beams());
-    const SpinMounting mounting = spinMounting(errors, polar->lineDirection);
-    for (int line = 0; line < scan.lines(); ++line) {
-        if (!lines.isEarly(polar->lineDeg[static_cast<std::size_t>(line)])) continue;
-        for (int beam = 0; beam < scan.beams(); ++beam) {
-            const auto cell = edgeAt(scan, edges, *polar, line, beam);
-            const auto later = cell ? otherViewOf(*cell, View::Early, mounting) : std::nullopt;
-            if (!later) continue;
-            const int row = nearestAngle(polar->lineDeg, later->lineDeg);
-            const int at = nearestAngle(polar->beamDeg, later->beamDeg);
-            // What lies beyond the grid has its border as the nearest angle.
-            const bool inside = later->lineDeg <= lines.first + lines.turn && lines.isLate(row);
-            if (inside && seam.early.contains(row - seam.firstLine, at)) seam.early.at(row - seam.firstLine, at) = 1;
-        }
-    }
+    seam.late = seam.early = Grid<std::uint8_t>(lines.late.count, static_cast<int>(seam.beams.size()));
+    const TurningMounting mounting = turningMounting(*polar, errors);
+    drawEarly(seam, scan, edges, lines, mounting);
     countMet(seam, scan, edges, lines, mounting);
     return seam;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/calibrate/axis_ends.h"
 
 #include <Eigen/Dense>
 
@@ -14,8 +15,11 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kCells = 12000; // per scan and way
+constexpr std::size_t kCells = 12000;       // per scan and way
+constexpr std::size_t kCellsAtEnds = 12000; // of a sweep
+constexpr std::size_t kTurn = 4;            // of AssemblyErrors
 constexpr std::array<int, 2> kHalfWidths{4, 2};
+constexpr std::array<EndScale, 2> kEndScales{{{240, 4}, {60, 1}}}; // of a sweep
 constexpr std::array<int, 2> kIterations{6, 8};
 constexpr double kTukey = 4.685;
 constexpr double kLeastScale = 0.3;
@@ -23,9 +27,11 @@ const AssemblyVector kPrior = (AssemblyVector() << 10, 10, 0.5, 0.5, 0.3).finish
 constexpr double kLongestMm = 15;
 constexpr double kLongestDeg = 0.6;
 constexpr double kLeastOverlapDeg = 5;
+constexpr double kLeastSweepDeg = 300; // of turn: what a shorter one tells is worse than the nominal assembly
+constexpr double kLeastBeyondDeg = 1;  // of fan behind a sweep's axis
 constexpr double kFullTurnDeg = 359;
-constexpr double kHonestPart = 1.5, kHonestFull = 1.2; // docs/calibration.md, "Uncertainty"
-constexpr double kAgreed = 1.5;                        // times what noise explains
+constexpr double kHonestPart = 1.5, kHonestFull = 1.2, kHonestSweep = 1.5; // docs/calibration.md, "Uncertainty"
+constexpr double kAgreed = 1.5;                                            // times what noise explains
 constexpr std::size_t kFewestCells = 500;
 constexpr std::array<const char*, AssemblyErrors::kCount> kNames{"the lever arm t1", "the lever arm t2", "the tilt of the fan",
                                                                  "the beam index", "the length of the turn"};
@@ -59,17 +65,35 @@ double scaleOf(const std::vector<Residual>& residuals) {
 struct Normal {
     AssemblyMatrix matrix = kPrior.cwiseInverse().cwiseAbs2().asDiagonal();
     AssemblyVector right = AssemblyVector::Zero();
-    std::map<std::pair<std::size_t, int>, AssemblyVector> perLine; ///< of each scan: the jitter of a line is shared by its cells
+    std::map<std::pair<std::size_t, int>, AssemblyVector> together; ///< of each scan: what errs alike
     std::size_t cells = 0;
 };
 
-Normal normalOf(std::vector<Pass>& passes, View view, const AssemblyErrors& errors, std::vector<SurfaceFits>& fits) {
+/// A pass looked at on one scale.
+class Comparison {
+public:
+    Comparison(const Pass& pass, std::size_t level) : pass_(pass), level_(level), fits_(pass.sweep.inverse, kHalfWidths[level]) {}
+
+    [[nodiscard]] std::vector<Residual> residuals(View view, const AssemblyErrors& errors) {
+        const auto& cells = pass_.cells[static_cast<std::size_t>(view)];
+        if (pass_.sweep.polar.axis == Axis::Spin) return residualsOf(pass_.sweep, fits_, cells, view, errors);
+        const auto& surface = pass_.cells[static_cast<std::size_t>(view == View::Late ? View::Early : View::Late)];
+        return residualsAtEnds(pass_.sweep, cells, surface, errors, kEndScales[level_]);
+    }
+
+private:
+    const Pass& pass_;
+    std::size_t level_;
+    SurfaceFits fits_;
+};
+
+Normal normalOf(std::vector<Comparison>& passes, View view, const AssemblyErrors& errors) {
     Normal normal;
     normal.right = -normal.matrix * vectorOf(errors);
     std::vector<std::vector<Residual>> all;
     std::vector<Residual> together;
-    for (std::size_t p = 0; p < passes.size(); ++p) {
-        all.push_back(residualsOf(passes[p].sweep, fits[p], passes[p].cells[static_cast<std::size_t>(view)], view, errors));
+    for (Comparison& pass : passes) {
+        all.push_back(pass.residuals(view, errors));
         together.insert(together.end(), all.back().begin(), all.back().end());
     }
     const double limit = kTukey * scaleOf(together);
@@ -81,22 +105,22 @@ Normal normalOf(std::vector<Pass>& passes, View view, const AssemblyErrors& erro
             const AssemblyVector slope = r.slope / r.sigmaMm;
             normal.matrix += w * slope * slope.transpose();
             normal.right -= w * e * slope;
-            auto [line, fresh] = normal.perLine.try_emplace({p, r.line}, AssemblyVector::Zero());
-            line->second += w * e * slope;
+            auto [shared, fresh] = normal.together.try_emplace({p, r.shares}, AssemblyVector::Zero());
+            shared->second += w * e * slope;
             ++normal.cells;
         }
     }
     return normal;
 }
 
-std::vector<SurfaceFits> fitsOf(const std::vector<Pass>& passes, int halfWidth) {
-    std::vector<SurfaceFits> fits;
-    for (const Pass& pass : passes) fits.emplace_back(pass.sweep.inverse, halfWidth);
-    return fits;
+std::vector<Comparison> comparisonsOf(const std::vector<Pass>& passes, std::size_t level) {
+    std::vector<Comparison> all;
+    for (const Pass& pass : passes) all.emplace_back(pass, level);
+    return all;
 }
 
 /// Nothing: given up.
-std::optional<Solved> solve(std::vector<Pass>& passes, View view, const CalibrationProgress& goOn) {
+std::optional<Solved> solve(const std::vector<Pass>& passes, View view, const CalibrationProgress& goOn) {
     const char* stage = view == View::Early ? "early cells on late surfaces" : "late cells on early surfaces";
     constexpr double kAll = kIterations[0] + kIterations[1];
     int done = 0;
@@ -104,10 +128,10 @@ std::optional<Solved> solve(std::vector<Pass>& passes, View view, const Calibrat
     AssemblyVector q = AssemblyVector::Zero();
     Normal normal;
     for (std::size_t level = 0; level < kHalfWidths.size(); ++level) {
-        std::vector<SurfaceFits> fits = fitsOf(passes, kHalfWidths[level]);
+        std::vector<Comparison> compared = comparisonsOf(passes, level);
         for (int iteration = 0; iteration < kIterations[level]; ++iteration) {
             if (!goOn(stage, done++ / kAll)) return std::nullopt;
-            normal = normalOf(passes, view, solved.errors, fits);
+            normal = normalOf(compared, view, solved.errors);
             const AssemblyVector step = normal.matrix.ldlt().solve(normal.right);
             for (Eigen::Index n = 0; n < step.size(); ++n) {
                 const double longest = n < 2 ? kLongestMm : kLongestDeg;
@@ -118,7 +142,9 @@ std::optional<Solved> solve(std::vector<Pass>& passes, View view, const Calibrat
     }
     const AssemblyMatrix inverse = normal.matrix.inverse();
     AssemblyMatrix middle = AssemblyMatrix::Zero();
-    for (const auto& [line, g] : normal.perLine) middle += g * g.transpose();
+    for (const auto& [shared, g] : normal.together) middle += g * g.transpose();
+    // What only the prior holds is as uncertain as that, and so is what hangs on it.
+    if (passes.front().sweep.polar.axis == Axis::Sweep) middle.diagonal() += kPrior.cwiseInverse().cwiseAbs2();
     solved.covariance = inverse * middle * inverse;
     solved.cells = normal.cells;
     return solved;
@@ -129,12 +155,11 @@ struct Agreement {
     double noiseMm = 0;
 };
 
-Agreement agreementOf(std::vector<Pass>& passes, const AssemblyErrors& errors) {
+Agreement agreementOf(const std::vector<Pass>& passes, const AssemblyErrors& errors) {
     std::vector<double> apart, sigma;
-    std::vector<SurfaceFits> fits = fitsOf(passes, kHalfWidths.back());
-    for (std::size_t p = 0; p < passes.size(); ++p) {
+    for (Comparison& pass : comparisonsOf(passes, kHalfWidths.size() - 1)) {
         for (const View view : {View::Early, View::Late}) {
-            for (const Residual& r : residualsOf(passes[p].sweep, fits[p], passes[p].cells[static_cast<std::size_t>(view)], view, errors)) {
+            for (const Residual& r : pass.residuals(view, errors)) {
                 apart.push_back(std::abs(r.apartMm));
                 sigma.push_back(r.sigmaMm);
             }
@@ -144,18 +169,55 @@ Agreement agreementOf(std::vector<Pass>& passes, const AssemblyErrors& errors) {
     return {median(std::move(apart)), kMedianOfNormal * median(std::move(sigma))};
 }
 
+std::optional<Error> sweepRefusal(const PolarGeometry& polar, const std::string& name) {
+    if (turnOf(polar) < kLeastSweepDeg)
+        return Error{"the stepper turned " + fixedText(turnOf(polar), 1) +
+                         " degrees about an axis that lies in the fan, which tells nothing twice",
+                     name, "turn the full 360 degrees once for the calibration, or mount the scanner to spin and turn 200"};
+    const auto beyond = beyondAxisDeg(polar);
+    if (std::max(beyond[0], beyond[1]) < kLeastBeyondDeg)
+        return Error{"the fan ends at the axis that it turns about, so no place is seen twice", name,
+                     "measure all beams of the scanner, or mount it to spin for the calibration"};
+    return std::nullopt;
+}
+
 std::optional<Error> refusalOf(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr)
         return Error{"this cloud does not say at which angles its points were measured", scan.name,
                      "calibrate with a scan of the scanner itself"};
-    if (polar->axis == Axis::Sweep)
-        return Error{"the axis lies in the fan: nearly nothing is seen twice, and no error of the assembly can be told from it", scan.name,
-                     "mount the scanner to spin for the calibration"};
+    if (polar->axis == Axis::Sweep) return sweepRefusal(*polar, scan.name);
     const double overlap = turnOf(*polar) - 180.0;
     if (overlap < kLeastOverlapDeg)
         return Error{"the stepper turned " + fixedText(turnOf(*polar), 1) + " degrees, so too little is seen twice", scan.name,
                      "turn 200 degrees once for the calibration; the first 20 are then measured a second time"};
+    return std::nullopt;
+}
+
+Pass passOf(const Scan& scan) {
+    const auto& polar = std::get<PolarGeometry>(scan.geometry);
+    Pass pass{turnedSweep(scan, polar), {}};
+    for (const View view : {View::Early, View::Late})
+        pass.cells[static_cast<std::size_t>(view)] = polar.axis == Axis::Spin ? cellsSeenTwice(polar, pass.sweep.inverse, view, kCells)
+                                                                              : cellsAtEnds(polar, pass.sweep.inverse, view, kCellsAtEnds);
+    return pass;
+}
+
+double honestFactor(const SelfCalibration& found) {
+    if (found.axis == Axis::Sweep) return kHonestSweep;
+    return found.overlapDeg + 180.0 < kFullTurnDeg ? kHonestPart : kHonestFull;
+}
+
+/// A parameter that is hardly better known than before.
+std::optional<Error> stillUnknown(const SelfCalibration& found, const std::string& where) {
+    for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n) {
+        if (n == kTurn && !found.turnTold) continue;
+        if (found.sd.values[n] <= 0.5 * kPrior[static_cast<Eigen::Index>(n)]) continue;
+        return Error{std::string(kNames[n]) + " stays unknown: what is seen twice is too plain", where,
+                     found.axis == Axis::Spin
+                         ? "scan a place with rocks, or turn the full 360 degrees"
+                         : "scan a place with rocks before both ends of the axis, or mount the scanner to spin and turn 200"};
+    }
     return std::nullopt;
 }
 
@@ -183,13 +245,14 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
     for (const auto& scan : scans) {
         if (const auto refusal = refusalOf(*scan)) return *refusal;
         if (!goOn("surfaces seen twice", static_cast<double>(passes.size()) / static_cast<double>(scans.size()))) return cancelled;
-        const auto& polar = std::get<PolarGeometry>(scan->geometry);
-        Pass pass{turnedSweep(*scan, polar), {}};
-        for (const View view : {View::Early, View::Late})
-            pass.cells[static_cast<std::size_t>(view)] = cellsSeenTwice(polar, pass.sweep.inverse, view, kCells);
+        passes.push_back(passOf(*scan));
+        const PolarGeometry& polar = passes.back().sweep.polar;
+        if (polar.axis != passes.front().sweep.polar.axis)
+            return Error{"it turns about another axis than the first scan", scan->name, "give scans of one assembly"};
         result.overlapDeg = std::min(result.overlapDeg, turnOf(polar) - 180.0);
-        passes.push_back(std::move(pass));
     }
+    result.axis = passes.front().sweep.polar.axis;
+    result.turnTold = result.axis == Axis::Spin;
     const std::optional<Solved> early = solve(passes, View::Early, goOn);
     const std::optional<Solved> late = early ? solve(passes, View::Late, goOn) : std::nullopt;
     if (!late || !goOn("agreement of the views", 0.0)) return cancelled;
@@ -199,7 +262,8 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
                      "scan a place with rocks or walls within the scanner's reach"};
     for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n)
         result.errors.values[n] = 0.5 * (early->errors.values[n] + late->errors.values[n]);
-    result.sd = uncertaintyOf(*early, *late, result.overlapDeg + 180.0 < kFullTurnDeg ? kHonestPart : kHonestFull);
+    result.sd = uncertaintyOf(*early, *late, honestFactor(result));
+    if (!result.turnTold) result.errors.turnDeg() = result.sd.turnDeg() = 0;
     result.medianBeforeMm = agreementOf(passes, {}).medianMm;
     const Agreement after = agreementOf(passes, result.errors);
     result.medianAfterMm = after.medianMm;
@@ -208,11 +272,7 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
         return Error{"the two views still lie " + fixedText(after.medianMm, 1) + " mm apart where noise explains " +
                          fixedText(after.noiseMm, 1),
                      where, "see that nothing moved during the scan, and scan again"};
-    for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n) {
-        if (result.sd.values[n] <= 0.5 * kPrior[static_cast<Eigen::Index>(n)]) continue;
-        return Error{std::string(kNames[n]) + " stays unknown: what is seen twice is too plain", where,
-                     "scan a place with rocks, or turn the full 360 degrees"};
-    }
+    if (const auto unknown = stillUnknown(result, where)) return *unknown;
     return result;
 }
 
@@ -220,10 +280,14 @@ Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors) {
     Grid<float> apart(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || refusalOf(scan)) return apart;
-    const TurnedSweep sweep = turnedSweep(scan, *polar);
-    SurfaceFits fits(sweep.inverse, kHalfWidths.back());
-    const std::vector<SeenCell> cells = cellsSeenTwice(*polar, sweep.inverse, View::Late, scan.cells());
-    for (const Residual& r : residualsOf(sweep, fits, cells, View::Late, errors)) apart.at(r.line, r.beam) = static_cast<float>(r.apartMm);
+    const bool spins = polar->axis == Axis::Spin;
+    TurnedSweep sweep = turnedSweep(scan, *polar);
+    const Pass pass{sweep,
+                    {spins ? std::vector<SeenCell>{} : cellsAtEnds(*polar, sweep.inverse, View::Early, kCellsAtEnds),
+                     spins ? cellsSeenTwice(*polar, sweep.inverse, View::Late, scan.cells())
+                           : cellsAtEnds(*polar, sweep.inverse, View::Late, scan.cells())}};
+    for (const Residual& r : Comparison(pass, kHalfWidths.size() - 1).residuals(View::Late, errors))
+        apart.at(r.line, r.beam) = static_cast<float>(r.apartMm);
     return apart;
 }
 

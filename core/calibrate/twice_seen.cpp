@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
 constexpr double kOffAxisDeg = 4.0; // nearer to the axis a line angle says nothing
-constexpr int kNewtonSteps = 4;
+constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift turns the line angle far
 constexpr double kLongestStep = 0.1; // radians
 
 // A fixed order that looks like chance.
@@ -35,6 +35,10 @@ int nearestAngle(const std::vector<double>& deg, double at) {
     if (place == deg.end()) return static_cast<int>(deg.size()) - 1;
     const bool before = std::abs(*(place - 1) - at) < std::abs(*place - at);
     return static_cast<int>(place - deg.begin()) - (before ? 1 : 0);
+}
+
+int nearestLine(const PolarGeometry& polar, int beam, double atDeg) {
+    return nearestAngle(polar.lineDeg, atDeg - (polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)]));
 }
 
 double turnOf(const PolarGeometry& polar) {
@@ -77,28 +81,32 @@ std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRa
         if (!smooth.at(i, j).usable) continue;
         const double rangeM = 1.0 / static_cast<double>(inverse.u[k]);
         const double beam = radians(polar.beamDeg[static_cast<std::size_t>(j)]);
-        cells.push_back({i, j, polar.lineDeg[static_cast<std::size_t>(i)], {rangeM * std::cos(beam), 0, rangeM * std::sin(beam)}});
+        cells.push_back({i, j, lineDegAt(polar, i, j), {rangeM * std::cos(beam), 0, rangeM * std::sin(beam)}});
     }
     return cells;
 }
 
-SpinMounting spinMounting(const AssemblyErrors& errors, double lineDirection) {
-    return {sensorInMover(Axis::Spin, errors), lineDirection * errors.turnFactor()};
+TurningMounting turningMounting(const PolarGeometry& polar, const AssemblyErrors& errors) {
+    return {polar.axis, sensorInMover(polar.axis, errors), polar.lineDirection * errors.turnFactor()};
 }
 
-std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const SpinMounting& mounting) {
-    const auto& [mount, turnedDeg] = mounting;
+std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const TurningMounting& mounting) {
+    const auto& [axis, mount, turnedDeg] = mounting;
     const Eigen::Vector3d inMover = mount * cell.inSensorM;
     const double half = view == View::Late ? -kHalfTurnDeg : kHalfTurnDeg;
     // The stepper's angle between the two views is what counts: `apart` turns the mover from the cell's line to the other one.
     double apart = radians(turnedDeg * half);
     Eigen::Vector3d inSensor;
-    for (int step = 0; step <= kNewtonSteps; ++step) {
+    const int steps = axis == Axis::Spin ? kNewtonSteps : kNewtonStepsAtEnds;
+    for (int step = 0; step <= steps; ++step) {
         const double c = std::cos(apart), s = std::sin(apart);
-        const Eigen::Vector3d p(c * inMover.x() + s * inMover.y(), c * inMover.y() - s * inMover.x(), inMover.z());
+        const Eigen::Vector3d p = axis == Axis::Spin
+                                      ? Eigen::Vector3d(c * inMover.x() + s * inMover.y(), c * inMover.y() - s * inMover.x(), inMover.z())
+                                      : Eigen::Vector3d(inMover.x(), c * inMover.y() + s * inMover.z(), c * inMover.z() - s * inMover.y());
         inSensor = mount.rotation.transpose() * (p - mount.translationM);
-        if (step == kNewtonSteps) break;
-        const double slope = mount.rotation.col(1).dot(Eigen::Vector3d(p.y(), -p.x(), 0));
+        if (step == steps) break;
+        const Eigen::Vector3d moves = axis == Axis::Spin ? Eigen::Vector3d(p.y(), -p.x(), 0) : Eigen::Vector3d(0, p.z(), -p.y());
+        const double slope = mount.rotation.col(1).dot(moves);
         if (!(std::abs(slope) > 1e-6)) return std::nullopt;
         apart -= std::clamp(inSensor.y() / slope, -kLongestStep, kLongestStep);
     }

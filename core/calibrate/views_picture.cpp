@@ -1,6 +1,7 @@
 // The picture of the check.
 #include "core/calibrate/views_picture.h"
 
+#include "core/calibrate/axis_ends.h"
 #include "core/calibrate/self_calibration.h"
 #include "core/calibrate/twice_seen.h"
 
@@ -27,10 +28,11 @@ Grid<Rgb> viewsPicture(const Scan& scan, const AssemblyErrors& errors) {
     const Grid<float> apart = viewsApartMm(scan, errors);
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     const LineSpan late = polar == nullptr ? LineSpan{} : lateLines(*polar);
-    Grid<Rgb> picture(std::max(1, late.count), std::max(1, scan.beams()), kNothing);
+    const std::vector<int> beams = polar == nullptr ? std::vector<int>{} : beamsSeenTwice(*polar);
+    Grid<Rgb> picture(std::max(1, late.count), std::max(1, static_cast<int>(beams.size())), kNothing);
     for (int i = 0; i < late.count; ++i) {
         const float* line = apart.line(late.first + i);
-        std::transform(line, line + scan.beams(), picture.line(i), colourOf);
+        std::ranges::transform(beams, picture.line(i), [&](int beam) { return colourOf(line[beam]); });
     }
     return picture;
 }

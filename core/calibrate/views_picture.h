@@ -7,8 +7,9 @@
 
 namespace edgescan {
 
-/// With these errors: a row per line of the late view, a column per beam. White where the views agree, blue where the surface lies nearer
-/// than the late view has it, red where it lies farther, full colour at 50 mm; gray where nothing was compared.
+/// With these errors: a row per line of the late view, a column per beam (of a sweep: per beam at the ends of its axis). White where the
+/// views agree, blue where the surface lies nearer than the late view has it, red where it lies farther, full colour at 50 mm; gray where
+/// nothing was compared.
 [[nodiscard]] Grid<Rgb> viewsPicture(const Scan& scan, const AssemblyErrors& errors);
 
 /// The first above the second, gray between them: before and after.

@@ -16,17 +16,22 @@ constexpr int kFewest = 3;        // of them
 constexpr float kSure = 1;        // jump thresholds
 constexpr float kBend = 0.25F;    // tangent by which a surface may bend on its way across the void
 constexpr float kGrazing = 2.75F; // tangent of 70 degrees
+constexpr int kBridged = 4;       // cells of a gap that step 1 may have filled
 
 // The cells of one line along the beams, or of one beam along the lines.
 struct Way {
     const InverseRange& inverse;
     const AngularSteps& steps;
     Along along;
-    int at;    // line or beam
-    int count; // cells
+    int at;               // line or beam
+    int count;            // cells
+    bool bridged = false; ///< gaps that were filled are looked at: a surface ends at them too
 
     [[nodiscard]] std::size_t cell(int n) const { return along == Along::Beams ? inverse.u.index(at, n) : inverse.u.index(n, at); }
-    [[nodiscard]] bool isVoid(int n) const { return inverse.support[cell(n)] == Support::Void; }
+    [[nodiscard]] bool isVoid(int n) const {
+        const Support support = inverse.support[cell(n)];
+        return support == Support::Void || (bridged && support == Support::Filled);
+    }
     [[nodiscard]] float u(int n) const { return inverse.u[cell(n)]; }
     [[nodiscard]] float angle(int n) const { return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at); }
 };
@@ -79,9 +84,22 @@ void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits
     if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
 }
 
+// A gap that was filled, ending before cell `after`: a jump may lie in it, spread over so many cells that none of them shows it.
+void lookAtBridge(const Way& way, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    int before = after - 1;
+    while (before >= std::max(0, after - 1 - kBridged) && way.inverse.support[way.cell(before)] == Support::Filled) --before;
+    if (before >= std::max(0, after - 1 - kBridged) && way.inverse.support[way.cell(before)] == Support::Measured)
+        lookAtVoid(way, before, after, limits, marked);
+}
+
 // 1 where a void ends.
 EDGESCAN_SIMD void markVoidEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Void) & (here[n] != Support::Void));
+}
+
+// 1 where a gap that was filled ends.
+EDGESCAN_SIMD void markBridgeEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+    for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Filled) & (here[n] == Support::Measured));
 }
 
 EDGESCAN_SIMD void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
@@ -100,6 +118,10 @@ void markAlongBeams(const InverseRange& inverse, const AngularSteps& steps, cons
             // Nobody knows what is beyond the border of the grid.
             if (before >= 0) lookAtVoid({inverse, steps, Along::Beams, i, beams}, before, static_cast<int>(n) + 1, limits, marked);
         });
+        markBridgeEnds(support, support + 1, beams - 1, ends.data());
+        forEachMarked(ends, [&](std::size_t n) {
+            lookAtBridge({inverse, steps, Along::Beams, i, beams, true}, static_cast<int>(n) + 1, limits, marked);
+        });
     }
 }
 
@@ -114,6 +136,10 @@ void markAlongLines(const InverseRange& inverse, const AngularSteps& steps, cons
             forEachMarked(ends, [&](std::size_t n) {
                 if (last[n] >= 0)
                     lookAtVoid({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines}, last[n], i, limits, marked);
+            });
+            markBridgeEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            forEachMarked(ends, [&](std::size_t n) {
+                lookAtBridge({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines, true}, i, limits, marked);
             });
         }
         takeLastSolid(support, i, beams, last.data());

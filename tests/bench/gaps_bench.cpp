@@ -1,5 +1,6 @@
 // Filled gaps against the simulator's truth, beside nearest, bilinear and OpenCV's inpainting: tables for docs/gaps.md.
-// build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells.
+// build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells. edgescan_gaps_bench --many FIRST COUNT: so many seeds of both,
+// grids of 250 lines x 286 beams.
 #include "core/eval/evaluation.h"
 #include "core/gaps/gap_filling.h"
 #include "core/method/pipeline.h"
@@ -9,6 +10,7 @@
 #include <opencv2/photo.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -178,89 +180,102 @@ struct Filler {
     std::function<Ranges(const Scan&, const Grid<int>&)> fill;
 };
 
-const std::vector<Simulation>& simulations(const std::vector<std::uint64_t>& seeds) {
-    static std::vector<Simulation> made;
-    if (made.empty()) {
-        for (const std::uint64_t seed : seeds) {
-            for (const char* scene : {"hangup", "pile"}) made.push_back(bell(scene, seed, 500, 571));
-        }
-    }
-    return made;
-}
-
-void methodsTable(const std::vector<std::uint64_t>& seeds, int size) {
-    const std::vector<Filler> fillers{
+const std::vector<Filler>& fillers() {
+    static const std::vector<Filler> all{
         {"nearest", nearest},
         {"bilinear in u", bilinear},
         {"OpenCV inpaint, Telea", [](const Scan& s, const Grid<int>& b) { return inpainted(s, b, cv::INPAINT_TELEA); }},
         {"OpenCV inpaint, Navier-Stokes", [](const Scan& s, const Grid<int>& b) { return inpainted(s, b, cv::INPAINT_NS); }},
         {"**EdgeScan**", ours}};
-    std::vector<std::array<Errors, 2>> errors(fillers.size());
-    for (std::size_t m = 0; m < simulations(seeds).size(); ++m) {
-        const Simulation& one = simulations(seeds)[m];
+    return all;
+}
+
+class Methods {
+public:
+    explicit Methods(int size) : size_(size), errors_(fillers().size()) {}
+
+    void add(const Simulation& one, std::uint64_t m) {
         Scan scan = one.scan;
-        const Grid<int> blob = dropBlobs(scan, size, 7000 + m);
+        const Grid<int> blob = dropBlobs(scan, size_, 7000 + m);
         const std::vector<int> surface = onOneSurface(blob, *one.truth);
-        for (std::size_t f = 0; f < fillers.size(); ++f) {
-            const Ranges filled = fillers[f].fill(scan, blob);
+        for (std::size_t f = 0; f < fillers().size(); ++f) {
+            const Ranges filled = fillers()[f].fill(scan, blob);
             for (std::size_t k = 0; k < blob.size(); ++k) {
                 const int kind = surface[static_cast<std::size_t>(blob[k])];
                 if (blob[k] == 0 || kind < 0 || one.truth->cleanMm[k] <= 0) continue;
-                Errors& e = errors[f][kind == 1 ? 0 : 1];
+                Errors& e = errors_[f][kind == 1 ? 0 : 1];
                 ++e.wanted;
                 if (filled[k] > 0) e.mm.push_back(std::abs(static_cast<double>(filled[k] - one.truth->cleanMm[k])));
             }
         }
     }
-    std::printf("| method, blobs of %d cells | one surface: filled, RMS, P50, P95 mm | over an outline: filled, RMS, P95 mm, off by over "
-                "100 mm |\n|---|---|---|\n",
-                size);
-    for (std::size_t f = 0; f < fillers.size(); ++f) {
-        std::printf("| %s |", fillers[f].name);
-        errors[f][0].print(true);
-        errors[f][1].print(false);
+
+    void print() {
+        std::printf(
+            "| method, blobs of %d cells | one surface: filled, RMS, P50, P95 mm | over an outline: filled, RMS, P95 mm, off by over "
+            "100 mm |\n|---|---|---|\n",
+            size_);
+        for (std::size_t f = 0; f < fillers().size(); ++f) {
+            std::printf("| %s |", fillers()[f].name);
+            errors_[f][0].print(true);
+            errors_[f][1].print(false);
+            std::printf("\n");
+        }
         std::printf("\n");
     }
-    std::printf("\n");
-}
 
-void sizesTable(const std::vector<std::uint64_t>& seeds) {
-    std::printf("| blobs of | RMS mm | P95 mm | within 2 sd, planes |\n|---|---|---|---|\n");
-    for (const int size : {1, 4, 8, 12}) {
-        std::vector<double> mm;
-        double within = 0, planes = 0;
-        for (std::size_t m = 0; m < simulations(seeds).size(); ++m) {
-            const Simulation& one = simulations(seeds)[m];
+private:
+    int size_;
+    std::vector<std::array<Errors, 2>> errors_;
+};
+
+class Sizes {
+public:
+    void add(const Simulation& one, std::uint64_t m) {
+        for (std::size_t n = 0; n < kSizes.size(); ++n) {
             Scan scan = one.scan;
-            const Grid<int> blob = dropBlobs(scan, size, 8000 + m);
+            const Grid<int> blob = dropBlobs(scan, kSizes[n], 8000 + m);
             const std::vector<int> surface = onOneSurface(blob, *one.truth);
-            for (const FilledCell& cell : fillGaps(scan, std::max(kWidest, size)).cells) {
+            for (const FilledCell& cell : fillGaps(scan, std::max(kWidest, kSizes[n])).cells) {
                 if (blob[cell.cell] == 0 || surface[static_cast<std::size_t>(blob[cell.cell])] != 1) continue;
                 const double e = std::abs(static_cast<double>(cell.rangeMm - one.truth->cleanMm[cell.cell]));
-                mm.push_back(e);
+                mm_[n].push_back(e);
                 if (cell.by != FilledBy::Plane) continue;
-                ++planes;
-                within += e <= 2 * static_cast<double>(cell.sdMm) ? 1 : 0;
+                ++planes_[n];
+                within_[n] += e <= 2 * static_cast<double>(cell.sdMm) ? 1 : 0;
             }
         }
-        std::ranges::sort(mm);
-        double squares = 0;
-        for (const double e : mm) squares += e * e;
-        std::printf("| %d cells | %.1f | %.1f | %.2f |\n", size, std::sqrt(squares / static_cast<double>(mm.size())),
-                    mm[static_cast<std::size_t>(0.95 * static_cast<double>(mm.size() - 1))], within / planes);
     }
-    std::printf("\n");
-}
 
-void voids(const std::vector<std::uint64_t>& seeds) {
+    void print() {
+        std::printf("| blobs of | RMS mm | P95 mm | within 2 sd, planes |\n|---|---|---|---|\n");
+        for (std::size_t n = 0; n < kSizes.size(); ++n) {
+            std::vector<double>& mm = mm_[n];
+            std::ranges::sort(mm);
+            double squares = 0;
+            for (const double e : mm) squares += e * e;
+            std::printf("| %d cells | %.1f | %.1f | %.2f |\n", kSizes[n], std::sqrt(squares / static_cast<double>(mm.size())),
+                        mm[static_cast<std::size_t>(0.95 * static_cast<double>(mm.size() - 1))], within_[n] / planes_[n]);
+        }
+        std::printf("\n");
+    }
+
+private:
+    static constexpr std::array<int, 4> kSizes{1, 4, 8, 12};
+    std::array<std::vector<double>, kSizes.size()> mm_;
+    std::array<double, kSizes.size()> within_{}, planes_{};
+};
+
+struct Voids {
     std::size_t open = 0, filled = 0;
-    for (const Simulation& one : simulations(seeds)) {
+
+    void add(const Simulation& one) {
         const GapFilling filling = fillGaps(one.scan, kWidest);
         for (std::size_t k = 0; k < one.truth->object.size(); ++k) open += one.truth->object[k] == 0 ? 1 : 0;
         for (const FilledCell& cell : filling.cells) filled += one.truth->object[cell.cell] == 0 ? 1 : 0;
     }
-    std::printf("Of %zu cells whose beam hit nothing, %zu were filled.\n\n", open, filled);
-}
+    void print() const { std::printf("Of %zu cells whose beam hit nothing, %zu were filled.\n\n", open, filled); }
+};
 
 double fOf(const Scan& scan, const TruthSet& truth, bool fill) {
     Settings settings;
@@ -269,17 +284,41 @@ double fOf(const Scan& scan, const TruthSet& truth, bool fill) {
     return evaluateMask(*detectEdges(std::make_shared<const Scan>(scan), settings)->mask, truth, nullptr, 3).score.all.f();
 }
 
-void edgesTable(const std::vector<std::uint64_t>& seeds) {
+struct EdgeScores {
+    std::string name;
+    double asIs, asIsFilled, holes, holesFilled;
+};
+
+EdgeScores edgeScores(const Simulation& one, std::uint64_t m) {
+    const TruthSet truth = truthSetOf(one);
+    Scan holes = one.scan;
+    dropBlobs(holes, 7, 9000 + m);
+    return {one.scan.name, fOf(one.scan, truth, false), fOf(one.scan, truth, true), fOf(holes, truth, false), fOf(holes, truth, true)};
+}
+
+void printEach(const std::vector<EdgeScores>& scores) {
     std::printf("| scene | as it is | filled | 400 blobs of 7 cells | filled |\n|---|---|---|---|---|\n");
-    for (std::size_t m = 0; m < simulations(seeds).size(); ++m) {
-        const Simulation& one = simulations(seeds)[m];
-        const TruthSet truth = truthSetOf(one);
-        Scan holes = one.scan;
-        dropBlobs(holes, 7, 9000 + m);
-        std::printf("| %s | %.3f | %.3f | %.3f | %.3f |\n", one.scan.name.c_str(), fOf(one.scan, truth, false), fOf(one.scan, truth, true),
-                    fOf(holes, truth, false), fOf(holes, truth, true));
-    }
+    for (const EdgeScores& s : scores)
+        std::printf("| %s | %.3f | %.3f | %.3f | %.3f |\n", s.name.c_str(), s.asIs, s.asIsFilled, s.holes, s.holesFilled);
     std::printf("\n");
+}
+
+/// Gain by filling: mean, least, and of how many scenes it is below -0.003.
+void printGains(const std::vector<EdgeScores>& scores) {
+    const auto row = [&](const char* name, double EdgeScores::*before, double EdgeScores::*after) {
+        double sum = 0, least = 1;
+        int lost = 0;
+        for (const EdgeScores& s : scores) {
+            const double gain = s.*after - s.*before;
+            sum += gain;
+            least = std::min(least, gain);
+            lost += gain < -0.003 ? 1 : 0;
+        }
+        std::printf("| %s | %+.4f | %+.4f | %d of %zu |\n", name, sum / static_cast<double>(scores.size()), least, lost, scores.size());
+    };
+    std::printf("| F by filling | mean gain | least | lower by over .003 |\n|---|---|---|---|\n");
+    row("scene as it is", &EdgeScores::asIs, &EdgeScores::asIsFilled);
+    row("with 400 blobs of 7 cells", &EdgeScores::holes, &EdgeScores::holesFilled);
 }
 
 void time() {
@@ -300,11 +339,31 @@ void time() {
 
 int main(int argc, char** argv) {
     std::vector<std::uint64_t> seeds;
-    for (int n = 1; n < argc; ++n) seeds.push_back(std::strtoull(argv[n], nullptr, 10));
+    const bool many = argc == 4 && std::string(argv[1]) == "--many";
+    if (many) {
+        const std::uint64_t first = std::strtoull(argv[2], nullptr, 10), count = std::strtoull(argv[3], nullptr, 10);
+        for (std::uint64_t n = 0; n < count; ++n) seeds.push_back(first + n);
+    }
+    for (int n = 1; n < argc && !many; ++n) seeds.push_back(std::strtoull(argv[n], nullptr, 10));
     if (seeds.empty()) seeds = {301, 302};
-    methodsTable(seeds, 8);
-    sizesTable(seeds);
-    voids(seeds);
-    edgesTable(seeds);
+    Methods methods(8);
+    Sizes sizes;
+    Voids voids;
+    std::vector<EdgeScores> scores;
+    std::uint64_t m = 0;
+    for (const std::uint64_t seed : seeds) {
+        for (const char* scene : {"hangup", "pile"}) {
+            const Simulation one = many ? bell(scene, seed, 250, 286) : bell(scene, seed, 500, 571);
+            methods.add(one, m);
+            sizes.add(one, m);
+            voids.add(one);
+            scores.push_back(edgeScores(one, m++));
+        }
+    }
+    methods.print();
+    sizes.print();
+    voids.print();
+    if (many) return printGains(scores), 0;
+    printEach(scores);
     time();
 }

@@ -23,7 +23,8 @@ CalibrationShown calibrationWords(const SelfCalibration& found) {
                   errorRow(QObject::tr("lever arm t2, across it"), e.t2Mm(), sd.t2Mm(), mm, 2),
                   errorRow(QObject::tr("tilt of the fan"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
                   errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
-                  errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)};
+                  found.turnTold ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
+                                 : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not told")}};
     shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
     shown.about =
         QObject::tr("The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan "

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -98,8 +99,37 @@ TEST(SeamEdges, MeetOnceTheErrorsAreKnown) {
     }
 }
 
+TEST(SeamEdges, OfASweepLieAtTheEndsOfItsAxis) {
+    const auto scan = turned(360, Axis::Sweep);
+    const auto& polar = std::get<PolarGeometry>(scan->geometry);
+    Grid<std::uint8_t> edges(scan->lines(), scan->beams(), 1);
+    const SeamEdges seam = seamEdges(*scan, edges, seamErrors());
+    ASSERT_EQ(seam.late.beams, static_cast<int>(seam.beams.size()));
+    EXPECT_GT(seam.lateEdges, 2000U);
+    EXPECT_GT(seam.metShare(), 0.7); // close to the axis one early cell covers many late lines
+    for (const int beam : seam.beams) {
+        const double deg = polar.beamDeg[static_cast<std::size_t>(beam)];
+        EXPECT_LE(std::min(std::abs(deg), std::abs(180 - deg)), 5.001);
+    }
+    // An edge of one cell: its mirror image half a turn later, of an ideal assembly.
+    const int line = 100, beam = 4;
+    edges = Grid<std::uint8_t>(scan->lines(), scan->beams());
+    edges.at(line, beam) = 1;
+    ASSERT_EQ(scan->state.at(line, beam), CellState::Valid);
+    const SeamEdges one = seamEdges(*scan, edges, {});
+    const double lateDeg = polar.lineDeg[100] + 180, mirrored = -polar.beamDeg[4];
+    for (int i = 0; i < one.early.lines; ++i) {
+        for (int j = 0; j < one.early.beams; ++j) {
+            if (one.early.at(i, j) == 0) continue;
+            EXPECT_NEAR(polar.lineDeg[static_cast<std::size_t>(one.firstLine + i)], lateDeg, 0.51);
+            EXPECT_NEAR(polar.beamDeg[static_cast<std::size_t>(one.beams[static_cast<std::size_t>(j)])], mirrored, 0.51);
+        }
+    }
+    EXPECT_EQ(std::ranges::count(one.early.cells, 1), 1);
+}
+
 TEST(SeamEdges, AreNoneWhereNothingIsSeenTwice) {
-    for (const auto& scan : {turned(180), turned(360, Axis::Sweep)}) {
+    for (const auto& scan : {turned(180), turned(180, Axis::Sweep)}) {
         const SeamEdges seam = seamEdges(*scan, Grid<std::uint8_t>(scan->lines(), scan->beams(), 255), {});
         EXPECT_EQ(seam.late.lines, 0);
         EXPECT_EQ(seam.lateEdges, 0U);

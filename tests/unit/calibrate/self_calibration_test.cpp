@@ -14,13 +14,33 @@ namespace {
 
 AssemblyErrors someErrors() { return {{12.0, -8.0, 0.4, -0.3, 0.2}}; }
 
-std::shared_ptr<const Scan> spun(double turnDeg, const AssemblyErrors& errors, std::uint64_t seed = 31) {
+PolarGeometry turning(Axis axis, double way) {
+    PolarGeometry polar;
+    polar.axis = axis;
+    polar.lineDirection = way;
+    return polar;
+}
+
+std::shared_ptr<const Scan> spun(double turnDeg, const AssemblyErrors& errors, std::uint64_t seed = 31, double skewDeg = 0) {
     SimulationSettings settings;
     settings.axis = Axis::Spin;
+    settings.motorSkewDeg = skewDeg;
     settings.seed = seed;
     settings.turnDeg = turnDeg;
     settings.lines = static_cast<int>(turnDeg * 1.5);
     settings.beams = 286;
+    settings.assembly = errors;
+    const Result<Simulation> simulation = simulate(settings);
+    EXPECT_TRUE(simulation);
+    return std::make_shared<const Scan>(simulation->scan);
+}
+
+std::shared_ptr<const Scan> swept(double turnDeg, const AssemblyErrors& errors, std::uint64_t seed = 31) {
+    SimulationSettings settings;
+    settings.seed = seed;
+    settings.turnDeg = turnDeg;
+    settings.lines = static_cast<int>(turnDeg * 2);
+    settings.beams = 381;
     settings.assembly = errors;
     const Result<Simulation> simulation = simulate(settings);
     EXPECT_TRUE(simulation);
@@ -34,31 +54,35 @@ Result<SelfCalibration> calibrated(const std::shared_ptr<const Scan>& scan) { re
 TEST(TwiceSeen, OfAnIdealAssemblyTheOtherViewIsHalfATurnAwayAndMirrored) {
     const double a = 35.0;
     const SeenCell cell{0, 0, 190.0, {4.0 * std::cos(radians(a)), 0, 4.0 * std::sin(radians(a))}};
-    const auto seen = otherViewOf(cell, View::Late, spinMounting({}, 1.0));
+    const auto seen = otherViewOf(cell, View::Late, turningMounting(turning(Axis::Spin, 1.0), {}));
     ASSERT_TRUE(seen);
     EXPECT_NEAR(seen->lineDeg, 10.0, 1e-9);
     EXPECT_NEAR(seen->beamDeg, 180.0 - a, 1e-9);
     EXPECT_NEAR(seen->rangeM, 4.0, 1e-12);
-    const auto later = otherViewOf(cell, View::Early, spinMounting({}, -1.0));
+    const auto later = otherViewOf(cell, View::Early, turningMounting(turning(Axis::Spin, -1.0), {}));
     ASSERT_TRUE(later);
     EXPECT_NEAR(later->lineDeg, 370.0, 1e-9);
 }
 
 TEST(TwiceSeen, TheOtherViewMeasuresTheSamePoint) {
-    for (const double way : {1.0, -1.0}) {
-        for (const double a : {5.0, 40.0, 75.0, 110.0, 170.0}) {
-            const AssemblyErrors errors = someErrors();
-            const SpinMounting mounting = spinMounting(errors, way);
-            const SeenCell cell{0, 0, 193.0, {6.0 * std::cos(radians(a)), 0, 6.0 * std::sin(radians(a))}};
-            const auto seen = otherViewOf(cell, View::Late, mounting);
-            ASSERT_TRUE(seen);
-            // Both through the chain of docs/coordinates.md, "Step 1".
-            const auto inBase = [&](double lineDeg, const Eigen::Vector3d& inSensor) {
-                return Eigen::Vector3d(rotationZ(radians(lineDeg * errors.turnFactor() * way)) * (mounting.sensorInMover * inSensor));
-            };
-            const double b = radians(seen->beamDeg);
-            const Eigen::Vector3d again = inBase(seen->lineDeg, seen->rangeM * Eigen::Vector3d(std::cos(b), 0, std::sin(b)));
-            EXPECT_LT((inBase(cell.lineDeg, cell.inSensorM) - again).norm(), 1e-4) << a << " " << way;
+    for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
+        for (const double way : {1.0, -1.0}) {
+            for (const double a : {5.0, 40.0, 75.0, 110.0, 170.0}) {
+                const AssemblyErrors errors = someErrors();
+                const TurningMounting mounting = turningMounting(turning(axis, way), errors);
+                const SeenCell cell{0, 0, 193.0, {6.0 * std::cos(radians(a)), 0, 6.0 * std::sin(radians(a))}};
+                const auto seen = otherViewOf(cell, View::Late, mounting);
+                ASSERT_TRUE(seen);
+                // Both through the chain of docs/coordinates.md, "Step 1".
+                const auto inBase = [&](double lineDeg, const Eigen::Vector3d& inSensor) {
+                    const double turned = radians(lineDeg * errors.turnFactor() * way);
+                    return Eigen::Vector3d((axis == Axis::Spin ? rotationZ(turned) : rotationX(turned)) *
+                                           (mounting.sensorInMover * inSensor));
+                };
+                const double b = radians(seen->beamDeg);
+                const Eigen::Vector3d again = inBase(seen->lineDeg, seen->rangeM * Eigen::Vector3d(std::cos(b), 0, std::sin(b)));
+                EXPECT_LT((inBase(cell.lineDeg, cell.inSensorM) - again).norm(), 1e-4) << a << " " << way;
+            }
         }
     }
 }
@@ -105,6 +129,43 @@ TEST(SelfCalibration, FindsTheErrorsOfTheAssembly) {
     }
 }
 
+TEST(SelfCalibration, KnowsThatTheStepperMovesOnWhileTheMirrorSweeps) {
+    constexpr double kSkewDeg = 0.4;
+    Scan scan = *spun(200, someErrors(), 31, kSkewDeg);
+    auto& polar = std::get<PolarGeometry>(scan.geometry);
+    for (const double beam : polar.beamDeg) polar.lineSkewDeg.push_back(kSkewDeg * (beam - polar.beamDeg.front()) / 190.0);
+    const auto found = calibrated(std::make_shared<const Scan>(scan));
+    ASSERT_TRUE(found) << found.error().sentence();
+    const std::array<double, AssemblyErrors::kCount> limits{0.5, 1.5, 0.03, 0.01, 0.03};
+    for (std::size_t q = 0; q < AssemblyErrors::kCount; ++q)
+        EXPECT_LT(std::abs(found->errors.values[q] - someErrors().values[q]), limits[q]) << q;
+}
+
+TEST(SelfCalibration, ASweepTellsAllButTheTurnFromTheEndsOfItsAxis) {
+    const auto found = calibrated(swept(360, someErrors()));
+    ASSERT_TRUE(found) << found.error().sentence();
+    const std::array<double, 4> limits{1.0, 1.0, 0.03, 0.02};
+    for (std::size_t q = 0; q < limits.size(); ++q) {
+        const double off = found->errors.values[q] - someErrors().values[q];
+        EXPECT_LT(std::abs(off), limits[q]) << q;
+        EXPECT_LT(std::abs(off), 3.5 * found->sd.values[q]) << q;
+        EXPECT_GT(found->sd.values[q], 0) << q;
+    }
+    EXPECT_FALSE(found->turnTold);
+    EXPECT_EQ(found->errors.turnDeg(), 0);
+    EXPECT_GT(found->medianBeforeMm, 2 * found->medianAfterMm);
+
+    const auto text =
+        calibrationText(R"({"format": "edgescan-calibration/1", "stepper": {"axis": [1, 0, 0], "step_deg": 0.36}})", "r.json", *found, {});
+    ASSERT_TRUE(text) << text.error().sentence();
+    const auto read = parseCalibration(*text, "new.json");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->degPerStep, 0.36);
+    EXPECT_NEAR(read->mountM.y(), 0.012, 0.001);
+    EXPECT_NEAR(read->mountRpyDeg.z(), 0.4, 0.03);
+    EXPECT_NE(text->find("\"turn_deg\": null"), std::string::npos);
+}
+
 TEST(SelfCalibration, SeveralScansOfOneAssemblyCountTogether) {
     const std::vector<std::shared_ptr<const Scan>> scans{spun(200, someErrors(), 31), spun(200, someErrors(), 32)};
     const auto one = calibrated(scans[0]);
@@ -119,13 +180,21 @@ TEST(SelfCalibration, RefusesWhatCannotTellIt) {
     ASSERT_FALSE(half);
     EXPECT_NE(half.error().sentence().find("turn 200 degrees"), std::string::npos) << half.error().sentence();
 
-    SimulationSettings settings;
-    settings.lines = 100;
-    settings.beams = 90;
-    settings.turnDeg = 200;
-    const auto sweep = calibrated(std::make_shared<const Scan>(simulate(settings)->scan));
+    const auto sweep = calibrated(swept(200, someErrors()));
     ASSERT_FALSE(sweep);
-    EXPECT_NE(sweep.error().sentence().find("spin"), std::string::npos) << sweep.error().sentence();
+    EXPECT_NE(sweep.error().sentence().find("360 degrees"), std::string::npos) << sweep.error().sentence();
+
+    Scan short180 = *swept(360, {});
+    auto& polar = std::get<PolarGeometry>(short180.geometry);
+    for (double& beam : polar.beamDeg) beam = 90.0 + (beam - 90.0) * 90.0 / 95.0;
+    const auto half180 = calibrated(std::make_shared<const Scan>(short180));
+    ASSERT_FALSE(half180);
+    EXPECT_NE(half180.error().sentence().find("the fan ends at the axis"), std::string::npos) << half180.error().sentence();
+
+    const std::vector<std::shared_ptr<const Scan>> both{spun(200, {}), swept(360, {})};
+    const auto mixed = calibrateFromTurn(both);
+    ASSERT_FALSE(mixed);
+    EXPECT_NE(mixed.error().sentence().find("another axis"), std::string::npos) << mixed.error().sentence();
 
     Scan cloud;
     cloud.rangeMm = {3, 3};

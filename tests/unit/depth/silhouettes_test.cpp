@@ -45,6 +45,30 @@ TEST(Silhouettes, MissingDataOnOneSurfaceHaveNone) {
     EXPECT_TRUE(detectEdges(boxWithShadow(5000), Settings{})->responses->silhouettes.empty());
 }
 
+// A shadow so narrow that the gap is filled, along beams or along lines: the straight line across it spreads the jump.
+TEST(Silhouettes, AGapThatIsFilledHidesNoOutline) {
+    const PolarGeometry polar = test::regularAngles(kLines, kBeams);
+    for (const bool alongLines : {false, true}) {
+        for (int width = 1; width <= 4; ++width) {
+            const auto scan = [&](double nearMm) {
+                return std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [&](int i, int j) {
+                    const int n = alongLines ? i : j;
+                    if (n >= 45 && n < 45 + width) return 0.0;
+                    return test::wallRangeMm(polar, i, j, n < 45 ? nearMm : 5000.0);
+                }));
+            };
+            const auto torn = detectEdges(scan(4700), Settings{});
+            std::set<std::uint32_t> wanted;
+            for (int m = 0; m < (alongLines ? kBeams : kLines); ++m)
+                wanted.insert(static_cast<std::uint32_t>(alongLines ? torn->mask->index(44, m) : torn->mask->index(m, 44)));
+            const std::vector<std::uint32_t>& cells = torn->responses->silhouettes;
+            EXPECT_EQ(std::set<std::uint32_t>(cells.begin(), cells.end()), wanted) << alongLines << " " << width;
+            for (const std::uint32_t k : wanted) EXPECT_EQ((*torn->mask)[k], 255) << alongLines << " " << width << " " << k;
+            EXPECT_TRUE(detectEdges(scan(5000), Settings{})->responses->silhouettes.empty()) << "a drop-out has no outline (S3)";
+        }
+    }
+}
+
 // The same hole with a step below the jump threshold: nobody can be sure.
 TEST(Silhouettes, AStepThatIsNoJumpIsNone) { EXPECT_TRUE(detectEdges(boxWithShadow(4970), Settings{})->responses->silhouettes.empty()); }
 
