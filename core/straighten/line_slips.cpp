@@ -70,8 +70,7 @@ inline __attribute__((always_inline)) void addQuickly(const float* u, const Supp
         const float slant = std::abs(before) > std::abs(after) ? before : after;
         const float smaller = std::min(std::abs(before), std::abs(after));
         const float share = std::abs(slant) / u[j];
-        const bool slanted =
-            (share >= kLeastSlant) & (share <= kMostSlant) & (before * after > 0) & (smaller >= kAlike * std::abs(slant));
+        const bool slanted = (share >= kLeastSlant) & (share <= kMostSlant) & (before * after > 0) & (smaller >= kAlike * std::abs(slant));
         const bool measured = (support[j - far] == Support::Measured) & (support[j] == Support::Measured) &
                               (support[j + stride] == Support::Measured) & (support[j + stride + far] == Support::Measured);
         const float extra = (u[j + stride] - u[j]) / slant - 1;

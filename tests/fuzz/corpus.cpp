@@ -19,6 +19,7 @@ using Fuzzer = int (*)(const std::uint8_t*, std::size_t);
 const std::map<std::string, Fuzzer>& fuzzers() {
     static const std::map<std::string, Fuzzer> all{
 #define EDGESCAN_FUZZER(name) {#name, name},
+#include "fuzzers.inc"
 #undef EDGESCAN_FUZZER
     };
     return all;
