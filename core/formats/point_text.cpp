@@ -37,22 +37,30 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Without names: a column of whole numbers before three with decimals is an intensity, a class or a time, not x.
-bool wholeNumbersComeFirst(const Source& source, const TextLayout& layout) {
-    if (layout.columns < 4 || !layout.names.empty()) return false;
-    std::array<PrintedDigits, 4> digits;
+/// Without names: how many columns of whole numbers, two at most, stand before three with decimals. They are an intensity, a class, a time,
+/// or row and column of a grid (FARO), and not x.
+std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
+    constexpr std::size_t kMost = 2;
+    if (layout.columns < 4 || !layout.names.empty()) return 0;
+    std::array<PrintedDigits, kMost + 3> digits;
+    const std::size_t first = layout.labels ? 1 : 0;
+    std::size_t looked = std::min(digits.size(), layout.columns - first);
     std::size_t at = layout.firstByte;
     for (std::size_t row = 0; row < kRowsLookedAt && at < source.text().size(); ++row) {
         const TextLine line = textLineAt(source.text(), at);
         at = line.next;
         const auto cells = cellsIn(line.text, layout);
         if (cells.empty()) continue;
-        const std::size_t first = layout.labels ? 1 : 0;
-        if (cells.size() < first + digits.size()) return false;
-        for (std::size_t i = 0; i < digits.size(); ++i) countDigits(cells[first + i], digits[i]);
+        if (cells.size() < first + 4) return 0;
+        looked = std::min(looked, cells.size() - first);
+        for (std::size_t i = 0; i < looked; ++i) countDigits(cells[first + i], digits[i]);
     }
+    const auto isWhole = [](const PrintedDigits& d) { return d.decimals == 0 && !d.powers; };
     const auto hasDecimals = [](const PrintedDigits& d) { return d.decimals >= 2; };
-    return digits[0].decimals == 0 && !digits[0].powers && std::ranges::all_of(std::span(digits).subspan(1), hasDecimals);
+    for (std::size_t whole = 1; whole <= kMost && whole + 3 <= looked && isWhole(digits[whole - 1]); ++whole) {
+        if (std::ranges::all_of(std::span(digits).subspan(whole, 3), hasDecimals)) return whole;
+    }
+    return 0;
 }
 
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
@@ -69,7 +77,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (columns.named.hasPoint()) {
         for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
     }
-    if (wholeNumbersComeFirst(source, layout)) columns.xyz = {1, 2, 3};
+    if (const std::size_t whole = wholeNumbersFirst(source, layout); whole > 0) columns.xyz = {whole, whole + 1, whole + 2};
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
         const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
@@ -82,6 +90,8 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
 /// What was taken for x, y and z where no heading says it; empty where one does, or where numbers are all that there is.
 std::optional<std::string> guessedColumns(const Columns& columns, const TextLayout& layout) {
     if (columns.named.hasPoint()) return std::nullopt;
+    if (columns.xyz[0] == 2)
+        return "No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.";
     if (columns.xyz[0] == 1)
         return "No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.";
     if (areWords(layout)) {

@@ -86,6 +86,8 @@ mantenga \ para verla</translation></message>
 <message><source>tilt of the fan</source><translation>inclinación del abanico</translation></message>
 <message><source>beam index</source><translation>índice de los haces</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>stays</source><translation>sin cambio</translation></message>
+<message><source>not told</source><translation>no se determina</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
 <message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>

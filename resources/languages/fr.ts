@@ -86,6 +86,8 @@ tenez \ pour la voir</translation></message>
 <message><source>tilt of the fan</source><translation>inclinaison de l'éventail</translation></message>
 <message><source>beam index</source><translation>index des faisceaux</translation></message>
 <message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
+<message><source>stays</source><translation>inchangé</translation></message>
+<message><source>not told</source><translation>non déterminé</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
 <message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
 <message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>

@@ -86,6 +86,8 @@ segure \ para vê-la</translation></message>
 <message><source>tilt of the fan</source><translation>inclinação do leque</translation></message>
 <message><source>beam index</source><translation>índice dos feixes</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>stays</source><translation>inalterado</translation></message>
+<message><source>not told</source><translation>não determinado</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
 <message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
