@@ -35,7 +35,9 @@ struct Why : Judgement {
 enum class Naming : std::uint8_t { Keys, Labels };
 [[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming);
 
-/// Several lines for a person who sees the sliders; the last one is the verdict.
+/// Several lines for a person who sees the sliders: what was measured, and against which limits.
+[[nodiscard]] std::string whyNumbers(const Why& why, const Settings& settings);
+/// The same with the verdict as the last line.
 [[nodiscard]] std::string whyText(const Why& why, const Settings& settings);
 
 } // namespace edgescan

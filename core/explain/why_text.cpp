@@ -170,6 +170,10 @@ std::string whyVerdict(const Why& why, const Settings& settings, Naming naming) 
 }
 
 std::string whyText(const Why& why, const Settings& settings) {
+    return whyNumbers(why, settings) + "\n" + whyVerdict(why, settings, Naming::Labels);
+}
+
+std::string whyNumbers(const Why& why, const Settings& settings) {
     std::string text = place(why.probe.line, why.probe.beam) + ": ";
     text += why.probe.state == CellState::Valid ? "range " + number(why.probe.rangeMm / 1000) + " m"
                                                 : std::string(cellStateName(why.probe.state));
@@ -178,7 +182,7 @@ std::string whyText(const Why& why, const Settings& settings) {
     if (why.probe.edge && why.probe.kind != DepthEdge::None) text += std::string(", class ") + kindName(why.probe.kind);
     text += "\n" + strengthText(why, settings);
     if (isDepth(why)) text += depthText(why);
-    return text + chainText(why) + "\n" + whyVerdict(why, settings, Naming::Labels);
+    return text + chainText(why);
 }
 
 } // namespace edgescan

@@ -56,6 +56,12 @@ hold \ to see it</source><translation>A: %1
 mantenga \ para verla</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>grid %1</source><translation>cuadrícula %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distancia [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
+<message><source>Line</source><translation>Línea</translation></message>
 <message><source>at all of them</source><translation>con todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % y más</translation></message>
@@ -159,7 +165,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
-<message><source>display levels %1 to %2</source><translation>niveles mostrados de %1 a %2</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -348,7 +354,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Sin coordenadas mina: %1. Ábralo con --pose y --calibration.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
 <message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
@@ -392,7 +398,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 has the key that it came with.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
 <message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
+<message><source>along the line</source><translation>a lo largo de la línea</translation></message>
+<message><source>across the lines</source><translation>a través de las líneas</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>OK</source><translation>Aceptar</translation></message>
 <message><source>Save</source><translation>Guardar</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
@@ -469,6 +479,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
@@ -536,7 +551,10 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
 <message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
+<message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
+<message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
@@ -624,6 +642,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
 <message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
+<message><source>%1 edges</source><translation>%1 bordes</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
@@ -663,6 +682,14 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
+<message><source>Ranges</source><translation>Distancias</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Negro y blanco según la escala de distancias del método</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
+<message><source>automatic: %1</source><translation>automático: %1</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
@@ -685,7 +712,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>time not known</source><translation>hora desconocida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
-<message><source>%1 edges</source><translation>%1 bordes</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
@@ -820,7 +846,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
-<message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
 <message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
@@ -984,6 +1009,32 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
 <message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
 <message><source>Grid</source><translation>Cuadrícula</translation></message>
+<message><source>straightened</source><translation>enderezados</translation></message>
+<message><source>where their angles say</source><translation>donde dicen sus ángulos</translation></message>
+<message><source>as they were recorded</source><translation>tal como se grabaron</translation></message>
+<message><source>straightened by the scan's own surfaces</source><translation>enderezados según las propias superficies del escaneo</translation></message>
+<message><source>millimetres, so that half of the ranges are below %1 m</source><translation>milímetros, de modo que la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>millimetres: half of the ranges are below %1 m</source><translation>milímetros: la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>centimetres, so that half of the ranges are below %1 m</source><translation>centímetros, de modo que la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>centimetres: half of the ranges are below %1 m</source><translation>centímetros: la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>metres, so that half of the ranges are below %1 m</source><translation>metros, de modo que la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>metres: half of the ranges are below %1 m</source><translation>metros: la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>%2 mm, so that half of the ranges are below %1 m</source><translation>%2 mm, de modo que la mitad de las distancias es inferior a %1 m</translation></message>
+<message><source>In the unit that was taken half of the ranges are below %1 m, which is unusual for a scan of rocks.</source><translation>En la unidad que se tomó, la mitad de las distancias es inferior a %1 m, lo que no es habitual en un escaneo de rocas.</translation></message>
+<message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin: el motor paso a paso gira en torno a la dirección de visión; %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, en torno a la dirección de visión: %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>Las paredes se curvan con el montaje spin: %1 de %2 trozos planos están en tres planos, con sweep son %3.</translation></message>
+<message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: el motor paso a paso gira en torno a la línea 0/180 grados; %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, en torno a la línea 0/180 grados: %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Las paredes se curvan con el montaje sweep: %1 de %2 trozos planos están en tres planos, con spin son %3.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados: %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
+<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
+<message><source>the other way round: left and right exchanged</source><translation>al revés: izquierda y derecha intercambiadas</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
+<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
+<message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>

@@ -56,6 +56,12 @@ hold \ to see it</source><translation>A : %1
 tenez \ pour la voir</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>grid %1</source><translation>grille %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distance [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
+<message><source>Line</source><translation>Ligne</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
 <message><source>below %1 %</source><translation>moins de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
@@ -159,7 +165,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
-<message><source>display levels %1 to %2</source><translation>niveaux affichés de %1 à %2</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -348,7 +354,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Pas de coordonnées de la mine : %1. Ouvrez-le avec --pose et --calibration.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
 <message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
@@ -392,7 +398,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 has the key that it came with.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
 <message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • changée</translation></message>
+<message><source>along the line</source><translation>le long de la ligne</translation></message>
+<message><source>across the lines</source><translation>en travers des lignes</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Enregistrer</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
@@ -469,6 +479,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
+<message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
+<message><source>By &amp;Height</source><translation>Par &amp;hauteur</translation></message>
+<message><source>By &amp;Line</source><translation>Par &amp;ligne</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
@@ -536,7 +551,10 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
 <message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
+<message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
+<message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
 <message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
@@ -624,6 +642,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
 <message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
+<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
@@ -663,6 +682,14 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
+<message><source>Ranges</source><translation>Distances</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Noir et blanc selon l'échelle de distances de la méthode</translation></message>
+<message><source>Lock</source><translation>Verrouiller</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
+<message><source>automatic: %1</source><translation>automatique : %1</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
@@ -685,7 +712,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>time not known</source><translation>heure inconnue</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
-<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
@@ -820,7 +846,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
-<message><source>Lock</source><translation>Verrouiller</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
 <message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
@@ -984,6 +1009,32 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Line angles</source><translation>Angles des lignes</translation></message>
 <message><source>Order of the lines</source><translation>Ordre des lignes</translation></message>
 <message><source>Grid</source><translation>Grille</translation></message>
+<message><source>straightened</source><translation>redressés</translation></message>
+<message><source>where their angles say</source><translation>là où le disent leurs angles</translation></message>
+<message><source>as they were recorded</source><translation>tels qu'ils ont été enregistrés</translation></message>
+<message><source>straightened by the scan's own surfaces</source><translation>redressés d'après les surfaces mêmes du scan</translation></message>
+<message><source>millimetres, so that half of the ranges are below %1 m</source><translation>millimètres, de sorte que la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>millimetres: half of the ranges are below %1 m</source><translation>millimètres : la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>centimetres, so that half of the ranges are below %1 m</source><translation>centimètres, de sorte que la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>centimetres: half of the ranges are below %1 m</source><translation>centimètres : la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>metres, so that half of the ranges are below %1 m</source><translation>mètres, de sorte que la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>metres: half of the ranges are below %1 m</source><translation>mètres : la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>%2 mm, so that half of the ranges are below %1 m</source><translation>%2 mm, de sorte que la moitié des distances est inférieure à %1 m</translation></message>
+<message><source>In the unit that was taken half of the ranges are below %1 m, which is unusual for a scan of rocks.</source><translation>Dans l'unité retenue, la moitié des distances est inférieure à %1 m, ce qui est inhabituel pour un scan de roches.</translation></message>
+<message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin : le moteur pas à pas tourne autour de la direction de visée ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, autour de la direction de visée : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>Les parois se courbent avec le montage spin : %1 morceaux plats sur %2 sont sur trois plans, contre %3 avec sweep.</translation></message>
+<message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep : le moteur pas à pas tourne autour de la ligne 0/180 degrés ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, autour de la ligne 0/180 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Les parois se courbent avec le montage sweep : %1 morceaux plats sur %2 sont sur trois plans, contre %3 avec spin.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Les parois se courbent avec les angles de ligne retenus : %1 morceaux plats sur %2 sont sur trois plans, d'autres pas en donnent plus.</translation></message>
+<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>angles des lignes de %1 à %2 degrés ; aucune distance ne dit si la gauche et la droite sont échangées</translation></message>
+<message><source>the other way round: left and right exchanged</source><translation>dans l'autre sens : gauche et droite échangées</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>projeté sur des cellules de %1 degrés ; %2 % des points sont derrière d'autres de leur cellule</translation></message>
+<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>%1 % des points sont derrière d'autres de leur cellule : les cellules sont grossières, ou le capteur se trouvait ailleurs.</translation></message>
+<message><source>cells of %1 degrees</source><translation>cellules de %1 degrés</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>

@@ -56,6 +56,12 @@ hold \ to see it</source><translation>A: %1
 segure \ para vê-la</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>grid %1</source><translation>grade %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distância [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
+<message><source>Line</source><translation>Linha</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
@@ -159,7 +165,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
-<message><source>display levels %1 to %2</source><translation>níveis mostrados de %1 a %2</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -348,7 +354,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
-<message><source>No mine grid: %1. Open it with --pose and --calibration.</source><translation>Sem coordenadas da mina: %1. Abra-o com --pose e --calibration.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
 <message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
@@ -392,7 +398,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 has the key that it came with.</source><translation>%1 tem de novo a tecla original.</translation></message>
 <message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
+<message><source>along the line</source><translation>ao longo da linha</translation></message>
+<message><source>across the lines</source><translation>através das linhas</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Salvar</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
@@ -469,6 +479,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
@@ -536,7 +551,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
 <message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
+<message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
+<message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
@@ -624,6 +642,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
 <message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
+<message><source>%1 edges</source><translation>%1 bordas</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
@@ -663,6 +682,14 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
+<message><source>Ranges</source><translation>Distâncias</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Preto e branco segundo a escala de distâncias do método</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
+<message><source>automatic: %1</source><translation>automático: %1</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
@@ -685,7 +712,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>time not known</source><translation>hora desconhecida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
-<message><source>%1 edges</source><translation>%1 bordas</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
@@ -820,7 +846,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
-<message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
 <message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
@@ -984,6 +1009,32 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Line angles</source><translation>Ângulos das linhas</translation></message>
 <message><source>Order of the lines</source><translation>Ordem das linhas</translation></message>
 <message><source>Grid</source><translation>Grade</translation></message>
+<message><source>straightened</source><translation>endireitados</translation></message>
+<message><source>where their angles say</source><translation>onde dizem os seus ângulos</translation></message>
+<message><source>as they were recorded</source><translation>tal como foram gravados</translation></message>
+<message><source>straightened by the scan's own surfaces</source><translation>endireitados pelas próprias superfícies da varredura</translation></message>
+<message><source>millimetres, so that half of the ranges are below %1 m</source><translation>milímetros, de modo que metade das distâncias é inferior a %1 m</translation></message>
+<message><source>millimetres: half of the ranges are below %1 m</source><translation>milímetros: metade das distâncias é inferior a %1 m</translation></message>
+<message><source>centimetres, so that half of the ranges are below %1 m</source><translation>centímetros, de modo que metade das distâncias é inferior a %1 m</translation></message>
+<message><source>centimetres: half of the ranges are below %1 m</source><translation>centímetros: metade das distâncias é inferior a %1 m</translation></message>
+<message><source>metres, so that half of the ranges are below %1 m</source><translation>metros, de modo que metade das distâncias é inferior a %1 m</translation></message>
+<message><source>metres: half of the ranges are below %1 m</source><translation>metros: metade das distâncias é inferior a %1 m</translation></message>
+<message><source>%2 mm, so that half of the ranges are below %1 m</source><translation>%2 mm, de modo que metade das distâncias é inferior a %1 m</translation></message>
+<message><source>In the unit that was taken half of the ranges are below %1 m, which is unusual for a scan of rocks.</source><translation>Na unidade adotada, metade das distâncias é inferior a %1 m, o que não é habitual numa varredura de rochas.</translation></message>
+<message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin: o motor de passo gira em torno da direção de visada; %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, em torno da direção de visada: %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>As paredes curvam-se com a montagem spin: %1 de %2 pedaços planos estão em três planos, com sweep são %3.</translation></message>
+<message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: o motor de passo gira em torno da linha 0/180 graus; %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, em torno da linha 0/180 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>As paredes curvam-se com a montagem sweep: %1 de %2 pedaços planos estão em três planos, com spin são %3.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total; %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>As paredes curvam-se com os ângulos de linha adotados: %1 de %2 pedaços planos estão em três planos, outros passos dão mais.</translation></message>
+<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>ângulos das linhas de %1 a %2 graus; nenhuma distância diz se esquerda e direita estão trocadas</translation></message>
+<message><source>the other way round: left and right exchanged</source><translation>ao contrário: esquerda e direita trocadas</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>projetado em células de %1 graus; %2 % dos pontos estão atrás de outros da sua célula</translation></message>
+<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>%1 % dos pontos estão atrás de outros da sua célula: as células são grossas, ou o sensor estava em outro lugar.</translation></message>
+<message><source>cells of %1 degrees</source><translation>células de %1 graus</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>

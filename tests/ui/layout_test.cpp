@@ -7,6 +7,7 @@
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/language/languages.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/theme.h"
 #include "ui/panel/edge_legend.h"
@@ -241,6 +242,30 @@ private slots:
         }
         resizeTo(on.window, {1900, 800});
         QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
+    }
+
+    // Without a pose the cell, its line and beam too, is told whole at 1280, in every language: what tells least gives way.
+    void theCellIsToldWholeOnASmallScreenInEveryLanguage() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            const Scan& scan = *on.picture().detection->scan;
+            const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
+            const QPoint cell = on.window.views().placeOf(static_cast<std::size_t>(valid));
+            auto* probe = on.window.findChild<QLabel*>("probe");
+            for (const int width : {1280, 1366, 1920}) {
+                resizeTo(on.window, {width, 800});
+                on.window.views().letGo();
+                emit on.window.views().gray().clicked(cell.y(), cell.x());
+                QApplication::processEvents();
+                QVERIFY2(!probe->text().contains("…"), qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(probe->text())));
+                QCOMPARE(probe->toolTip(), on.window.statusLine().probeShown());
+                QVERIFY(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(probe->text()));
+                QVERIFY2(on.window.findChild<QLabel*>("counts")->isVisible(), code);
+            }
+        }
+        useLanguage("en");
     }
 
     // Three panels above each other, a rock and a target with their cards: what does not fit scrolls, nothing is squeezed or cut off.

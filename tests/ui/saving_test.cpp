@@ -6,9 +6,11 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/dialogs/export_dialog.h"
+#include "ui/sitting/sittings.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -137,6 +139,28 @@ private slots:
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(QImage(path("shot.png")).width() > 100);
+    }
+
+    // By the dialog, whether the ending was typed or not: the file has it once, and opens again as the session that it is.
+    void aSessionHasItsEndingAndOpensAgain() {
+        for (const char* typed : {"day", "night.edgescan-session.json"}) {
+            const QString file = path(QString(typed).contains('.') ? typed : "day.edgescan-session.json");
+            {
+                WindowFixture on;
+                QVERIFY(on.showWith(scan_) && on.activate());
+                on.window.views().pin(on.window.views().cellAt(10, 12));
+                Hand hand(path(typed), {});
+                QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+                QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sittings().settled(); }, 20000));
+                QVERIFY(hand.asked.isEmpty());
+            }
+            WindowFixture on;
+            QVERIFY(on.show());
+            on.window.sittings().open({file});
+            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 1; }, 20000));
+            QCOMPARE(on.window.sittings().path(), file);
+        }
+        QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
     }
 
     // The record beside it is a file that would be lost as well.

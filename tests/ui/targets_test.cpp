@@ -321,6 +321,41 @@ private slots:
         QCOMPARE(static_cast<int>(gray.marks().measures.size()), 2);
     }
 
+    // Each of the others by its key and as many clicks as it takes; what is told is what the core works out of these cells.
+    void everyKindIsMeasuredByClicks() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        const std::vector<QPoint> places{{30, 20}, {120, 90}, {40, 95}, {130, 30}}; // beam, line
+        int made = 0;
+        for (const auto& [kind, key, modifier, clicks] : {std::tuple{MeasureKind::Vertical, Qt::Key_V, Qt::NoModifier, 2},
+                                                          {MeasureKind::Angle, Qt::Key_A, Qt::NoModifier, 3},
+                                                          {MeasureKind::Spans, Qt::Key_Y, Qt::NoModifier, 4},
+                                                          {MeasureKind::Path, Qt::Key_U, Qt::ShiftModifier, 2}}) {
+            QTest::keyClick(&on.window, key, modifier);
+            std::vector<std::uint32_t> cells;
+            for (int n = 0; n < clicks; ++n) {
+                const QPoint at = places[static_cast<std::size_t>(n)];
+                cells.push_back(cellUnder(on, at.y(), at.x()));
+                click(gray, at.y(), at.x());
+            }
+            QVERIFY(QTest::qWaitFor(
+                [&] { return known(on) && static_cast<int>(on.window.targets().notebook().measures.size()) == made + 1; }, 20000));
+            const KeptMeasure& kept = on.window.targets().notebook().measures.back();
+            QVERIFY(kept.kind == kind && kept.cells == cells);
+            const auto told = measureCells(*on.picture().detection->scan, {}, kind, cells);
+            QVERIFY(bool(told));
+            const QString label = gray.marks().measures.back().label;
+            // The noise that the window measured is not this one's: the numbers alone are the same.
+            const double value = kind == MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
+            const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
+            QVERIFY2(std::abs(shown - value) < (kind == MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
+            QVERIFY2(label.contains("±"), qPrintable(label));
+            QVERIFY(gray.marks() == on.window.views().cloud().marks());
+            ++made;
+        }
+    }
+
     void whatIsNotResolvedIsNoNumber() {
         WindowFixture on;
         QVERIFY(showWith(on, plate_));
@@ -498,6 +533,28 @@ private slots:
         QVERIFY2(verified->identical, verificationText(*verified).c_str());
         only->setChecked(false);
         QVERIFY(dialog.options().selection == nullptr && dialog.count() > valid);
+    }
+
+    // Images and cloud come nearer and go back by keys alone.
+    void plusAndMinusZoomWhatHasTheFocus() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        ImageView& gray = on.window.views().gray();
+        CloudView& cloud = on.window.views().cloud();
+        gray.setFocus();
+        const double zoom = gray.viewPort()->zoom(), distance = cloud.camera().distance();
+        click(gray, 20, 30);
+        for (int n = 0; n < 8; ++n) QTest::keyClick(&gray, Qt::Key_Plus);
+        QVERIFY(gray.viewPort()->zoom() > 4 * zoom && cloud.camera().distance() == distance);
+        const QPointF now = gray.viewPort()->toPixel(QPointF(30.5, 20.5), gray.size());
+        QVERIFY2(gray.rect().contains(now.toPoint()), "the pinned cell stays in sight");
+        for (int n = 0; n < 8; ++n) QTest::keyClick(&gray, Qt::Key_Minus);
+        QVERIFY(gray.viewPort()->zoom() < 1.3 * zoom);
+        cloud.setFocus();
+        QTest::keyClick(&cloud, Qt::Key_Plus);
+        QVERIFY(cloud.camera().distance() < 0.85 * distance);
+        QTest::keyClick(&cloud, Qt::Key_Minus);
+        QVERIFY(std::abs(cloud.camera().distance() - distance) < 1e-6);
     }
 
     void arrowsPointAndReturnClicks() {

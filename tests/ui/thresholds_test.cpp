@@ -5,6 +5,7 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/themes.h"
 #include "ui/dialogs/why_card.h"
 #include "ui/panel/count_curve.h"
 
@@ -201,6 +202,31 @@ private slots:
         const QString text = window_->explanation().card()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
+    }
+
+    // On the card: the verdict, the points of both sides of a jump with their lines, the numbers, from above.
+    void theVerdictComesFirstThenThePictureOfBothSides() {
+        use(Settings{});
+        const Detection& detection = *window_->session().picture()->detection;
+        const std::uint32_t cell = detection.edges->at(5);
+        askWhy(cell);
+        if (QTest::currentTestFailed()) return;
+        const WhyCard& card = *window_->explanation().card();
+        QVERIFY2(card.verdict().startsWith("Edge: ") && !card.verdict().contains('\n'), qPrintable(card.verdict()));
+        const auto* verdict = card.findChild<QLabel*>("why-verdict");
+        const EdgeProfile& profile = card.picture().profile();
+        QVERIFY(verdict->isVisible() && card.picture().isVisible() && verdict->geometry().bottom() < card.picture().geometry().top());
+        QVERIFY(profile.sides[0] && profile.sides[1]);
+        const auto own = std::ranges::find(profile.points, 0, &ProfilePoint::side);
+        QVERIFY(own != profile.points.end() && own->cell == cell && own->acrossM == 0.0 && own->awayM == 0.0);
+        // The picture is drawn: lines in their colour, points in that of the words.
+        const QImage drawn = const_cast<ProfileView&>(card.picture()).grab().toImage();
+        const QColor accent = themeInUse().accent;
+        QVERIFY(countPixels(drawn, [&](QRgb p) { return p == accent.rgb(); }) > 40);
+        // A cell that is none has a verdict that says so.
+        const auto none = std::ranges::find(detection.mask->cells, 0) - detection.mask->cells.begin();
+        askWhy(static_cast<std::uint32_t>(none));
+        QTRY_VERIFY2(card.verdict().startsWith("No edge: "), qPrintable(card.verdict()));
     }
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {

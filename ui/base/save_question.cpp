@@ -16,7 +16,7 @@ namespace {
 
 // ".pcd" of "Point Cloud Library (*.pcd)".
 QStringList extensionsOf(const QString& filter) {
-    static const QRegularExpression pattern("\\*(\\.[A-Za-z0-9.]+)");
+    static const QRegularExpression pattern("\\*(\\.[A-Za-z0-9.-]+)");
     QStringList extensions;
     for (auto found = pattern.globalMatch(filter); found.hasNext();) extensions << found.next().captured(1);
     return extensions;

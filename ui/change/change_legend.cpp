@@ -88,7 +88,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         const Row& row = rows_[static_cast<std::size_t>(n)];
         const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
         const bool told = some && (!ofSurfaces || comparison->isOfTwoScans());
-        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(told);
+        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(told && rowsShown_);
         row.count->setText(told ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
@@ -101,12 +101,15 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                               .arg(kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
     how_->setText(how);
-    next_->setVisible(comparison != nullptr && !comparison->change.regions.empty());
+    how_->setVisible(rowsShown_ || comparison == nullptr);
+    next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
     showRegion(QString());
     showFlipped(flipped_);
     show();
     adjustSize();
 }
+
+void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;

@@ -18,6 +18,8 @@ public:
 
     /// `before`: what A is. Null: nothing to compare with yet.
     void showKept(const QString& before, const Comparison* comparison, bool working);
+    /// Off: the differences are not shown, and no row tells of them.
+    void setRowsShown(bool on);
     /// Which of the two is on the screen.
     void showFlipped(bool flipped);
     /// Words about a region; empty = none.
@@ -45,6 +47,7 @@ private:
     QToolButton* next_;
     QString before_;
     bool flipped_ = false;
+    bool rowsShown_ = true;
 };
 
 } // namespace edgescan::ui

@@ -40,6 +40,7 @@ constexpr double kAmbient = 0.5;          // of the cloud's colour where the sur
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
+const QColor kGround(0x85, 0x8b, 0x92);
 const QColor kSelected(70, 124, 196); // the blue of rock faces: edges are told from it; its points are larger as well
 
 // A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
@@ -126,6 +127,8 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
+    renderer_->AddActor(ground_.actor);
+    setColour(ground_.actor, kGround);
     renderer_->AddActor(outlineHalo_.actor);
     renderer_->AddActor(outline_.actor);
     setColour(halo_.actor, kHalo);
@@ -224,6 +227,18 @@ void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
 }
 
 void CloudScene::setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours) { facesWanted_ = std::move(colours); }
+
+void CloudScene::setGround(const GroundGrid& grid) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    for (const auto& line : grid.lines) {
+        lines->InsertNextCell(2);
+        for (const Eigen::Vector3f& end : line) lines->InsertCellPoint(points->InsertNextPoint(end.x(), end.y(), end.z()));
+    }
+    ground_.data->SetPoints(points);
+    ground_.data->SetLines(lines);
+    ground_.actor->SetVisibility(!grid.lines.empty());
+}
 
 // Only when it is drawn: a cloud that comes back has the colours of before, and mostly wants them.
 void CloudScene::useFaces() {

@@ -4,6 +4,7 @@
 #include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/edge_cells.h"
+#include "ui/cloud/ground_grid.h"
 
 #include <QColor>
 
@@ -57,6 +58,8 @@ public:
     void setOutline(EdgeCells::Indices cells);
     /// Drawn in the colour of what is selected, as large as edges. Cells that are not drawable are left out.
     void setSelection(EdgeCells::Indices cells);
+    /// Without a line: none is drawn.
+    void setGround(const GroundGrid& grid);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
     /// What is drawn of the drawing order: parts first .. last.
@@ -113,6 +116,7 @@ private:
     std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;
+    Layer ground_;
     bool edgesShown_ = true;
     bool byClass_ = false;
     double pointSize_ = 2.0;

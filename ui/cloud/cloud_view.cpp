@@ -61,6 +61,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     scan_ = std::move(scan);
     whole_ = std::move(geometry);
     hidden_ = nullptr;
+    screenMarks_.reset();
     cloud_ = whole_;
     edges_ = {};
     outline_ = nullptr;
@@ -69,6 +70,8 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     marked_ = std::nullopt;
     pointAt(std::nullopt);
     scene_->setCloud(cloud_);
+    scene_->setFaces(pointColours());
+    showGround();
     growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0 && cloud_->validCount > 0;
     if (growing_) {
         budget_.grown(static_cast<double>(before->validCount) / static_cast<double>(cloud_->validCount));
@@ -107,7 +110,7 @@ void CloudView::setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver e
     if (colours == faces_ && edges == edgesOver_) return;
     edgesOver_ = edges;
     faces_ = std::move(colours);
-    scene_->setFaces(faces_);
+    scene_->setFaces(pointColours());
     restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // as for edges
     applyColours();
 }
@@ -148,6 +151,7 @@ void CloudView::moved(int restMs) {
 }
 
 void CloudView::applyCamera() {
+    screenMarks_.reset();
     static const CloudGeometry nothing;
     scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_));
     followSpacing();
@@ -179,6 +183,7 @@ void CloudView::initializeGL() {
 
 void CloudView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
+    screenMarks_.reset();
     overlay_->setGeometry(rect());
     followSpacing();
     updateOverlay();
@@ -194,7 +199,7 @@ void CloudView::paintGL() {
     const bool moving = restTimer_.isActive();
     CloudScene::Parts parts{nextPart_, nextPart_, nextPart_ > 0, moving};
     // At rest a first share in the final size, then part after part on top of it until all are there: no frame takes long.
-    if (nextPart_ == 0) parts.last = drawAll_ ? kCloudParts - 1 : budget_.lastPart(moving);
+    if (nextPart_ == 0) parts.last = drawAll_ ? kCloudParts - 1 : std::max(budget_.lastPart(moving), leastPart());
     const bool uploads = scene_->setParts(parts);
     updateSize(); // makes VTK draw anew in paintGL()
     QElapsedTimer clock;
@@ -219,6 +224,14 @@ void CloudView::paintGL() {
             emit frameDrawn(ms);
         },
         Qt::QueuedConnection);
+}
+
+/// However busy the machine is, rocks are seen: so many points that a form shows, evenly.
+int CloudView::leastPart() const {
+    constexpr double kLeastPoints = 60'000;
+    const double share = cloud_ && cloud_->validCount > 0 ? kLeastPoints / static_cast<double>(cloud_->validCount) : 1.0;
+    const auto part = std::ranges::find_if(kPartEnds, [share](double end) { return end >= std::min(share, 1.0); });
+    return static_cast<int>(part - kPartEnds.begin());
 }
 
 void CloudView::refine() {
@@ -256,6 +269,7 @@ void CloudView::setStale(const QString& why) {
 void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
     if (cell == marked_) return;
     marked_ = cell;
+    if (marks_.targets.size() > kMarksAsked) screenMarks_.reset(); // of a crowd only the marked one is asked
     updateOverlay();
 }
 
@@ -407,6 +421,7 @@ void CloudView::usePointSize(double pixels) {
     const double size = std::clamp(pixels, 1.0, kLargestPoint);
     if (size == pointSize_) return;
     pointSize_ = size;
+    screenMarks_.reset();
     applyColours();
     emit pointSizeChanged(size);
 }

@@ -8,6 +8,7 @@
 #include "ui/cloud/cloud_geometry.h"
 #include "ui/cloud/drawing_budget.h"
 #include "ui/cloud/edge_cells.h"
+#include "ui/cloud/ground_grid.h"
 #include "ui/cloud/mouse_bindings.h"
 #include "ui/cloud/point_pick.h"
 
@@ -58,6 +59,10 @@ public:
     void setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver edges = EdgesOver::AsAsked);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& faces() const { return faces_; }
     void setEdgesOverFaces(bool on);
+    /// Colours for the points of that cloud, wherever no faces are shown; edges stay over them. Null: its gray.
+    void setColours(std::shared_ptr<const CloudGeometry> of, std::shared_ptr<const CellIndices> colours);
+    /// What the points have now: faces, else colours of this cloud; null: gray.
+    [[nodiscard]] std::shared_ptr<const CellIndices> pointColours() const;
     /// Cells along an outline, drawn white; null: none.
     void setOutline(std::shared_ptr<const CellIndices> cells);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& outline() const { return outline_; }
@@ -67,6 +72,8 @@ public:
     [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
     [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
     [[nodiscard]] bool shaded() const { return shaded_; }
+    /// Metres from line to line of the grid below the rocks; 0: it is not shown.
+    [[nodiscard]] double groundStepM() const { return ground_ && cloud_ && cloud_->validCount > 0 ? groundOf(*whole_).stepM : 0.0; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] const EdgeColours& edgeColours() const { return edgeColours_; }
@@ -147,6 +154,7 @@ public slots:
     void setTurntable(bool on); ///< off = free rotation
     void setEdgesVisible(bool on);
     void setCloudDimmed(bool on);     ///< off = the cloud stays bright while edges are on
+    void setGround(bool on);          ///< a grid below the rocks
     void setShaded(bool on);          ///< off = the cloud is one flat gray
     void setPointSize(double pixels); ///< 1 .. 12; from then on it stays
     /// On: the size follows the spacing of the points and the zoom, so that a surface is closed and a crowd no blob.
@@ -186,10 +194,12 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    static constexpr int kRestMs = 160; // after the last movement the full picture is drawn
+    static constexpr std::size_t kMarksAsked = 20; // of more targets only the marked one is asked whether something lies before it
+    static constexpr int kRestMs = 160;            // after the last movement the full picture is drawn
 
     void requestFrame();
     void refine();
+    [[nodiscard]] int leastPart() const;
     void moved(int restMs = kRestMs); // the camera is under way: coarse picture now, full one after a pause
     void applyCamera();
     void applyColours();
@@ -201,8 +211,9 @@ private:
     void drag(QPointF at);
     void selectTo(QPointF at);
     void showParts();
+    void showGround();
     void guessBudget();
-    [[nodiscard]] ScreenMarks marksOnScreen() const;
+    [[nodiscard]] const ScreenMarks& marksOnScreen();
     void setRotationCentre(QPointF pixel);
     void showFocus();
     void pinch(QPointF middle, QPointF shift, double factor);
@@ -219,9 +230,13 @@ private:
     EdgeCells edges_;
     std::shared_ptr<const CloudGeometry> whole_; // cloud_ without what is hidden is another one
     std::shared_ptr<const CellIndices> faces_, outline_, selection_;
+    std::shared_ptr<const CloudGeometry> colouredCloud_;
+    std::shared_ptr<const CellIndices> colours_; // of that cloud
+    bool ground_ = false;
     std::shared_ptr<const std::vector<std::uint8_t>> hidden_;
     CellMarks marks_;
-    QPolygonF dragged_; // while something is being selected, widget pixels
+    std::optional<ScreenMarks> screenMarks_; // marks_ as the camera sees them; empty: to be looked for
+    QPolygonF dragged_;                      // while something is being selected, widget pixels
     DragTool tool_ = DragTool::Move;
     bool edgesOverFaces_ = false, edgesCovered_ = false;
     EdgesOver edgesOver_ = EdgesOver::AsAsked;

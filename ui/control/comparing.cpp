@@ -253,6 +253,7 @@ void Comparing::take(const Answer& answer) {
 void Comparing::setDifferenceShown(bool on) {
     shown_ = on;
     show();
+    showLegend();
 }
 
 void Comparing::show() {
@@ -271,6 +272,7 @@ void Comparing::show() {
 
 void Comparing::showLegend() {
     legend_.setVisible(kept_ != nullptr);
+    legend_.setRowsShown(shown_);
     if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), working_);
 }
 

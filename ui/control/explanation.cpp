@@ -9,7 +9,32 @@
 
 #include <QMenu>
 
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
 namespace edgescan::ui {
+namespace {
+
+/// The way that decides: that of the strongest step or fold; for the other methods the one along which the range changes more.
+EdgeProfile profileOf(const Detection& detection, const Why& why) {
+    const Scan& scan = *detection.scan;
+    const std::size_t k = why.probe.cell;
+    if (why.depth && (!why.depth->steps.empty() || !why.depth->folds.empty())) {
+        const auto& [steps, folds] = std::tie(why.depth->steps, why.depth->folds);
+        const bool byStep = !steps.empty() && (folds.empty() || steps.front().strength >= folds.front().strength);
+        return edgeProfile(scan, k, byStep ? steps.front().along : folds.front().along);
+    }
+    EdgeProfile beams = edgeProfile(scan, k, Along::Beams), lines = edgeProfile(scan, k, Along::Lines);
+    const auto deep = [](const EdgeProfile& profile) {
+        double most = 0.0;
+        for (const ProfilePoint& point : profile.points) most = std::max(most, std::abs(point.awayM));
+        return most;
+    };
+    return deep(lines) > deep(beams) ? lines : beams;
+}
+
+} // namespace
 
 Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
@@ -53,10 +78,10 @@ void Explanation::tell(const Answer& answer) {
     if (!card_->isVisible()) return; // closed meanwhile: nobody waits for it any more
     const auto& [picture, given] = answer;
     const Why& why = *given;
-    QString text = shownText(whyText(why, picture->detection->settings));
+    QString numbers = shownText(whyNumbers(why, picture->detection->settings));
     const bool still = picture == views_.shown();
-    if (still && !why.chainMembers.empty()) text += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    card_->tell(text);
+    if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+    card_->tell(shownText(whyVerdict(why, picture->detection->settings, Naming::Labels)), profileOf(*picture->detection, why), numbers);
     if (still)
         showTrail(why);
     else

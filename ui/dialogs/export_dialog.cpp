@@ -110,7 +110,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
     coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
-        auto* reason = new QLabel(tr("No mine grid: %1. Open it with --pose and --calibration.").arg(shownText(what)));
+        auto* reason = new QLabel(tr("No mine grid: %1. Scan > How the Scan Is Read takes a pose and a calibration.").arg(shownText(what)));
         reason->setObjectName("reason");
         reason->setWordWrap(true);
         column->addWidget(reason);

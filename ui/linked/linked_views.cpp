@@ -38,7 +38,7 @@ void LinkedViews::linkImages() {
         connect(view, &ImageView::menuWanted, this,
                 [this](int line, int beam, const QPoint& position) { showCellMenu(position, cellAt(line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
-        connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeDisplayLevels);
+        connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
     }
 }
 
@@ -140,8 +140,7 @@ void LinkedViews::show() {
 }
 
 void LinkedViews::drawShown() {
-    const bool asIs = levels_ == DisplayLevels{};
-    gray().setImage(asIs ? shown_->gray : std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
+    showRanges();
     setOverlay(overlay_);
     showEdgeMap();
     showEdgesOfCloud();
@@ -197,7 +196,7 @@ void LinkedViews::showNewScan() {
     // Cells of the old scan are none of the new one.
     hovered_.reset();
     pin(std::nullopt);
-    resetDisplayLevels();
+    if (!windowKept_) setRangeWindow(std::nullopt);
     applyAspect();
     ViewPort& viewPort = *gray().viewPort();
     if (viewPort.imageSize() != shown_->gray->size()) {
@@ -324,23 +323,45 @@ void LinkedViews::setTrueAngles(bool on) {
 void LinkedViews::resetView() {
     cloud_.resetView();
     gray().viewPort()->fit();
-    resetDisplayLevels();
+    if (!windowKept_) setRangeWindow(std::nullopt);
 }
 
-void LinkedViews::changeDisplayLevels(int window, int level) {
+void LinkedViews::zoomBy(double factor) {
+    if (cloud_.hasFocus()) return cloud_.setCamera(zoomed(cloud_.camera(), cloud_.camera().focus, factor));
+    ViewPort& port = *gray().viewPort();
+    const std::optional<std::size_t> cell = marked();
+    port.zoomAt(cell ? QPointF(placeOf(*cell)) + QPointF(0.5, 0.5) : port.centre(), factor);
+}
+
+/// As in medical viewers: to the right the window opens, downwards the picture gets darker. A pixel is a gray level of the method's scale.
+void LinkedViews::changeRangeWindow(int window, int level) {
     if (!shown_) return;
-    // As in medical viewers: to the right the window opens, downwards the picture gets darker.
-    const int centre = (levels_.black + levels_.white) / 2 + level;
-    const int half = std::clamp((levels_.white - levels_.black + window) / 2, 2, 255);
-    levels_ = {centre - half, centre + half};
-    gray().setImage(std::make_shared<const QImage>(grayPicture(*shown_->detection, levels_, shown_->gray->height())));
-    emit grayRemark(tr("display levels %1 to %2").arg(levels_.black).arg(levels_.white));
+    const GrayScale& scale = shown_->detection->gray->scale;
+    const double perPixel = std::max(1e-3, (scale.farMm - scale.nearMm) / 1000.0 / 255.0);
+    const RangeSpan now = rangesShown();
+    const double centre = std::max(0.0, (now.nearM + now.farM) / 2 + level * perPixel);
+    const double half = std::clamp((now.farM - now.nearM + window * perPixel) / 2, 2 * perPixel, 255 * perPixel);
+    setRangeWindow(RangeSpan{std::max(0.0, centre - half), centre + half});
 }
 
-void LinkedViews::resetDisplayLevels() {
-    levels_ = {};
-    emit grayRemark(QString());
-    if (shown_) gray().setImage(shown_->gray);
+void LinkedViews::setRangeWindow(const std::optional<RangeSpan>& window) {
+    if (window_ == window) return;
+    window_ = window;
+    showRanges();
+    emit grayRemark(window_ ? tr("%1 to %2 m").arg(window_->nearM, 0, 'f', 2).arg(window_->farM, 0, 'f', 2) : QString());
+    emit rangeWindowChanged();
+}
+
+RangeSpan LinkedViews::rangesShown() const {
+    if (window_ || !shown_) return window_.value_or(RangeSpan{});
+    const GrayScale& scale = shown_->detection->gray->scale;
+    return {scale.nearMm / 1000.0, std::max(scale.farMm, scale.nearMm + 1.0) / 1000.0};
+}
+
+void LinkedViews::showRanges() {
+    if (!shown_) return;
+    gray().setImage(window_ ? std::make_shared<const QImage>(grayPicture(*shown_->detection, window_, shown_->gray->height()))
+                            : shown_->gray);
 }
 
 void LinkedViews::applyAspect() {

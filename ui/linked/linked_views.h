@@ -81,6 +81,15 @@ public:
     /// Pixels as wide and high as the angles between beams and lines are; else square.
     void setTrueAngles(bool on);
     void resetView();
+    /// The cloud where it has the focus, about what it looks at; else the images, about the cell that is marked.
+    void zoomBy(double factor);
+    /// Which ranges the range image shows from black to white; empty: as the method scales them. Until another scan is opened, unless it is
+    /// kept.
+    void setRangeWindow(const std::optional<RangeSpan>& window);
+    [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const { return window_; }
+    void keepRangeWindow(bool on) { windowKept_ = on; }
+    /// Those that are shown now, also where nobody chose them.
+    [[nodiscard]] RangeSpan rangesShown() const;
 
 signals:
     void probed(const std::optional<edgescan::Probe>& probe);
@@ -98,6 +107,7 @@ signals:
     void cloudOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// Another file, scanner or recording is shown: no cell of before means anything.
     void newScanShown();
+    void rangeWindowChanged();
     /// Small text beside a view's title.
     void grayRemark(const QString& text);
     void cloudRemark(const QString& text);
@@ -121,8 +131,8 @@ private:
     void showMoreLines(const Picture& last);
     void noteFit();
     void hover(std::optional<std::size_t> cell, const QObject* from);
-    void changeDisplayLevels(int window, int level);
-    void resetDisplayLevels();
+    void changeRangeWindow(int window, int level);
+    void showRanges();
     void applyAspect();
 
     const Session& session_;
@@ -134,7 +144,8 @@ private:
     Tool tool_ = Tool::Pin;
     CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
     int fittedLines_ = 0;
-    DisplayLevels levels_;
+    std::optional<RangeSpan> window_;
+    bool windowKept_ = false;
     bool overlay_ = false;
     bool byClass_ = false;
     EdgeColours colours_ = kUsualColours;

@@ -17,8 +17,8 @@ constexpr int kRing = 14;                        // px round it
 
 /// What is in the way of plates, or would be.
 bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
-    for (const ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (!plate->isVisible()) continue;
+    for (ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!plate->isVisible() || cloud.layout()->indexOf(plate) < 0) continue; // what moves by itself keeps away by itself
         QRect place = plate->geometry();
         const int margin = std::min(place.left(), cloud.width() - 1 - place.right());
         place.moveLeft(atRight ? cloud.width() - margin - place.width() : margin);

@@ -9,11 +9,13 @@
 #include "ui/change/change_legend.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/cloud/gl_check.h"
+#include "ui/cloud/scale_plate.h"
 #include "ui/confidence/confidence_legend.h"
 #include "ui/file_control/source.h"
-#include "ui/image/image_view.h"
-#include "ui/keys/shortcuts.h"
 #include "ui/linked/cell_cursor.h"
+#include "ui/control/scan_look.h"
+#include "ui/keys/shortcuts.h"
+#include "ui/image/image_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
 #include "ui/main/cab_mode.h"
@@ -27,6 +29,7 @@
 #include "ui/main/warned_picture.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
+#include "ui/panel/range_window.h"
 #include "ui/panel/status_line.h"
 #include "ui/panel/warning_button.h"
 #include "ui/rocks/rock_table.h"
@@ -60,6 +63,7 @@ constexpr int kRememberAfterMs = 300;
 constexpr const char* kByHand = "byHand"; // of a dock: "open" or "folded" where the operator said so
 constexpr int kFoldedBelow = 1100;        // px of the window: the panels are folded unless somebody opens them
 constexpr double kCloudShare = 0.55;      // of the width, at least
+constexpr int kRangeWindowFrom = 600;     // px of the window's height
 constexpr int kOpenFrame = 2;             // px beside a width that count as the same
 
 // Widths that leave the cloud most of the window and still let images and panel be read.
@@ -83,8 +87,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
       targetsPanel_(new TargetsPanel), tools_(new ToolBar), origin_(new StateBadge), notice_(new NoticeBar), status_(new StatusLine),
       warnings_(new WarningButton), legend_(new EdgeLegend), changeLegend_(new ChangeLegend), confidenceLegend_(new ConfidenceLegend),
-      rail_(new DockRail), views_(session_, *gray_, *edges_, *cloud_), files_(session_, *notice_, memory, undo_),
-      opening_(session_, files_, *notice_), exports_(session_, files_, *notice_, memory),
+      rail_(new DockRail), rangeWindow_(new RangeWindow), views_(session_, *gray_, *edges_, *cloud_),
+      files_(session_, *notice_, memory, undo_), opening_(session_, files_, *notice_), exports_(session_, files_, *notice_, memory),
       tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
       explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
@@ -100,6 +104,8 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     addChangeLegend(*this);
     addConfidenceLegend(*this);
     keepLegendsAside(*cloud_, views_);
+    look_ = new ScanLook(session_, views_, *new ScalePlate(cloud_), *rangeWindow_, memory_);
+    look_->setParent(this);
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", panel_);
@@ -154,8 +160,14 @@ void MainWindow::layOutViews() {
     images_ = new QSplitter(Qt::Vertical);
     images_->addWidget(grayPane);
     images_->addWidget(edgePane);
+    pictures_ = new QWidget;
+    auto* under = new QVBoxLayout(pictures_);
+    under->setContentsMargins(0, 0, 0, 0);
+    under->setSpacing(0);
+    under->addWidget(images_, 1);
+    under->addWidget(rangeWindow_);
     splitter_ = new QSplitter(Qt::Horizontal);
-    splitter_->addWidget(images_);
+    splitter_->addWidget(pictures_);
     splitter_->addWidget(cloudPane);
     for (QSplitter* splitter : {images_, splitter_}) {
         splitter->setChildrenCollapsible(false);
@@ -284,8 +296,9 @@ void MainWindow::arrange() {
     }
     if (maximised_ != nullptr) return;
     const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
-    if (asArranged(images_->width(), arrangedImages_))
-        setImagesWidth(std::min(usualImages(wide), std::max(most, images_->minimumSizeHint().width())));
+    if (asArranged(pictures_->width(), arrangedImages_))
+        setImagesWidth(std::min(usualImages(wide), std::max(most, pictures_->minimumSizeHint().width())));
+    showRangeWindow();
 }
 
 void MainWindow::setImagesWidth(int width) {
@@ -296,7 +309,14 @@ void MainWindow::setImagesWidth(int width) {
 void MainWindow::maximise(Pane* pane) {
     maximised_ = maximised_ == pane ? nullptr : pane;
     for (Pane* each : panes_) each->setVisible(maximised_ == nullptr || maximised_ == each);
-    images_->setVisible(maximised_ == nullptr || maximised_->content() != cloud_);
+    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != cloud_);
+    showRangeWindow();
+}
+
+/// Not where it would take the images their room, and not beside the edge map alone.
+void MainWindow::showRangeWindow() {
+    const bool wanted = maximised_ == nullptr || maximised_->content() == gray_;
+    rangeWindow_->setVisible(wanted && height() >= kRangeWindowFrom);
 }
 
 void MainWindow::remember() {

@@ -43,8 +43,10 @@ class Memory;
 class NoticeBar;
 class Pane;
 class RocksPanel;
+class RangeWindow;
 class RockTable;
 class Sittings;
+class ScanLook;
 class StateBadge;
 class StatusLine;
 class TargetsPanel;
@@ -91,6 +93,8 @@ public:
     [[nodiscard]] EdgeLegend& legend() { return *legend_; }
     [[nodiscard]] QUndoStack& undoStack() { return undo_; }
     [[nodiscard]] CabMode& cab() { return *cab_; }
+    [[nodiscard]] ScanLook& look() { return *look_; }
+    [[nodiscard]] RangeWindow& rangeWindow() { return *rangeWindow_; }
 
     void resetLayout();
     // Of cab mode: what gives way to it, no dock at all, one view with all the room (null: all views).
@@ -132,6 +136,7 @@ private:
     void setImagesWidth(int width);
     [[nodiscard]] bool mayClose();
     void maximise(Pane* pane);
+    void showRangeWindow();
     void remember();
     void restoreLayout();
 
@@ -159,6 +164,7 @@ private:
     ChangeLegend* changeLegend_;
     ConfidenceLegend* confidenceLegend_;
     DockRail* rail_;
+    RangeWindow* rangeWindow_;
 
     // In the order in which they are told of a new picture.
     LinkedViews views_;
@@ -180,8 +186,10 @@ private:
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;
+    QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    ScanLook* look_ = nullptr;
     CabMode* cab_ = nullptr;
     QList<QDockWidget*> hiddenForCab_; // and back after it
     QList<QDockWidget*> docks_;

@@ -13,6 +13,7 @@
 #include "ui/language/languages.h"
 #include "ui/live/live_panel.h"
 #include "ui/live/timeline.h"
+#include "ui/main/colour_menu.h"
 #include "ui/main/compare_menu.h"
 #include "ui/main/main_window.h"
 #include "ui/main/sitting_menu.h"
@@ -180,11 +181,14 @@ Command viewMenu(MainWindow& w, Memory& memory) {
                                         command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
                                         command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
                                         command("R&eset View", "R; Home", [&views] { views.resetView(); }),
+                                        command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
+                                        command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
                                         command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); }),
                                         kLine,
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(lookCommands(w));
+    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }), colourMenu(w, memory)});
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
          command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), themeMenu(w, memory),

@@ -2,6 +2,7 @@
 #include "ui/main/start.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/cloud/cloud_view.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/main_window.h"
 #include "ui/panel/status_line.h"
@@ -31,6 +32,9 @@ public:
         const auto type = event->type();
         // A window that is destroyed is hidden first; from then on it must not be asked.
         if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
+        // A picture of OpenGL under other widgets leaves the line beside it black.
+        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
+            window_.views().cloud().setVisible(type == QEvent::Hide);
         if (gone_ || !page_.isVisible()) return false;
         if (watched == &window_.live().panel() && type == QEvent::Show)
             page_.hide();

@@ -67,12 +67,12 @@ double CountCurve::yOf(std::size_t edges) const {
     return height() - 2 - share * (height() - kTextHeight - 4);
 }
 
-QString CountCurve::words() const {
+QString CountCurve::words(bool brief) const {
     if (!curve_ || curve_->edges.empty()) return tr("number of edges: not known yet");
     const auto next = std::ranges::lower_bound(curve_->thresholds, value_);
     const auto place = std::min(static_cast<std::size_t>(next - curve_->thresholds.begin()), curve_->edges.size() - 1);
     const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];
-    QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
+    QString text = (brief ? tr("%1 edges") : tr("%1 edge cells")).arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
     if (curve_->stableTo > curve_->stableFrom)
         text += tr(" · steady from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
     return text;
@@ -85,7 +85,9 @@ void CountCurve::paintEvent(QPaintEvent*) {
     QFont font = painter.font();
     font.setPixelSize(kTextHeight - 3);
     painter.setFont(font);
-    painter.drawText(QRect(0, 0, width(), kTextHeight), Qt::AlignLeft | Qt::AlignVCenter, words());
+    QString text = words();
+    if (painter.fontMetrics().horizontalAdvance(text) > width()) text = words(true);
+    painter.drawText(QRect(0, 0, width(), kTextHeight), Qt::AlignLeft | Qt::AlignVCenter, text);
     if (!curve_ || curve_->edges.empty()) return;
 
     const QRectF below(0, kTextHeight, width(), height() - kTextHeight);

@@ -40,7 +40,7 @@ protected:
 private:
     [[nodiscard]] double xOf(double threshold) const;
     [[nodiscard]] double yOf(std::size_t edges) const;
-    [[nodiscard]] QString words() const;
+    [[nodiscard]] QString words(bool brief = false) const; ///< brief: for a narrow panel
 
     const Parameter& parameter_;
     std::optional<EdgeCountCurve> curve_;

@@ -87,6 +87,7 @@ StatusLine::StatusLine(QWidget* parent)
     connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
 
     auto* left = new QHBoxLayout;
+    left->setSpacing(kBetween);
     left->addWidget(work_);
     left->addWidget(probe_, 1);
     facts_ = new QHBoxLayout;
@@ -140,6 +141,7 @@ void StatusLine::fit() {
     const int whole = strip_->width() - kBetween - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
     const QFontMetrics letters(probe_->font());
     const int left = std::max(letters.horizontalAdvance(probeMain_), longestProbe_) + kBetween;
+    const int withCell = std::max(letters.horizontalAdvance(probeShown()), longestCell_) + kBetween;
     enum Form { Full, Brief, None };
     std::array<Form, kFacts> forms{};
     const auto textOf = [&](std::size_t n) { return forms[n] == None ? QString() : forms[n] == Brief ? told_[n].brief : told_[n].words; };
@@ -153,20 +155,23 @@ void StatusLine::fit() {
         }
         return sum;
     };
-    const auto shorten = [&](int room) {
+    const auto shorten = [&](int room, bool counts) {
         for (const Form form : {Brief, None}) {
             for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
+                if (form == None && !counts && n == static_cast<std::size_t>(Fact::Counts)) continue;
                 if (form == None && told_[n].kept) continue;
                 if (form == Brief && told_[n].brief.isEmpty()) continue;
                 forms[n] = form;
             }
         }
     };
-    shorten(whole - left);
+    // For line and beam of the cell all others may go but the counts; these only for what must be read.
+    shorten(whole - withCell, false);
+    shorten(whole - left, true);
     const bool two = width() > whole - left;
     if (two) {
         forms = {};
-        shorten(whole);
+        shorten(whole, true);
     }
     way_->setDirection(two ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     for (std::size_t n = 0; n < kFacts; ++n) {
@@ -202,12 +207,13 @@ void StatusLine::showProbe(const std::optional<Probe>& probe) {
     probeMore_ = words.cell;
     // What stands at the right must not come and go with the mouse.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
+    longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));
     fit();
     probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
 }
 
 void StatusLine::showPlace(const Scan& scan) {
-    longestProbe_ = 0;
+    longestProbe_ = longestCell_ = 0;
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = incomplete != scan.warnings.end();
     const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();

@@ -84,7 +84,7 @@ private:
     std::array<Told, kFacts> told_;
     std::vector<QWidget*> kept_;
     QString probeMain_, probeMore_;
-    int longestProbe_ = 0; // px; of this scan
+    int longestProbe_ = 0, longestCell_ = 0; // px; of this scan, without and with the cell
     QWidget* work_;
     QLabel* stage_;
     QProgressBar* bar_;

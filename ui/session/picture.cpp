@@ -94,14 +94,18 @@ int shownLines(const Scan& scan, const Growth& growth) {
     return room;
 }
 
-QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows) {
-    std::array<QRgb, 256> table{};
-    const double span = std::max(1, levels.white - levels.black);
-    for (int level = 0; level < 256; ++level) {
-        const int shown = static_cast<int>(std::clamp((level - levels.black) * 255.0 / span, 0.0, 255.0));
-        table[static_cast<std::size_t>(level)] = qRgb(shown, shown, shown);
+QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows) {
+    const Scan& scan = *detection.scan;
+    const auto ink = [](int level) { return qRgb(level, level, level); };
+    QImage image;
+    if (span) {
+        const double nearMm = 1000.0 * span->nearM, perMm = 255.0 / std::max(1e-6, 1000.0 * (span->farM - span->nearM));
+        image = paintCells(scan, rows, [&](std::size_t k) {
+            return ink(static_cast<int>(std::clamp((static_cast<double>(scan.rangeMm[k]) - nearMm) * perMm, 0.0, 255.0)));
+        });
+    } else {
+        image = paintCells(scan, rows, [&](std::size_t k) { return ink(detection.gray->levels[k]); });
     }
-    QImage image = paintCells(*detection.scan, rows, [&](std::size_t k) { return table[detection.gray->levels[k]]; });
     paintFilled(image, detection);
     return image;
 }
@@ -147,7 +151,7 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection
     const int rows = shownLines(*detection->scan, source.growth);
     const bool grayHolds = last && last->detection->gray == detection->gray && last->detection->filled == detection->filled &&
                            last->detection->scan == detection->scan && last->gray->height() == rows;
-    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, {}, rows));
+    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, std::nullopt, rows));
     picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
     picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));
     picture->edgeCells = edgeCellsOf(*detection);

@@ -9,14 +9,15 @@
 #include <QImage>
 
 #include <memory>
+#include <optional>
 
 namespace edgescan::ui {
 
-/// Gray levels shown as black and white; only the display, never what the method sees.
-struct DisplayLevels {
-    int black = 0;
-    int white = 255;
-    bool operator==(const DisplayLevels&) const = default;
+/// Ranges shown from black to white; only the display, never what the method sees.
+struct RangeSpan {
+    double nearM = 0.0;
+    double farM = 1.0; ///< above nearM
+    bool operator==(const RangeSpan&) const = default;
 };
 
 /// How far the sweep is that a scan was taken from.
@@ -52,8 +53,8 @@ struct Picture {
 /// Rows of the images: a growing scan has room for the lines to come, so that the picture does not shrink with every line.
 [[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
 
-// beams x `rows` pixels; rows that the scan does not have yet are plain dark.
-[[nodiscard]] QImage grayPicture(const Detection& detection, DisplayLevels levels, int rows);
+// beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without a span: the gray levels of the method.
+[[nodiscard]] QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows);
 [[nodiscard]] QImage edgePicture(const Detection& detection, int rows);
 /// The picture's edge map with the colours of the classes, where the method tells classes apart; else the map as it is.
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);

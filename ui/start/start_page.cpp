@@ -20,13 +20,13 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMostThumbnails = 100;
+constexpr int kButtonHigh = 66; // px; a row of the same height each
 constexpr int kThere = Qt::UserRole + 1;
 
 QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const QString& text, const QString& more) {
     auto* button = new QCommandLinkButton(text, more);
     button->setObjectName(name);
-    button->setMinimumHeight(60);
-    button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    button->setFixedHeight(kButtonHigh);
     column.addWidget(button);
     return button;
 }

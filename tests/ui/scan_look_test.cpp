@@ -1,0 +1,279 @@
+// How the scan itself looks: points by range, height and line with a scale in metres, axes, scale bar, ground grid, and the window of the
+// range image on its histogram.
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/cloud/scale_plate.h"
+#include "ui/control/scan_look.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ScanLookTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string boxes_, other_, placed_;
+
+    static bool shown(WindowFixture& on, const std::string& path) {
+        on.window.resize(1280, 800);
+        return on.showWith(path) && on.activate() && rested(on);
+    }
+    static bool rested(WindowFixture& on) {
+        return QTest::qWaitFor([&] { return on.window.look().settled() && on.window.views().cloud().atRest(); }, 20000);
+    }
+    static ScalePlate& plate(WindowFixture& on) { return *on.window.findChild<ScalePlate*>("scale-plate"); }
+    static QRgb colourOf(WindowFixture& on, std::size_t k) {
+        const std::uint32_t bytes = (*on.window.views().cloud().pointColours())[k];
+        return qRgb(static_cast<int>(bytes & 255U), static_cast<int>((bytes >> 8U) & 255U), static_cast<int>((bytes >> 16U) & 255U));
+    }
+    static int grayAt(WindowFixture& on, std::size_t k) {
+        const QPoint at = on.window.views().placeOf(k);
+        return qRed(on.window.views().gray().image()->pixel(at));
+    }
+    // One mouse button over the handles, from one range to another.
+    static void drag(RangeHandles& handles, double fromM, double toM) {
+        const auto at = [&](double metres) { return QPoint(static_cast<int>(std::lround(handles.toX(metres))), handles.height() / 3); };
+        QTest::mousePress(&handles, Qt::LeftButton, Qt::NoModifier, at(fromM));
+        for (const double share : {0.3, 0.7, 1.0}) {
+            const QPoint place = at(fromM + share * (toM - fromM));
+            QMouseEvent move(QEvent::MouseMove, place, handles.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(&handles, &move);
+        }
+        QTest::mouseRelease(&handles, Qt::LeftButton, Qt::NoModifier, at(toM));
+    }
+
+private slots:
+    void initTestCase() {
+        const auto save = [&](const Scan& scan, const char* name) {
+            const std::string path = (folder_ / name).string();
+            if (!saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
+            return path;
+        };
+        Scan scan = test::boxesScan(120, 160, 3, 0.02);
+        boxes_ = save(scan, "boxes.json");
+        other_ = save(test::boxesScan(120, 160, 9, 0.02), "other.json");
+        scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
+        placed_ = save(scan, "placed.json");
+    }
+
+    void pointsHaveTheColourOfTheirRange() {
+        WindowFixture on;
+        QVERIFY(shown(on, boxes_));
+        CloudView& cloud = on.window.views().cloud();
+        QVERIFY(!cloud.pointColours() && plate(on).scaleTitle().isEmpty());
+        QTest::keyClick(&on.window, Qt::Key_J, Qt::ShiftModifier);
+        QVERIFY(rested(on));
+        QVERIFY(cloud.pointColours());
+        QVERIFY2(plate(on).scaleTitle().contains("[m]"), qPrintable(plate(on).scaleTitle()));
+        const Scan& scan = *on.picture().detection->scan;
+        // The ends stand for the 1 and 99 percent of the ranges, and every cell has the colour between that is its own.
+        std::vector<double> ranges;
+        for (std::size_t k = 0; k < scan.cells(); ++k) {
+            if (scan.state[k] == CellState::Valid) ranges.push_back(static_cast<double>(scan.rangeMm[k]) / 1000.0);
+        }
+        std::ranges::sort(ranges);
+        const double low = ranges[ranges.size() / 100], high = ranges[ranges.size() - 1 - ranges.size() / 100];
+        for (std::size_t k = 0; k < scan.cells(); k += 37) {
+            if (scan.state[k] != CellState::Valid) continue;
+            const QRgb expected = colourAt((static_cast<double>(scan.rangeMm[k]) / 1000.0 - low) / (high - low)), now = colourOf(on, k);
+            QVERIFY(std::abs(qRed(now) - qRed(expected)) < 4 && std::abs(qGreen(now) - qGreen(expected)) < 4 &&
+                    std::abs(qBlue(now) - qBlue(expected)) < 4);
+        }
+        const auto ticks = plate(on).scaleTicks();
+        QVERIFY(ticks.size() >= 2);
+        for (const auto& [share, text] : ticks)
+            QVERIFY(std::abs(low + share * (high - low) - text.toDouble()) < 0.02 * (high - low) + 0.01);
+        // Edges stay over them; it is on the screen, in the colours of the scale.
+        const QImage frame = cloud.grabFrame(CloudView::Points::All);
+        QVERIFY(countPixels(frame, [](QRgb p) { return qGreen(p) > 200 && qRed(p) < 60; }) > 50);
+        QVERIFY(countPixels(frame, [](QRgb p) { return qBlue(p) > qRed(p) + 30 && qBlue(p) > qGreen(p) + 20; }) > 200);
+        QVERIFY(countPixels(frame, [](QRgb p) { return qRed(p) > qBlue(p) + 30; }) > 200);
+        // Rocks have colours of their own; without them the range's are back.
+        const auto coloured = cloud.pointColours();
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        QVERIFY(cloud.pointColours() != coloured && rested(on));
+        QVERIFY(plate(on).scaleTitle().isEmpty());
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QTRY_VERIFY(cloud.pointColours() == coloured);
+        // Another scan has colours of its own.
+        QVERIFY(on.open(other_) && rested(on));
+        QVERIFY(cloud.pointColours() && cloud.pointColours() != coloured);
+        on.window.findChild<QAction*>("colour-gray")->trigger();
+        QVERIFY(rested(on));
+        QVERIFY(!cloud.pointColours() && plate(on).scaleTitle().isEmpty());
+    }
+
+    void heightIsThatOfTheMineWhereThereIsAPose() {
+        for (const bool placed : {false, true}) {
+            WindowFixture on;
+            QVERIFY(shown(on, placed ? placed_ : boxes_));
+            QTest::keyClick(&on.window, Qt::Key_H, Qt::ShiftModifier);
+            QVERIFY(rested(on));
+            QCOMPARE(plate(on).scaleTitle().contains("Elevation"), placed);
+            QCOMPARE(plate(on).axisNames()[2] == "El", placed);
+            // Of two cells the higher one lies further along the scale.
+            const Detection& detection = *on.picture().detection;
+            const auto heightOf = [&](std::size_t k) {
+                const Probe probe = probeCell(detection, k);
+                return placed ? probe.mineM->z() : on.picture().cloud->axes.up.dot(probe.pointM);
+            };
+            std::vector<std::pair<double, std::size_t>> heights;
+            for (std::size_t k = 0; k < detection.scan->cells(); k += 101) {
+                if (detection.scan->state[k] == CellState::Valid) heights.emplace_back(heightOf(k), k);
+            }
+            std::ranges::sort(heights);
+            const auto blue = [&](double share) {
+                return qBlue(colourOf(on, heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))].second));
+            };
+            for (double share = 0.05; share < 0.9; share += 0.1) QVERIFY(blue(share) >= blue(share + 0.05)); // blue falls along the scale
+            QVERIFY(blue(0.02) > blue(0.98) + 100);
+        }
+    }
+
+    void aMetreOnTheScaleIsAMetreInTheCloud() {
+        WindowFixture on;
+        QVERIFY(shown(on, boxes_));
+        CloudView& cloud = on.window.views().cloud();
+        for (const bool parallel : {false, true}) {
+            cloud.setParallel(parallel);
+            cloud.viewIsometric();
+            QVERIFY(rested(on));
+            const QString text = plate(on).barText();
+            const double metres = text.section(' ', 0, 0).toDouble() * (text.section(' ', 1, 1) == "mm" ? 0.001 : 1.0);
+            const CameraPose pose = cloud.camera();
+            const auto pixel = [&](const Eigen::Vector3d& at) {
+                const ScreenPoint p = toScreen(cloud.screenView(), at.cast<float>());
+                return QPointF(p.x, p.y) / cloud.devicePixelRatioF();
+            };
+            const double depth = parallel ? pose.distance() : text.section(' ', 3, 3).toDouble();
+            const Eigen::Vector3d middle = pose.position + depth * pose.forward();
+            const QPointF way = pixel(middle + metres * pose.right()) - pixel(middle);
+            QVERIFY2(std::abs(std::hypot(way.x(), way.y()) - plate(on).barPixels()) < 0.5 + 0.01 * plate(on).barPixels(), qPrintable(text));
+            QCOMPARE(text.contains("at"), !parallel);
+            // That far away is what is seen in the middle.
+            if (const auto cell = cloud.cellAt(QRectF(cloud.rect()).center()); cell && !parallel)
+                QTRY_VERIFY2(std::abs(plate(on).barText().section(' ', 3, 3).toDouble() -
+                                      pose.forward().dot(cloud.geometryOfCloud()->point(*cell).cast<double>() - pose.position)) < 0.06,
+                             qPrintable(text));
+            for (int n = 0; n < 3; ++n) { // an axis points where its direction goes
+                const QPointF along = pixel(pose.focus + 0.01 * Eigen::Vector3d::Unit(n)) - pixel(pose.focus);
+                const Eigen::Vector2d axis = plate(on).axesOnScreen()[static_cast<std::size_t>(n)];
+                QVERIFY(axis.norm() < 0.05 || std::abs(along.x() * axis.y() + along.y() * axis.x()) <
+                                                  0.1 * axis.norm() * std::hypot(along.x(), along.y()) + 1e-6);
+            }
+        }
+        QVERIFY(plate(on).isVisible() && cloud.rect().contains(plate(on).geometry()));
+        QVERIFY(!plate(on).geometry().intersects(QRect(on.window.legend().mapTo(&cloud, QPoint()), on.window.legend().size())));
+    }
+
+    void theGroundGridIsDrawnBelow() {
+        WindowFixture on;
+        QVERIFY(shown(on, boxes_));
+        CloudView& cloud = on.window.views().cloud();
+        cloud.viewIsometric();
+        QVERIFY(rested(on));
+        const auto lines = [](QRgb p) { return p == qRgb(0x85, 0x8b, 0x92); };
+        QCOMPARE(countPixels(cloud.grabFrame(CloudView::Points::All), lines), 0);
+        QTest::keyClick(&on.window, Qt::Key_K, Qt::ShiftModifier);
+        QVERIFY(rested(on));
+        QVERIFY(cloud.groundStepM() > 0.0);
+        QVERIFY(countPixels(cloud.grabFrame(CloudView::Points::All), lines) > 200);
+        const GroundGrid grid = groundOf(*on.picture().cloud);
+        std::size_t below = 0;
+        const CloudGeometry& points = *on.picture().cloud;
+        const double level = points.axes.up.dot(grid.lines.front()[0].cast<double>());
+        for (std::size_t k = 0; k < points.cells(); ++k) {
+            if (points.drawable(k) && points.axes.up.dot(points.point(k).cast<double>()) < level - 1e-4) ++below;
+        }
+        QVERIFY2(below <= points.validCount / 50, qPrintable(QString::number(below)));
+        QVERIFY(grid.lines.size() >= 8 && grid.lines.size() < 60);
+    }
+
+    void theRangeWindowIsDraggedLockedAndAutomaticAgain() {
+        const QString ini = QString::fromStdString((folder_ / "viewer.ini").string());
+        {
+            WindowFixture on(ini);
+            QVERIFY(shown(on, boxes_));
+            RangeWindow& window = on.window.rangeWindow();
+            RangeHandles& handles = window.handles();
+            QVERIFY(window.isVisible());
+            const std::shared_ptr<const QImage> automatic = on.window.views().gray().image();
+            QVERIFY(automatic == on.picture().gray);
+            const auto before = handles.window();
+            const double nearM = before.first, wanted = before.first + 0.4 * (before.second - before.first);
+            drag(handles, before.second, wanted);
+            QVERIFY(std::abs(handles.window().second - wanted) < 0.05);
+            QCOMPARE(handles.window().first, nearM);
+            // The range image shows these ranges from black to white; the edges are those of before.
+            const Scan& scan = *on.picture().detection->scan;
+            const auto [low, high] = handles.window();
+            for (std::size_t k = 0; k < scan.cells(); k += 53) {
+                if (scan.state[k] != CellState::Valid) continue;
+                const double level = std::clamp((static_cast<double>(scan.rangeMm[k]) / 1000.0 - low) / (high - low) * 255.0, 0.0, 255.0);
+                QVERIFY(std::abs(grayAt(on, k) - level) <= 1.0);
+            }
+            QVERIFY(!on.window.undoStack().canUndo() && on.window.session().settings() == Settings{});
+            // Keys move the ends as well.
+            handles.setFocus();
+            QTest::keyClick(&handles, Qt::Key_Right);
+            QVERIFY(handles.window().second > high);
+            QTest::keyClick(&handles, Qt::Key_Right, Qt::ShiftModifier);
+            QVERIFY(handles.window().first > low);
+            // A new scan starts with its own ranges ...
+            QVERIFY(on.open(other_) && rested(on));
+            QVERIFY(!on.window.views().rangeWindow());
+            QVERIFY(on.window.views().gray().image() == on.picture().gray);
+            // ... unless the window is locked.
+            drag(handles, handles.window().second, handles.window().second - 0.5);
+            const auto locked = handles.window();
+            QTest::mouseClick(window.findChild<QToolButton*>("range-lock"), Qt::LeftButton);
+            QVERIFY(on.open(boxes_) && rested(on));
+            QVERIFY(handles.window() == locked);
+            QVERIFY(on.window.views().gray().image() != on.picture().gray);
+            // A drag with the right button over the image turns the same window.
+            ImageView& gray = on.window.views().gray();
+            QTest::mousePress(&gray, Qt::RightButton, Qt::NoModifier, gray.rect().center());
+            for (const int dx : {10, 30, 60}) {
+                const QPoint at = gray.rect().center() + QPoint(dx, 0);
+                QMouseEvent move(QEvent::MouseMove, at, gray.mapToGlobal(at), Qt::NoButton, Qt::RightButton, Qt::NoModifier);
+                QApplication::sendEvent(&gray, &move);
+            }
+            QTest::mouseRelease(&gray, Qt::RightButton, Qt::NoModifier, gray.rect().center() + QPoint(60, 0));
+            QVERIFY(handles.window().second - handles.window().first > locked.second - locked.first);
+        }
+        // It is there again at the next start.
+        WindowFixture on(ini);
+        QVERIFY(shown(on, other_));
+        QVERIFY(on.window.rangeWindow().locked() && on.window.views().rangeWindow());
+        QTest::mouseClick(on.window.rangeWindow().findChild<QToolButton*>("range-automatic"), Qt::LeftButton);
+        QVERIFY(!on.window.views().rangeWindow() && on.window.views().gray().image() == on.picture().gray);
+    }
+
+    void theHistogramCountsEveryRange() {
+        const Scan scan = test::boxesScan(120, 160, 3, 0.02);
+        const RangeHistogram histogram = rangeHistogram(scan);
+        std::vector<std::uint32_t> counts(histogram.counts.size(), 0);
+        std::size_t beyond = 0;
+        for (std::size_t k = 0; k < scan.cells(); ++k) {
+            if (scan.state[k] != CellState::Valid) continue;
+            const auto at = static_cast<std::size_t>(static_cast<double>(scan.rangeMm[k]) / 1000.0 / histogram.mostM *
+                                                     static_cast<double>(counts.size()));
+            beyond += at >= counts.size() ? 1 : 0;
+            ++counts[std::min(at, counts.size() - 1)];
+        }
+        QVERIFY(counts == histogram.counts);
+        QVERIFY(beyond <= scan.cells() / 1000);
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ScanLookTest>(argc, argv); }
+#include "scan_look_test.moc"

@@ -1,0 +1,13 @@
+// What the points of the cloud are coloured by, as a menu.
+#pragma once
+
+#include "ui/keys/commands.h"
+
+namespace edgescan::ui {
+
+class MainWindow;
+class Memory;
+
+[[nodiscard]] Command colourMenu(MainWindow& window, Memory& memory);
+
+} // namespace edgescan::ui
