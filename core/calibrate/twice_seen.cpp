@@ -14,9 +14,9 @@ namespace edgescan {
 namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
-constexpr double kOffAxisDeg = 4.0; // nearer to the axis a line angle says nothing
+constexpr double kOffAxisDeg = 4.0;                      // nearer to the axis a line angle says nothing
 constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift turns the line angle far
-constexpr double kLongestStep = 0.1; // radians
+constexpr double kLongestStep = 0.1;                     // radians
 
 // A fixed order that looks like chance.
 std::uint32_t scattered(std::size_t k) {
