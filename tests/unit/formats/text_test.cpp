@@ -46,8 +46,12 @@ TEST(PointText, EveryWayOfWritingGivesTheSameScan) {
     std::string oldMac = rows(" ", "\r");
     std::string commented = rows();
     replaceAll(commented, "\n1", "\n# a comment in between\n\n1");
+    std::string faro = "12 7 " + rows(); // row and column of FARO's text
+    faro.pop_back();
+    replaceAll(faro, "\n", "\n12 7 ");
     const std::vector<std::pair<const char*, std::string>> texts{
         {"blanks", rows()},
+        {"row and column before them", faro},
         {"many blanks", rows("   \t ")},
         {"commas", rows(",")},
         {"comma and blank", rows(", ")},
