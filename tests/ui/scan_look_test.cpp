@@ -103,7 +103,7 @@ private slots:
         QVERIFY(cloud.pointColours() != coloured && rested(on));
         QVERIFY(plate(on).scaleTitle().isEmpty());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QTRY_VERIFY(cloud.pointColours() == coloured);
+        QTRY_VERIFY(cloud.pointColours() == coloured && !plate(on).scaleTitle().isEmpty());
         // Another scan has colours of its own.
         QVERIFY(on.open(other_) && rested(on));
         QVERIFY(cloud.pointColours() && cloud.pointColours() != coloured);

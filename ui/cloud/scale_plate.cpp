@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -68,12 +67,13 @@ void ScalePlate::place() {
 }
 
 void ScalePlate::follow() {
-    if (std::exchange(coloured_, coloured()) != coloured_) update();
+    coloured_ = coloured();
     place();
     if (!isVisible()) return;
     const double step = cloud_->groundStepM();
     const QString ground = step > 0.0 ? tr("grid %1").arg(lengthText(step)) : QString();
-    if (std::exchange(groundText_, ground) != ground) update();
+    if (ground != groundText_) update();
+    groundText_ = ground;
     if (scan_ != cloud_->scan()) {
         scan_ = cloud_->scan();
         const bool mine = scan_ && scan_->placement;
