@@ -75,34 +75,6 @@ mantenga \ para verla</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
-<message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
-<message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
-<message><source>given up</source><translation>abandonado</translation></message>
-<message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
-<message><source>a calibration</source><translation>una calibración</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
-<message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>brazo de palanca t1, en el abanico</translation></message>
-<message><source>lever arm t2, across it</source><translation>brazo de palanca t2, transversal</translation></message>
-<message><source>tilt of the fan</source><translation>inclinación del abanico</translation></message>
-<message><source>beam index</source><translation>índice de los haces</translation></message>
-<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>stays</source><translation>sin cambio</translation></message>
-<message><source>not told</source><translation>no se determina</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
-<message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
-<message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -125,6 +97,7 @@ visible %6 m², a %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
@@ -133,39 +106,6 @@ visible %6 m², a %7 m</translation></message>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
-<message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
-<message><source>Export</source><translation>Exportar</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
-<message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
-<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
-<message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
-<message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
-<message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation>Este es el último escaneo de la serie o de la carpeta.</translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation>Este es el primer escaneo de la serie o de la carpeta.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>No hay en pantalla ningún archivo cuyos haces se puedan enderezar: primero abra uno.</translation></message>
-<message><source>Straighten Beams</source><translation>Enderezar los haces</translation></message>
-<message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
-<message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
-<message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
-<message><source>Clear</source><translation>Borrar</translation></message>
-<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
-<message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
-<message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
-<message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
-<message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -173,141 +113,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
-<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
-<message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
-<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
-<message><source>✓ edge</source><translation>✓ borde</translation></message>
-<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
-<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
-<message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
-<message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
-<message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
-<message><source>click the end of one side</source><translation>haga clic en el extremo de un lado</translation></message>
-<message><source>click where the sides meet</source><translation>haga clic donde se juntan los lados</translation></message>
-<message><source>click the end of the other side</source><translation>haga clic en el extremo del otro lado</translation></message>
-<message><source>click one end of a</source><translation>haga clic en un extremo de a</translation></message>
-<message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
-<message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
-<message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
-<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
-<message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
-<message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
-<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
-<message><source>region of interest</source><translation>región de interés</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
-<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
-<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
-<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
-<message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
-<message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 no se escribió: dele una de las extensiones csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
-<message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
-<message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
-<message><source>split of a rock</source><translation>división de una roca</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
-<message><source>cut of a rock</source><translation>corte de una roca</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
-<message><source>being worked out …</source><translation>en cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
-<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
-<message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
-<message><source>Select</source><translation>Seleccionar</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
-<message><source>Hide</source><translation>Ocultar</translation></message>
-<message><source>Isolate</source><translation>Aislar</translation></message>
-<message><source>Show All</source><translation>Mostrar todo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
-<message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar la selección</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
-<message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
-<message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
-<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
-<message><source>to the next field</source><translation>al campo siguiente</translation></message>
-<message><source>to the field before</source><translation>al campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
-<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
-<message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
-<message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
-<message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
-<message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
-<message><source> · no time</source><translation> · sin hora</translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
-<message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
-<message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
-<message><source>no time</source><translation>sin hora</translation></message>
-<message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
-<message><source>Pin %1</source><translation>Fijar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
-<message><source>Name %1</source><translation>Nombrar %1</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
-<message><source>locked</source><translation>bloqueado</translation></message>
-<message><source>Pinned %1</source><translation>Fijado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
@@ -331,6 +142,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Robot's file: %1; all but its stepper stays.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
 <message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
 <message><source>working …</source><translation>trabajando …</translation></message>
+<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
 <message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
 <message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
@@ -340,6 +152,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● actual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
@@ -376,6 +189,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
 <message><source>to</source><translation>hasta</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas las demás se ocultan en todas las vistas. Bordes, cuentas y exportaciones quedan como están.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
@@ -403,6 +217,76 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
+<message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
+<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
+<message><source>a calibration</source><translation>una calibración</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
+<message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>brazo de palanca t1, en el abanico</translation></message>
+<message><source>lever arm t2, across it</source><translation>brazo de palanca t2, transversal</translation></message>
+<message><source>tilt of the fan</source><translation>inclinación del abanico</translation></message>
+<message><source>beam index</source><translation>índice de los haces</translation></message>
+<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>stays</source><translation>sin cambio</translation></message>
+<message><source>not told</source><translation>no se determina</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
+<message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
+<message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
+<message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
+<message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
+<message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>Este es el último escaneo de la serie o de la carpeta.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>Este es el primer escaneo de la serie o de la carpeta.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>No hay en pantalla ningún archivo cuyos haces se puedan enderezar: primero abra uno.</translation></message>
+<message><source>Straighten Beams</source><translation>Enderezar los haces</translation></message>
+<message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
+<message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
+<message><source>Clear</source><translation>Borrar</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
+<message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
+<message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
+<message><source> · no time</source><translation> · sin hora</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
+<message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sin hora</translation></message>
+<message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
+<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
+<message><source>to the next field</source><translation>al campo siguiente</translation></message>
+<message><source>to the field before</source><translation>al campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
+<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>OK</source><translation>Aceptar</translation></message>
 <message><source>Save</source><translation>Guardar</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
@@ -418,6 +302,16 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>Float</source><translation>Separar</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
+<message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
@@ -460,6 +354,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Why</source><translation>Por qué</translation></message>
@@ -616,6 +511,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar la selección</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
@@ -623,6 +520,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
@@ -729,6 +627,40 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Muestra las advertencias de este escaneo y las marca como vistas; permanecen, y figuran en los registros y las capturas de pantalla</translation></message>
+<message><source>region of interest</source><translation>región de interés</translation></message>
+<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
+<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
+<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
+<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
+<message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 no se escribió: dele una de las extensiones csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
+<message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>split of a rock</source><translation>división de una roca</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
+<message><source>cut of a rock</source><translation>corte de una roca</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
+<message><source>being worked out …</source><translation>en cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -843,6 +775,74 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
+<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
+<message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
+<message><source>✓ edge</source><translation>✓ borde</translation></message>
+<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
+<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
+<message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
+<message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
+<message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
+<message><source>click the end of one side</source><translation>haga clic en el extremo de un lado</translation></message>
+<message><source>click where the sides meet</source><translation>haga clic donde se juntan los lados</translation></message>
+<message><source>click the end of the other side</source><translation>haga clic en el extremo del otro lado</translation></message>
+<message><source>click one end of a</source><translation>haga clic en un extremo de a</translation></message>
+<message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
+<message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
+<message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
+<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
+<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
+<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
+<message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
+<message><source>Select</source><translation>Seleccionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Aislar</translation></message>
+<message><source>Show All</source><translation>Mostrar todo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
+<message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
+<message><source>Name %1</source><translation>Nombrar %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
+<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fijado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>

@@ -75,34 +75,6 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
-<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
-<message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
-<message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
-<message><source>given up</source><translation>abandonné</translation></message>
-<message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
-<message><source>a calibration</source><translation>un étalonnage</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
-<message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>bras de levier t1, dans l'éventail</translation></message>
-<message><source>lever arm t2, across it</source><translation>bras de levier t2, en travers</translation></message>
-<message><source>tilt of the fan</source><translation>inclinaison de l'éventail</translation></message>
-<message><source>beam index</source><translation>index des faisceaux</translation></message>
-<message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
-<message><source>stays</source><translation>inchangé</translation></message>
-<message><source>not told</source><translation>non déterminé</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
-<message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Après : %1 %</translation></message>
-<message><source>Distance of the views</source><translation>Écart des vues</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
@@ -125,6 +97,7 @@ visible %6 m², à %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
+<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
@@ -133,39 +106,6 @@ visible %6 m², à %7 m</translation></message>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
-<message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
-<message><source>Export</source><translation>Exporter</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
-<message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
-<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
-<message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
-<message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
-<message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation>C'est le dernier scan de la série ou du dossier.</translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation>C'est le premier scan de la série ou du dossier.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Il n'y a à l'écran aucun fichier dont les faisceaux pourraient être redressés : ouvrez-en d'abord un.</translation></message>
-<message><source>Straighten Beams</source><translation>Redresser les faisceaux</translation></message>
-<message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
-<message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
-<message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
-<message><source>Clear</source><translation>Effacer</translation></message>
-<message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
-<message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
-<message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
-<message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
-<message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -173,141 +113,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
-<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
-<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
-<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
-<message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
-<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
-<message><source>✓ edge</source><translation>✓ arête</translation></message>
-<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
-<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
-<message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
-<message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
-<message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
-<message><source>click the end of one side</source><translation>cliquez sur l'extrémité d'un côté</translation></message>
-<message><source>click where the sides meet</source><translation>cliquez là où les côtés se rejoignent</translation></message>
-<message><source>click the end of the other side</source><translation>cliquez sur l'extrémité de l'autre côté</translation></message>
-<message><source>click one end of a</source><translation>cliquez sur une extrémité de a</translation></message>
-<message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
-<message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
-<message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
-<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
-<message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
-<message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
-<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
-<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
-<message><source>region of interest</source><translation>région d'intérêt</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
-<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
-<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
-<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
-<message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
-<message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
-<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
-<message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
-<message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
-<message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
-<message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
-<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
-<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
-<message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
-<message><source>Select</source><translation>Sélectionner</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
-<message><source>Hide</source><translation>Masquer</translation></message>
-<message><source>Isolate</source><translation>Isoler</translation></message>
-<message><source>Show All</source><translation>Tout afficher</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
-<message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Masquer la sélection</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
-<message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
-<message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
-<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
-<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
-<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
-<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
-<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
-<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
-<message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
-<message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
-<message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
-<message><source>Placed by %1</source><translation>Placé par %1</translation></message>
-<message><source> · no time</source><translation> · sans heure</translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
-<message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
-<message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
-<message><source>no time</source><translation>sans heure</translation></message>
-<message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
-<message><source>Pin %1</source><translation>Épingler %1</translation></message>
-<message><source>Move %1</source><translation>Déplacer %1</translation></message>
-<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
-<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
-<message><source>Name %1</source><translation>Nommer %1</translation></message>
-<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
-<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
-<message><source>Measure</source><translation>Mesurer</translation></message>
-<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
-<message><source>locked</source><translation>verrouillée</translation></message>
-<message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
-<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
@@ -331,6 +142,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Robot's file: %1; all but its stepper stays.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
 <message><source>&amp;Give Up</source><translation>&amp;Abandonner</translation></message>
 <message><source>working …</source><translation>en cours …</translation></message>
+<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
 <message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
 <message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
@@ -340,6 +152,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
 <message><source>● now</source><translation>● actuel</translation></message>
 <message><source>▭ steady</source><translation>▭ constant</translation></message>
+<message><source>Export</source><translation>Exporter</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
@@ -376,6 +189,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
 <message><source>to</source><translation>à</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Toutes les autres sont masquées dans toutes les vues. Arêtes, nombres et exports restent tels quels.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
@@ -403,6 +217,76 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
+<message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
+<message><source>given up</source><translation>abandonné</translation></message>
+<message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
+<message><source>a calibration</source><translation>un étalonnage</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
+<message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>bras de levier t1, dans l'éventail</translation></message>
+<message><source>lever arm t2, across it</source><translation>bras de levier t2, en travers</translation></message>
+<message><source>tilt of the fan</source><translation>inclinaison de l'éventail</translation></message>
+<message><source>beam index</source><translation>index des faisceaux</translation></message>
+<message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
+<message><source>stays</source><translation>inchangé</translation></message>
+<message><source>not told</source><translation>non déterminé</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
+<message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Après : %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Écart des vues</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
+<message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
+<message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
+<message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
+<message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>C'est le dernier scan de la série ou du dossier.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>C'est le premier scan de la série ou du dossier.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Il n'y a à l'écran aucun fichier dont les faisceaux pourraient être redressés : ouvrez-en d'abord un.</translation></message>
+<message><source>Straighten Beams</source><translation>Redresser les faisceaux</translation></message>
+<message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
+<message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
+<message><source>Clear</source><translation>Effacer</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
+<message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
+<message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
+<message><source>Placed by %1</source><translation>Placé par %1</translation></message>
+<message><source> · no time</source><translation> · sans heure</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
+<message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sans heure</translation></message>
+<message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
+<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
+<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
+<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
+<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
+<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
+<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Enregistrer</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
@@ -418,6 +302,16 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>Float</source><translation>Détacher</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
+<message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
@@ -460,6 +354,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
+<message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Why</source><translation>Pourquoi</translation></message>
@@ -616,6 +511,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Masquer la sélection</translation></message>
 <message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
 <message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
@@ -623,6 +520,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
@@ -729,6 +627,40 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Montre les avertissements de ce scan et les marque comme vus ; ils restent, et figurent dans les comptes rendus et les captures d'écran</translation></message>
+<message><source>region of interest</source><translation>région d'intérêt</translation></message>
+<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
+<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
+<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
+<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
+<message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
+<message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
+<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
+<message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
+<message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
+<message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
+<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is no rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -843,6 +775,74 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
+<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
+<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
+<message><source>✓ edge</source><translation>✓ arête</translation></message>
+<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
+<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
+<message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
+<message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
+<message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
+<message><source>click the end of one side</source><translation>cliquez sur l'extrémité d'un côté</translation></message>
+<message><source>click where the sides meet</source><translation>cliquez là où les côtés se rejoignent</translation></message>
+<message><source>click the end of the other side</source><translation>cliquez sur l'extrémité de l'autre côté</translation></message>
+<message><source>click one end of a</source><translation>cliquez sur une extrémité de a</translation></message>
+<message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
+<message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
+<message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
+<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
+<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
+<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
+<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
+<message><source>Select</source><translation>Sélectionner</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
+<message><source>Hide</source><translation>Masquer</translation></message>
+<message><source>Isolate</source><translation>Isoler</translation></message>
+<message><source>Show All</source><translation>Tout afficher</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
+<message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
+<message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
+<message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Move %1</source><translation>Déplacer %1</translation></message>
+<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
+<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
+<message><source>Name %1</source><translation>Nommer %1</translation></message>
+<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
+<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
+<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>locked</source><translation>verrouillée</translation></message>
+<message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
+<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>

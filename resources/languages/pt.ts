@@ -75,34 +75,6 @@ segure \ para vê-la</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
-<message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
-<message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
-<message><source>given up</source><translation>abandonado</translation></message>
-<message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
-<message><source>a calibration</source><translation>uma calibração</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
-<message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>braço de alavanca t1, no leque</translation></message>
-<message><source>lever arm t2, across it</source><translation>braço de alavanca t2, transversal</translation></message>
-<message><source>tilt of the fan</source><translation>inclinação do leque</translation></message>
-<message><source>beam index</source><translation>índice dos feixes</translation></message>
-<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>stays</source><translation>inalterado</translation></message>
-<message><source>not told</source><translation>não determinado</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
-<message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Depois: %1 %</translation></message>
-<message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -125,6 +97,7 @@ visível %6 m², a %7 m</translation></message>
 %1</translation></message>
 <message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
@@ -133,39 +106,6 @@ visível %6 m², a %7 m</translation></message>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
-<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
-<message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
-<message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
-<message><source>Export</source><translation>Exportar</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
-<message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
-<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
-<message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
-<message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
-<message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
-<message><source>This is the last scan of the series or folder.</source><translation>Esta é a última varredura da série ou da pasta.</translation></message>
-<message><source>This is the first scan of the series or folder.</source><translation>Esta é a primeira varredura da série ou da pasta.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Não há na tela nenhum arquivo cujos feixes possam ser endireitados: primeiro abra um.</translation></message>
-<message><source>Straighten Beams</source><translation>Endireitar os feixes</translation></message>
-<message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
-<message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
-<message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
-<message><source>Clear</source><translation>Limpar</translation></message>
-<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
-<message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
-<message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
-<message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
-<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
-<message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -173,141 +113,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
-<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
-<message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
-<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
-<message><source>✓ edge</source><translation>✓ borda</translation></message>
-<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
-<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
-<message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
-<message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
-<message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
-<message><source>click the end of one side</source><translation>clique na extremidade de um lado</translation></message>
-<message><source>click where the sides meet</source><translation>clique onde os lados se encontram</translation></message>
-<message><source>click the end of the other side</source><translation>clique na extremidade do outro lado</translation></message>
-<message><source>click one end of a</source><translation>clique em uma extremidade de a</translation></message>
-<message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
-<message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
-<message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
-<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
-<message><source>Does this look right?</source><translation>Parece correto?</translation></message>
-<message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
-<message><source>Range Gate</source><translation>Janela de distância</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
-<message><source>region of interest</source><translation>região de interesse</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
-<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
-<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
-<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
-<message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
-<message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 não foi escrito: dê a ele uma das extensões csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
-<message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
-<message><source>a click splits it off</source><translation>um clique o separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
-<message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
-<message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
-<message><source>being worked out …</source><translation>em cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
-<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
+<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
-<message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
-<message><source>Select</source><translation>Selecionar</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
-<message><source>Hide</source><translation>Ocultar</translation></message>
-<message><source>Isolate</source><translation>Isolar</translation></message>
-<message><source>Show All</source><translation>Mostrar tudo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
-<message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar a seleção</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
-<message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
-<message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
-<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
-<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
-<message><source>to the field before</source><translation>para o campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
-<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
-<message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
-<message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
-<message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
-<message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
-<message><source> · no time</source><translation> · sem hora</translation></message>
-<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
-<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
-<message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
-<message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
-<message><source>no time</source><translation>sem hora</translation></message>
-<message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
-<message><source>Pin %1</source><translation>Fixar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
-<message><source>Name %1</source><translation>Nomear %1</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
-<message><source>locked</source><translation>bloqueado</translation></message>
-<message><source>Pinned %1</source><translation>Fixado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
@@ -331,6 +142,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Robot's file: %1; all but its stepper stays.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
 <message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
 <message><source>working …</source><translation>trabalhando …</translation></message>
+<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
 <message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
 <message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
@@ -340,6 +152,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● atual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
@@ -376,6 +189,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
 <message><source>to</source><translation>até</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas as outras são ocultadas em todas as vistas. Bordas, contagens e exportações ficam como estão.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
 <message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
@@ -403,6 +217,76 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
+<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
+<message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
+<message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
+<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
+<message><source>a calibration</source><translation>uma calibração</translation></message>
+<message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
+<message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
+<message><source>lever arm t1, in the fan</source><translation>braço de alavanca t1, no leque</translation></message>
+<message><source>lever arm t2, across it</source><translation>braço de alavanca t2, transversal</translation></message>
+<message><source>tilt of the fan</source><translation>inclinação do leque</translation></message>
+<message><source>beam index</source><translation>índice dos feixes</translation></message>
+<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
+<message><source>stays</source><translation>inalterado</translation></message>
+<message><source>not told</source><translation>não determinado</translation></message>
+<message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
+<message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
+<message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
+<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
+<message><source>After: %1 % do</source><translation>Depois: %1 %</translation></message>
+<message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
+<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
+<message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
+<message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
+<message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
+<message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
+<message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
+<message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
+<message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
+<message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
+<message><source>This is the last scan of the series or folder.</source><translation>Esta é a última varredura da série ou da pasta.</translation></message>
+<message><source>This is the first scan of the series or folder.</source><translation>Esta é a primeira varredura da série ou da pasta.</translation></message>
+<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Não há na tela nenhum arquivo cujos feixes possam ser endireitados: primeiro abra um.</translation></message>
+<message><source>Straighten Beams</source><translation>Endireitar os feixes</translation></message>
+<message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
+<message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
+<message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
+<message><source>Clear</source><translation>Limpar</translation></message>
+<message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
+<message><source>Does this look right?</source><translation>Parece correto?</translation></message>
+<message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
+<message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
+<message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
+<message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
+<message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
+<message><source> · no time</source><translation> · sem hora</translation></message>
+<message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
+<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
+<message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
+<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
+<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>no time</source><translation>sem hora</translation></message>
+<message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
+<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
+<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
+<message><source>to the field before</source><translation>para o campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
+<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Salvar</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
@@ -418,6 +302,16 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>Float</source><translation>Destacar</translation></message>
+<message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
+<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
+<message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
+<message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
+<message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
+<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
+<message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
@@ -460,6 +354,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Why</source><translation>Por quê</translation></message>
@@ -616,6 +511,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar a seleção</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
@@ -623,6 +520,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
+<message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
@@ -729,6 +627,40 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>%1 warnings</source><translation>%1 avisos</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Mostra os avisos desta varredura e os marca como vistos; eles permanecem, e constam nos registros e nas capturas de tela</translation></message>
+<message><source>region of interest</source><translation>região de interesse</translation></message>
+<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
+<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
+<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
+<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
+<message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
+<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 não foi escrito: dê a ele uma das extensões csv, json, png, dxf, geojson, ply, obj.</translation></message>
+<message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
+<message><source>a click splits it off</source><translation>um clique o separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
+<message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
+<message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
+<message><source>being worked out …</source><translation>em cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is no rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -843,6 +775,74 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
+<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
+<message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
+<message><source>✓ edge</source><translation>✓ borda</translation></message>
+<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
+<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
+<message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
+<message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
+<message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
+<message><source>click the end of one side</source><translation>clique na extremidade de um lado</translation></message>
+<message><source>click where the sides meet</source><translation>clique onde os lados se encontram</translation></message>
+<message><source>click the end of the other side</source><translation>clique na extremidade do outro lado</translation></message>
+<message><source>click one end of a</source><translation>clique em uma extremidade de a</translation></message>
+<message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
+<message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
+<message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
+<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
+<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
+<message><source>Range Gate</source><translation>Janela de distância</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
+<message><source>Select</source><translation>Selecionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Isolar</translation></message>
+<message><source>Show All</source><translation>Mostrar tudo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
+<message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
+<message><source>Name %1</source><translation>Nomear %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
+<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fixado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
