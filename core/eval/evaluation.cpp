@@ -30,7 +30,7 @@ constexpr std::array<Group, 5> kGroups{{{"occluding", &EdgeScore::occluding},
                                         {"all", &EdgeScore::all},
                                         {"strict_outline", &EdgeScore::strictOutline}}};
 
-std::vector<RockOutline> rockOutlines(const EdgeMatches& matches, const TruthSet& truth) {
+std::vector<ScoredOutline> rockOutlines(const EdgeMatches& matches, const TruthSet& truth) {
     if (truth.object.size() == 0) return {};
     std::vector<std::size_t> cells(65536);
     std::vector<std::size_t> found(65536);
@@ -44,7 +44,7 @@ std::vector<RockOutline> rockOutlines(const EdgeMatches& matches, const TruthSet
     for (const MatchedPair& pair : matches.outline) {
         if (counts(pair.truth)) ++found[truth.object[pair.truth]];
     }
-    std::vector<RockOutline> result;
+    std::vector<ScoredOutline> result;
     for (std::size_t rock = sim::kFirstRock; rock < cells.size(); ++rock) {
         if (cells[rock] >= kFewestOutlineCells) result.push_back({0, static_cast<int>(rock), cells[rock], found[rock]});
     }
@@ -74,9 +74,9 @@ Json countsJson(const EdgeCounts& counts) {
             {"truth", counts.truth},           {"found", counts.found},     {"false", counts.false_}};
 }
 
-double shareOfRocks(const std::vector<RockOutline>& rocks, double least) {
+double shareOfRocks(const std::vector<ScoredOutline>& rocks, double least) {
     if (rocks.empty()) return 0.0;
-    const auto count = std::count_if(rocks.begin(), rocks.end(), [&](const RockOutline& rock) { return rock.share() >= least; });
+    const auto count = std::count_if(rocks.begin(), rocks.end(), [&](const ScoredOutline& rock) { return rock.share() >= least; });
     return static_cast<double>(count) / static_cast<double>(rocks.size());
 }
 
@@ -99,7 +99,7 @@ double averagePrecision(std::vector<std::pair<double, double>> recallPrecision) 
 
 Evaluation& Evaluation::operator+=(const Evaluation& other) {
     score += other.score;
-    for (RockOutline rock : other.rocks) {
+    for (ScoredOutline rock : other.rocks) {
         rock.scan += scans;
         rocks.push_back(rock);
     }
@@ -153,7 +153,7 @@ Json evaluationJson(const Evaluation& evaluation) {
 
 Json rocksJson(const Evaluation& evaluation) {
     Json rocks = Json::array();
-    for (const RockOutline& rock : evaluation.rocks)
+    for (const ScoredOutline& rock : evaluation.rocks)
         rocks.push_back(
             {{"file", rock.scan}, {"object", rock.object}, {"outline_cells", rock.cells}, {"found", rock.found}, {"share", rock.share()}});
     return rocks;

@@ -12,7 +12,7 @@
 namespace edgescan {
 
 /// The outline of one rock.
-struct RockOutline {
+struct ScoredOutline {
     int scan = 0;          ///< place of its scan among those that were added up
     int object = 0;        ///< its number in object.png and rocks.json
     std::size_t cells = 0; ///< scored outline cells, 10 at least
@@ -23,9 +23,9 @@ struct RockOutline {
 /// What can be added over scans.
 struct Evaluation {
     EdgeScore score;
-    std::vector<RockOutline> rocks; ///< with at least 10 scored outline cells
-    std::vector<double> errorsMm;   ///< per match: distance of the detection's measured 3D point to the true one; empty without a scan
-    double pratt = 0.0;             ///< sum over scans of Pratt's figure of merit, each 0..1
+    std::vector<ScoredOutline> rocks; ///< with at least 10 scored outline cells
+    std::vector<double> errorsMm;     ///< per match: distance of the detection's measured 3D point to the true one; empty without a scan
+    double pratt = 0.0;               ///< sum over scans of Pratt's figure of merit, each 0..1
     int scans = 0;
 
     Evaluation& operator+=(const Evaluation& other);

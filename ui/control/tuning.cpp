@@ -8,7 +8,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/step_name.h"
 #include "ui/panel/edges_panel.h"
-#include "ui/session/edge_counts.h"
+#include "ui/session/edge_counter.h"
 #include "ui/session/memory.h"
 
 #include <QFileDialog>
@@ -60,7 +60,7 @@ private:
 } // namespace
 
 Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : session_(session), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounts(this)) {
+    : session_(session), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
     connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
@@ -68,8 +68,8 @@ Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& m
     connect(&panel_, &EdgesPanel::openPresetWanted, this, &Tuning::askOpenPreset);
     connect(&panel_, &EdgesPanel::savePresetWanted, this, &Tuning::askSavePreset);
     connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
-    connect(counts_, &EdgeCounts::outdated, &panel_, &EdgesPanel::forgetCounts);
-    connect(counts_, &EdgeCounts::counted, &panel_, &EdgesPanel::showCounts);
+    connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
+    connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
     connect(&session_, &Session::settingsChanged, this, &Tuning::noteChange);
     connect(&session_, &Session::pictureReady, this, &Tuning::showResult);
     recall();

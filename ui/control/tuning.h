@@ -11,7 +11,7 @@
 
 namespace edgescan::ui {
 
-class EdgeCounts;
+class EdgeCounter;
 class EdgesPanel;
 class Memory;
 class NoticeBar;
@@ -48,8 +48,8 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     QUndoStack& undo_;
-    EdgeCounts* counts_; // child
-    int drag_ = 1;       // number of the drag, for undo
+    EdgeCounter* counts_; // child
+    int drag_ = 1;        // number of the drag, for undo
     bool starting_ = false;
     const Parameter* turned_ = nullptr;
     QElapsedTimer sinceChange_;

@@ -65,7 +65,7 @@ TEST(Evaluation, TheTruthItselfIsPerfectInEveryFigure) {
     EXPECT_EQ(perfect.score.all.f(), 1.0);
     EXPECT_DOUBLE_EQ(perfect.pratt, 1.0);
     ASSERT_GE(perfect.rocks.size(), 1U);
-    for (const RockOutline& rock : perfect.rocks) EXPECT_EQ(rock.share(), 1.0);
+    for (const ScoredOutline& rock : perfect.rocks) EXPECT_EQ(rock.share(), 1.0);
     const auto json = evaluationJson(perfect);
     EXPECT_LT(json["error_mm"]["p50"].get<double>(), 1.0); // ranges come in whole millimetres
     EXPECT_EQ(json["rocks"]["at_least_90_percent"].get<double>(), 1.0);

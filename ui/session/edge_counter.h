@@ -13,10 +13,10 @@
 namespace edgescan::ui {
 
 /// GUI thread only; the counting runs on a thread of its own, newest detection wins.
-class EdgeCounts : public QObject {
+class EdgeCounter : public QObject {
     Q_OBJECT
 public:
-    explicit EdgeCounts(QObject* parent = nullptr);
+    explicit EdgeCounter(QObject* parent = nullptr);
 
     /// A new detection is on the screen. Nothing is counted while further detections follow quickly, and nothing again where only the
     /// threshold that is swept changed.

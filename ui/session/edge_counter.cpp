@@ -1,5 +1,5 @@
 // How many edges every threshold would give.
-#include "ui/session/edge_counts.h"
+#include "ui/session/edge_counter.h"
 
 #include "core/method/methods.h"
 #include "core/settings/parameters.h"
@@ -12,7 +12,7 @@ constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand
 
 } // namespace
 
-EdgeCounts::EdgeCounts(QObject* parent)
+EdgeCounter::EdgeCounter(QObject* parent)
     : QObject(parent), worker_(
                            this,
                            [](const std::shared_ptr<const Detection>& detection) {
@@ -29,7 +29,7 @@ EdgeCounts::EdgeCounts(QObject* parent)
     connect(&quiet_, &QTimer::timeout, this, [this] { worker_.post(asked_); });
 }
 
-void EdgeCounts::want(const std::shared_ptr<const Detection>& detection) {
+void EdgeCounter::want(const std::shared_ptr<const Detection>& detection) {
     if (asked_ && asked_->scan == detection->scan && sameUpTo(Stage::Edges, asked_->settings, detection->settings)) return;
     asked_ = detection;
     emit outdated();
