@@ -8,6 +8,7 @@
 #include "core/points/cells_of_points.h"
 #include "core/points/column_grid.h"
 #include "core/points/own_scan.h"
+#include "core/points/table_numbers.h"
 #include "core/recognition/recognise_axis.h"
 #include "core/recognition/recognise_ranges.h"
 #include "core/recognition/recognise_unit.h"
@@ -23,48 +24,6 @@ namespace edgescan {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
-
-/// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
-Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
-    const std::size_t stride = std::max<std::size_t>(1, points.size() / 20000);
-    bool floats = true; // 8-byte numbers show their decimals to the last digit
-    for (std::size_t k = 0; k < points.size() && floats; k += stride)
-        floats = !isReturn(points[k]) || points[k].cast<float>().cast<double>() == points[k];
-    const double relative = floats ? precision.relative : std::min(precision.relative, 1e-14);
-    for (const double scale : {1.0, 10.0, 100.0, 1000.0, 1e4, 1e5, 1e6}) {
-        std::size_t telling = 0;
-        std::size_t whole = 0;
-        for (std::size_t k = 0; k < points.size(); k += stride) {
-            if (!isReturn(points[k])) continue;
-            for (int axis = 0; axis < 3; ++axis) {
-                const double value = points[k][axis] * scale;
-                const double error = std::abs(value) * relative + 1e-9;
-                if (error > 0.15) continue;
-                ++telling;
-                whole += std::abs(value - std::round(value)) <= error ? 1 : 0;
-            }
-        }
-        if (telling > 30 && whole * 1000 >= telling * 999) {
-            precision.absolute = std::max(precision.absolute, 0.5 / scale);
-            return precision;
-        }
-    }
-    return precision;
-}
-
-std::vector<double> rangesOf(const PointTable& table) {
-    std::vector<double> ranges;
-    ranges.reserve(table.points.size());
-    for (const Eigen::Vector3d& p : table.points) ranges.push_back(isReturn(p) ? (p - table.sensor).norm() : 0.0);
-    return ranges;
-}
-
-RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, const Source& source) {
-    std::vector<double> returns;
-    std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(returns), [](double r) { return r > 0; });
-    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
-    return recogniseUnit(returns, table.precision, known);
-}
 
 void takeStatusCodes(Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -160,40 +119,6 @@ Scan organisedScan(const PointTable& table, const Source& source) {
     return scan;
 }
 
-/// Where numbers are so large that 4-byte floats hold them only in coarse steps.
-std::string coarseStep(const PointTable& table) {
-    double largest = 0;
-    for (const Eigen::Vector3d& p : table.points) {
-        if (!p.allFinite()) continue;
-        if (p.cast<float>().cast<double>() != p) return {}; // written with more digits than a float has
-        largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    }
-    if (largest < 1e5) return {};
-    const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
-                      static_cast<double>(static_cast<float>(largest));
-    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
-           significantText(step, 3);
-}
-
-std::string withCoarseStep(std::string what, const PointTable& table) {
-    const std::string coarse = coarseStep(table);
-    if (!coarse.empty()) what += "; " + coarse;
-    return what;
-}
-
-/// Large numbers in 4-byte floats are coarse wherever the sensor is; printed ones are as fine as their decimals.
-Precision precisionAboutSensor(const PointTable& table) {
-    Precision precision = table.precision;
-    double largest = 0;
-    for (const Eigen::Vector3d& p : table.points) {
-        if (!isReturn(p)) continue;
-        if (p.cast<float>().cast<double>() != p) return precision;
-        largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    }
-    if (!table.sensor.isZero(0.0)) precision.absolute = std::max(precision.absolute, kFloatError / 2 * largest);
-    return precision;
-}
-
 Result<RecognisedGrid> recognise(const PointTable& table, const Source& source, std::size_t rowLength) {
     std::vector<Eigen::Vector3d> shifted;
     std::span<const Eigen::Vector3d> points = table.points;
@@ -219,47 +144,6 @@ Result<RecognisedGrid> recogniseTurned(const PointTable& table, const Source& so
     auto grid = recogniseGrid(list);
     if (grid) grid->turn = grid->turn * *turn;
     return grid;
-}
-
-/// Distance in metres that few points exceed.
-double farDistanceM(std::vector<double> ranges, double mmPerUnit) {
-    std::erase_if(ranges, [](double r) { return !(r > 0); });
-    if (ranges.empty()) return 0;
-    return valueInOrder(ranges, (ranges.size() - 1) * 95 / 100) * mmPerUnit * kMetresPerMm;
-}
-
-/// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
-/// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
-void takeGivenSensor(PointTable& table, const Source& source) {
-    if (!source.options->sensorM) return;
-    Eigen::Vector3d given = *source.options->sensorM;
-    if (table.leftHanded) given.y() *= -1;
-    const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
-    if (known) {
-        table.sensor = given * (1000.0 / *known);
-        return;
-    }
-    constexpr double kReachM = 1000.0;
-    double best = 0, bestFarM = 0;
-    bool agrees = false;
-    for (const double unit : {1000.0, 1.0, 10.0}) {
-        table.sensor = given * (1000.0 / unit);
-        const std::vector<double> ranges = rangesOf(table);
-        const RangeUnit found = unitOf(table, ranges, source);
-        const double farM = farDistanceM(ranges, unit);
-        const bool whole = found.wholeMm && found.mmPerUnit == unit;
-        const bool nearer = farM < bestFarM && bestFarM > kReachM && unit != 10.0; // centimetres only when they are whole
-        if (best != 0 && !whole && !nearer) continue;
-        best = unit;
-        bestFarM = farM;
-        agrees = found.mmPerUnit == unit;
-        if (whole) break;
-    }
-    table.sensor = given * (1000.0 / best);
-    if (agrees) return;
-    table.unitMm = best;
-    table.remarks.push_back(std::string("Unit taken as ") + (best == 1000.0 ? "metres" : "millimetres") +
-                            ", in which the numbers fit the sensor position given.");
 }
 
 /// Points of a left-handed file as they are in space; lines that are recognised say it by their direction instead.

@@ -123,6 +123,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    static constexpr const char* kByHand = "byHand"; ///< of a dock: "open" or "folded" where the operator said so
     void layOutViews();
     QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
     void layOutLegend();
