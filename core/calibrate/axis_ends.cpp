@@ -148,8 +148,6 @@ std::optional<Residual> residualAt(const EndPoint& point, const std::vector<EndP
     return residual;
 }
 
-double coneDeg(const PolarGeometry& polar, int end) { return std::min(kMostConeDeg, beyondAxisDeg(polar)[static_cast<std::size_t>(end)]); }
-
 /// Degrees off the nearer end of the axis, with that end.
 std::pair<double, int> offEnd(double beamDeg) {
     const double off = beamDeg < 90.0 ? beamDeg : 180.0 - beamDeg;
@@ -166,9 +164,11 @@ std::array<double, 2> beyondAxisDeg(const PolarGeometry& polar) {
 
 std::vector<int> beamsSeenTwice(const PolarGeometry& polar) {
     std::vector<int> beams;
+    const std::array<double, 2> beyond = beyondAxisDeg(polar);
     for (std::size_t j = 0; j < polar.beamDeg.size(); ++j) {
         const auto [off, end] = offEnd(polar.beamDeg[j]);
-        if (polar.axis == Axis::Spin || off <= coneDeg(polar, end)) beams.push_back(static_cast<int>(j));
+        const double coneDeg = std::min(kMostConeDeg, beyond[static_cast<std::size_t>(end)]);
+        if (polar.axis == Axis::Spin || off <= coneDeg) beams.push_back(static_cast<int>(j));
     }
     return beams;
 }
@@ -187,9 +187,8 @@ std::vector<SeenCell> cellsAtEnds(const PolarGeometry& polar, const InverseRange
             if (!inverse.isMeasured(i, j)) continue;
             const double rangeM = 1.0 / static_cast<double>(inverse.u.at(i, j));
             if (rangeM < kEndNearestM) continue;
-            const double a = radians(polar.beamDeg[static_cast<std::size_t>(j)]);
-            all.push_back({i, j, lineDegAt(polar, i, j), {rangeM * std::cos(a), 0, rangeM * std::sin(a)}});
-            solid.push_back(std::abs(std::sin(a)));
+            all.push_back(seenCell(polar, i, j, rangeM));
+            solid.push_back(std::abs(std::sin(radians(polar.beamDeg[static_cast<std::size_t>(j)]))));
             whole += solid.back();
         }
     }

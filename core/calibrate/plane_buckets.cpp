@@ -39,6 +39,7 @@ int PlaneBuckets::row(double y) const { return static_cast<int>(std::clamp((y - 
 
 std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::size_t count) const {
     count = std::min(count, points_.size());
+    if (count == 0) return {};
     std::vector<std::pair<double, std::size_t>> found;
     const int middleColumn = column(at.x()), middleRow = row(at.y());
     const auto take = [&](int r, int c) {
@@ -52,7 +53,6 @@ std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::s
     for (int ring = 0; ring <= last; ++ring) {
         if (found.size() >= count && ring > 0) {
             const auto kth = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-            if (count == 0) break;
             std::nth_element(found.begin(), kth, found.end());
             const double sure = (ring - 1) * side_;
             if (kth->first <= sure * sure) break;

@@ -36,8 +36,7 @@ std::optional<SeenCell> edgeAt(const Scan& scan, const Grid<std::uint8_t>& edges
     if (edges.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) return std::nullopt;
     if (!offAxis(polar, beamDeg)) return std::nullopt;
     const double rangeM = 0.001 * static_cast<double>(scan.rangeMm.at(line, beam));
-    const double a = radians(beamDeg);
-    return SeenCell{line, beam, lineDegAt(polar, line, beam), {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
+    return seenCell(polar, line, beam, rangeM);
 }
 
 bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
@@ -49,16 +48,25 @@ bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
     return false;
 }
 
-/// Whether the fan has a beam there: a little beyond the last one still counts.
-bool inFan(const PolarGeometry& polar, double beamDeg) {
-    const auto [least, most] = std::minmax_element(polar.beamDeg.begin(), polar.beamDeg.end());
-    const double step = (*most - *least) / static_cast<double>(std::max<std::size_t>(1, polar.beamDeg.size() - 1));
-    return beamDeg >= *least - 0.5 * step && beamDeg <= *most + 0.5 * step;
-}
+/// Where the fan has a beam: a little beyond the last one still counts.
+class Fan {
+public:
+    explicit Fan(const std::vector<double>& beamDeg) {
+        const auto [least, most] = std::minmax_element(beamDeg.begin(), beamDeg.end());
+        const double step = (*most - *least) / static_cast<double>(std::max<std::size_t>(1, beamDeg.size() - 1));
+        leastDeg_ = *least - 0.5 * step;
+        mostDeg_ = *most + 0.5 * step;
+    }
+    [[nodiscard]] bool has(double beamDeg) const { return beamDeg >= leastDeg_ && beamDeg <= mostDeg_; }
+
+private:
+    double leastDeg_ = 0, mostDeg_ = 0;
+};
 
 void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines,
                const TurningMounting& mounting) {
     const PolarGeometry& polar = lines.polar;
+    const Fan fan(polar.beamDeg);
     std::vector<int> columnOf(polar.beamDeg.size(), -1);
     for (std::size_t n = 0; n < seam.beams.size(); ++n) columnOf[static_cast<std::size_t>(seam.beams[n])] = static_cast<int>(n);
     for (int line = 0; line < scan.lines(); ++line) {
@@ -66,7 +74,7 @@ void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edge
         for (const int beam : seam.beams) {
             const auto cell = edgeAt(scan, edges, polar, line, beam);
             const auto later = cell ? otherViewOf(*cell, View::Early, mounting) : std::nullopt;
-            if (!later || !inFan(polar, later->beamDeg)) continue;
+            if (!later || !fan.has(later->beamDeg)) continue;
             const int at = nearestAngle(polar.beamDeg, later->beamDeg);
             const int row = nearestLine(polar, at, later->lineDeg);
             // What lies beyond the grid has its border as the nearest angle.
@@ -78,13 +86,14 @@ void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edge
 }
 
 void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines, const TurningMounting& mounting) {
+    const Fan fan(lines.polar.beamDeg);
     for (int row = 0; row < seam.late.lines; ++row) {
         for (int column = 0; column < seam.late.beams; ++column) {
             const auto cell = edgeAt(scan, edges, lines.polar, seam.firstLine + row, seam.beams[static_cast<std::size_t>(column)]);
             if (!cell) continue;
             seam.late.at(row, column) = 1;
             const auto before = otherViewOf(*cell, View::Late, mounting);
-            if (!before || !lines.isEarly(before->lineDeg) || !inFan(lines.polar, before->beamDeg)) continue;
+            if (!before || !lines.isEarly(before->lineDeg) || !fan.has(before->beamDeg)) continue;
             if (!offAxis(lines.polar, before->beamDeg)) continue; // drawn by neither view
             ++seam.lateEdges;
             seam.met += anyAround(seam.early, row, column) ? 1 : 0;

@@ -15,9 +15,8 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kCells = 12000;       // per scan and way
-constexpr std::size_t kCellsAtEnds = 12000; // of a sweep
-constexpr std::size_t kTurn = 4;            // of AssemblyErrors
+constexpr std::size_t kCells = 12000; // per scan and way
+constexpr std::size_t kTurn = 4;      // of AssemblyErrors
 constexpr std::array<int, 2> kHalfWidths{4, 2};
 constexpr std::array<EndScale, 2> kEndScales{{{240, 4}, {60, 1}}}; // of a sweep
 constexpr std::array<int, 2> kIterations{6, 8};
@@ -194,12 +193,15 @@ std::optional<Error> refusalOf(const Scan& scan) {
     return std::nullopt;
 }
 
+void takeCells(Pass& pass, View view, std::size_t most) {
+    const PolarGeometry& polar = pass.sweep.polar;
+    pass.cells[static_cast<std::size_t>(view)] = polar.axis == Axis::Spin ? cellsSeenTwice(polar, pass.sweep.inverse, view, most)
+                                                                          : cellsAtEnds(polar, pass.sweep.inverse, view, most);
+}
+
 Pass passOf(const Scan& scan) {
-    const auto& polar = std::get<PolarGeometry>(scan.geometry);
-    Pass pass{turnedSweep(scan, polar), {}};
-    for (const View view : {View::Early, View::Late})
-        pass.cells[static_cast<std::size_t>(view)] = polar.axis == Axis::Spin ? cellsSeenTwice(polar, pass.sweep.inverse, view, kCells)
-                                                                              : cellsAtEnds(polar, pass.sweep.inverse, view, kCellsAtEnds);
+    Pass pass{turnedSweep(scan, std::get<PolarGeometry>(scan.geometry)), {}};
+    for (const View view : {View::Early, View::Late}) takeCells(pass, view, kCells);
     return pass;
 }
 
@@ -280,12 +282,9 @@ Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors) {
     Grid<float> apart(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || refusalOf(scan)) return apart;
-    const bool spins = polar->axis == Axis::Spin;
-    TurnedSweep sweep = turnedSweep(scan, *polar);
-    const Pass pass{sweep,
-                    {spins ? std::vector<SeenCell>{} : cellsAtEnds(*polar, sweep.inverse, View::Early, kCellsAtEnds),
-                     spins ? cellsSeenTwice(*polar, sweep.inverse, View::Late, scan.cells())
-                           : cellsAtEnds(*polar, sweep.inverse, View::Late, scan.cells())}};
+    Pass pass{turnedSweep(scan, *polar), {}};
+    if (polar->axis == Axis::Sweep) takeCells(pass, View::Early, kCells); // the surface that the late cells are held against
+    takeCells(pass, View::Late, scan.cells());
     for (const Residual& r : Comparison(pass, kHalfWidths.size() - 1).residuals(View::Late, errors))
         apart.at(r.line, r.beam) = static_cast<float>(r.apartMm);
     return apart;

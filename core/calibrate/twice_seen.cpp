@@ -18,6 +18,10 @@ constexpr double kOffAxisDeg = 4.0;                      // nearer to the axis a
 constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift turns the line angle far
 constexpr double kLongestStep = 0.1;                     // radians
 
+double skewAt(const PolarGeometry& polar, int beam) {
+    return polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)];
+}
+
 // A fixed order that looks like chance.
 std::uint32_t scattered(std::size_t k) {
     std::uint64_t x = (k + 1) * 0x9E3779B97F4A7C15ULL;
@@ -37,8 +41,15 @@ int nearestAngle(const std::vector<double>& deg, double at) {
     return static_cast<int>(place - deg.begin()) - (before ? 1 : 0);
 }
 
-int nearestLine(const PolarGeometry& polar, int beam, double atDeg) {
-    return nearestAngle(polar.lineDeg, atDeg - (polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)]));
+double lineDegAt(const PolarGeometry& polar, int line, int beam) {
+    return polar.lineDeg[static_cast<std::size_t>(line)] + skewAt(polar, beam);
+}
+
+int nearestLine(const PolarGeometry& polar, int beam, double atDeg) { return nearestAngle(polar.lineDeg, atDeg - skewAt(polar, beam)); }
+
+SeenCell seenCell(const PolarGeometry& polar, int line, int beam, double rangeM) {
+    const double a = radians(polar.beamDeg[static_cast<std::size_t>(beam)]);
+    return {line, beam, lineDegAt(polar, line, beam), {rangeM * std::cos(a), 0, rangeM * std::sin(a)}};
 }
 
 double turnOf(const PolarGeometry& polar) {
@@ -79,9 +90,7 @@ std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRa
         const int i = static_cast<int>(k / static_cast<std::size_t>(inverse.u.beams));
         const int j = static_cast<int>(k % static_cast<std::size_t>(inverse.u.beams));
         if (!smooth.at(i, j).usable) continue;
-        const double rangeM = 1.0 / static_cast<double>(inverse.u[k]);
-        const double beam = radians(polar.beamDeg[static_cast<std::size_t>(j)]);
-        cells.push_back({i, j, lineDegAt(polar, i, j), {rangeM * std::cos(beam), 0, rangeM * std::sin(beam)}});
+        cells.push_back(seenCell(polar, i, j, 1.0 / static_cast<double>(inverse.u[k])));
     }
     return cells;
 }

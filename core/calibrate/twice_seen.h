@@ -23,10 +23,10 @@ struct OtherView {
 };
 
 /// Where the stepper stands when a beam of a line is measured, degrees: it may move on while the mirror sweeps the fan.
-[[nodiscard]] inline double lineDegAt(const PolarGeometry& polar, int line, int beam) {
-    const double skew = polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)];
-    return polar.lineDeg[static_cast<std::size_t>(line)] + skew;
-}
+[[nodiscard]] double lineDegAt(const PolarGeometry& polar, int line, int beam);
+
+/// The cell of that line and beam with a range of so many metres.
+[[nodiscard]] SeenCell seenCell(const PolarGeometry& polar, int line, int beam, double rangeM);
 
 /// Index of the line whose angle at this beam is nearest to `atDeg`.
 [[nodiscard]] int nearestLine(const PolarGeometry& polar, int beam, double atDeg);
