@@ -73,7 +73,7 @@ public:
     [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
     [[nodiscard]] bool shaded() const { return shaded_; }
     /// Metres from line to line of the grid below the rocks; 0: it is not shown.
-    [[nodiscard]] double groundStepM() const { return ground_ && cloud_ && cloud_->validCount > 0 ? groundOf(*whole_).stepM : 0.0; }
+    [[nodiscard]] double groundStepM() const { return groundStepM_; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] const EdgeColours& edgeColours() const { return edgeColours_; }
@@ -233,6 +233,7 @@ private:
     std::shared_ptr<const CloudGeometry> colouredCloud_;
     std::shared_ptr<const CellIndices> colours_; // of that cloud
     bool ground_ = false;
+    double groundStepM_ = 0.0; // of the grid that is drawn; asked after each frame
     std::shared_ptr<const std::vector<std::uint8_t>> hidden_;
     CellMarks marks_;
     std::optional<ScreenMarks> screenMarks_; // marks_ as the camera sees them; empty: to be looked for

@@ -54,7 +54,11 @@ void CloudView::setGround(bool on) {
     requestFrame();
 }
 
-void CloudView::showGround() { scene_->setGround(ground_ && whole_ && whole_->validCount > 0 ? groundOf(*whole_) : GroundGrid{}); }
+void CloudView::showGround() {
+    const GroundGrid grid = ground_ && whole_ ? groundOf(*whole_) : GroundGrid{}; // none of a cloud without a point
+    groundStepM_ = grid.stepM;
+    scene_->setGround(grid);
+}
 
 void CloudView::setDragTool(DragTool tool) { tool_ = tool; }
 
