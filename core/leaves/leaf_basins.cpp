@@ -169,7 +169,15 @@ std::vector<Saddle> highestFirst(const std::vector<Saddle>& saddles) {
     return sorted;
 }
 
+EDGESCAN_SIMD std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t count) {
+    std::uint32_t largest = 0;
+    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, numbers[k]);
+    return largest;
+}
+
 } // namespace
+
+std::uint32_t lastLeaf(const Grid<std::uint32_t>& leaf) { return largestOf(leaf.cells.data(), leaf.size()); }
 
 JoinedGroups::JoinedGroups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
@@ -178,14 +186,13 @@ std::uint32_t JoinedGroups::of(std::uint32_t n) {
     return n;
 }
 
-std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group) {
-    if (group.size() == 0) return 0;
-    std::vector<std::uint32_t> number(*std::max_element(group.cells.begin(), group.cells.end()) + std::size_t{1}, kOpen);
+std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group, std::span<const std::uint32_t> joined) {
+    std::vector<std::uint32_t> number(joined.empty() ? lastLeaf(group) + std::size_t{1} : joined.size(), kOpen);
     std::uint32_t count = 0;
     for (std::uint32_t& g : group.cells) {
-        if (g == kOpen) continue;
-        if (number[g] == kOpen) number[g] = ++count;
-        g = number[g];
+        const std::uint32_t in = joined.empty() ? g : joined[g];
+        if (in != kOpen && number[in] == kOpen) number[in] = ++count;
+        g = number[in];
     }
     return count;
 }
@@ -206,8 +213,7 @@ Grid<std::uint32_t> leafBasins(const Grid<float>& distance, const CellLinks& lin
     }
     std::vector<std::uint32_t> group(basins.peaks.size());
     for (std::uint32_t n = 0; n < group.size(); ++n) group[n] = groups.of(n);
-    for (std::uint32_t& basin : basins.of.cells) basin = group[basin];
-    numberByFirstCell(basins.of);
+    numberByFirstCell(basins.of, group);
     return std::move(basins.of);
 }
 

@@ -4,6 +4,7 @@
 #include "core/leaves/rock_barrier.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace edgescan {
@@ -15,9 +16,12 @@ inline constexpr float kShallow = 0.7F;
 /// cell goes to its linked neighbour of greatest distance, on a plateau to the one above or left of it.
 [[nodiscard]] Grid<std::uint32_t> leafBasins(const Grid<float>& distance, const CellLinks& links);
 
-/// Numbers the groups of cells by their first cells, from 1; kOpen stays. `group`: any number per cell below lines x beams + 1. Gives the
-/// count.
-std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group);
+/// Numbers the groups of cells by their first cells, from 1; kOpen stays. `group`: any number per cell below lines x beams + 1. `joined`:
+/// where groups were joined, the one that each belongs to, by number. Gives the count.
+std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group, std::span<const std::uint32_t> joined = {});
+
+/// The largest number of a cell, which is the number of leaves where they are numbered from 1; 0 without cells.
+[[nodiscard]] std::uint32_t lastLeaf(const Grid<std::uint32_t>& leaf);
 
 /// Groups of numbers that are joined one after the other.
 class JoinedGroups {

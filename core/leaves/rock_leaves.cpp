@@ -7,33 +7,72 @@
 #include "core/leaves/leaf_refinement.h"
 #include "core/scan/cartesian.h"
 
-#include <algorithm>
 #include <numeric>
+#include <utility>
+#include <variant>
 
 namespace edgescan {
 namespace {
+
+// Points of a line from the sensor on, metres, coordinates apart.
+struct LinePoints {
+    std::vector<double> x, y, z;
+
+    explicit LinePoints(int beams) : x(static_cast<std::size_t>(beams)), y(x), z(x) {}
+    void fill(const Scan& scan, const CartesianTables& tables, int line) {
+        if (std::holds_alternative<PolarGeometry>(scan.geometry)) return tables.pointsOfLine(line, x.data(), y.data(), z.data());
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            const auto beam = static_cast<int>(j);
+            const Eigen::Vector3d point = tables.direction(line, beam) * (0.001 * static_cast<double>(scan.rangeMm.at(line, beam)));
+            x[j] = point.x();
+            y[j] = point.y();
+            z[j] = point.z();
+        }
+    }
+};
+
+// Adds the measured cells of a run; `steps` of its line's cells.
+void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& run, LeafSums& sums) {
+    const AngularSteps& steps = inputs.surface->steps;
+    const auto line = static_cast<int>(run.row);
+    const Support* const support = inputs.surface->inverse.support.line(line);
+    const float* const rangeMm = inputs.scan->rangeMm.line(line);
+    LeafSums sum = sums;
+    for (std::uint32_t j = run.begin; j < run.end; ++j) {
+        if (support[j] != Support::Measured) continue;
+        const double rangeM = 0.001 * static_cast<double>(rangeMm[j]);
+        const double x = points.x[j];
+        const double y = points.y[j];
+        const double z = points.z[j];
+        ++sum.cells;
+        sum.areaM2 += rangeM * rangeM * static_cast<double>(steps.beam[j]) * static_cast<double>(steps.lineAt(line, static_cast<int>(j)));
+        sum.sumM += Eigen::Vector3d(x, y, z);
+        // The upper half: the lower one is the same.
+        sum.sumM2(0, 0) += x * x;
+        sum.sumM2(0, 1) += x * y;
+        sum.sumM2(0, 2) += x * z;
+        sum.sumM2(1, 1) += y * y;
+        sum.sumM2(1, 2) += y * z;
+        sum.sumM2(2, 2) += z * z;
+    }
+    sums = sum;
+}
 
 // `runs`: along the beams.
 std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafRun>& runs, std::uint32_t count) {
     std::vector<LeafSums> sums(static_cast<std::size_t>(count) + 1);
     const CartesianTables tables(*inputs.scan);
-    const InverseRange& inverse = inputs.surface->inverse;
-    const AngularSteps& steps = inputs.surface->steps;
+    LinePoints points(inputs.scan->beams());
+    std::uint32_t line = UINT32_MAX;
     for (const LeafRun& run : runs) {
-        LeafSums sum = sums[run.leaf];
-        const auto line = static_cast<int>(run.row);
-        for (std::uint32_t j = run.begin; j < run.end; ++j) {
-            const std::size_t k = inverse.support.index(line, static_cast<int>(j));
-            if (inverse.support[k] != Support::Measured) continue;
-            const double rangeM = 0.001 * static_cast<double>(inputs.scan->rangeMm[k]);
-            const Eigen::Vector3d point = tables.direction(line, static_cast<int>(j)) * rangeM;
-            ++sum.cells;
-            sum.areaM2 +=
-                rangeM * rangeM * static_cast<double>(steps.beam[j]) * static_cast<double>(steps.lineAt(line, static_cast<int>(j)));
-            sum.sumM += point;
-            for (int n = 0; n < 3; ++n) sum.sumM2.col(n) += point * point[n];
+        if (run.row != line) {
+            line = run.row;
+            points.fill(*inputs.scan, tables, static_cast<int>(line));
         }
-        sums[run.leaf] = sum;
+        addRun(inputs, points, run, sums[run.leaf]);
+    }
+    for (LeafSums& sum : sums) {
+        for (const auto [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}}) sum.sumM2(row, column) = sum.sumM2(column, row);
     }
     return sums;
 }
@@ -87,7 +126,7 @@ RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std:
     leaves.leaf = leafBasins(barrierDistance(inputs), links);
     cutLeaves(links, cuts, leaves.leaf);
     leaves.borders = leafBorders(inputs, leaves.leaf);
-    const std::uint32_t count = leaves.leaf.size() == 0 ? 0 : *std::max_element(leaves.leaf.cells.begin(), leaves.leaf.cells.end());
+    const std::uint32_t count = lastLeaf(leaves.leaf);
     refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.leaf, count);
     leaves.beamRuns = runsAlongBeams(leaves.leaf);
     leaves.sums = leafSums(inputs, leaves.beamRuns, count);
