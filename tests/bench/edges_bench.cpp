@@ -23,6 +23,10 @@ using namespace edgescan::bench;
 
 namespace {
 
+// Among the stages of main().
+constexpr std::size_t kResponses = 1;
+constexpr std::size_t kDecision = 7;
+
 Scan scanOf(int argc, char** argv) {
     auto scan = argc > 1 ? openScan(argv[1]) : Result<Scan>(Scan{});
     if (argc <= 1) {
@@ -60,23 +64,28 @@ int main(int argc, char** argv) {
     std::vector<Candidate> stages{
         {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
         {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
-        {"  cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
-        {"  slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
-        {"  noise", [&] { (void)rangeNoise(surface.inverse); }},
-        {"  mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth, nullptr, 1); }},
-        {"  the same, this thread's half", [&] { (void)depthResponses(surface, depth, nullptr, 2); }},
+        {"- cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
+        {"- slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
+        {"- noise", [&] { (void)rangeNoise(surface.inverse); }},
+        {"- mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth, nullptr, 1); }},
+        {"- the same, this thread's half", [&] { (void)depthResponses(surface, depth, nullptr, 2); }},
         {"EdgeScan+ decision", [&] { (void)decideDepthEdges(responses, depth); }},
         {"rocks from finished edges, rows included", [&] { (void)studyRocks(inputs, {}); }},
-        {"  leaves and their borders", [&] { (void)rockLeaves(inputs); }},
-        {"  tree of merges", [&] { (void)mergeTree(rocks.leaves->count(), rocks.leaves->borders); }},
-        {"  rows", [&] { (void)rockRows(*rocks.leaves, rocks.map); }},
+        {"- leaves and their borders", [&] { (void)rockLeaves(inputs); }},
+        {"- tree of merges", [&] { (void)mergeTree(rocks.leaves->count(), rocks.leaves->borders); }},
+        {"- rows", [&] { (void)rockRows(*rocks.leaves, rocks.map); }},
         {"a move of the rocks' slider: map", [&] { (void)rocksAt(*rocks.leaves, *rocks.tree, moved()); }},
-        {"  map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
+        {"- map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
     };
     measureInTurn(stages, rounds);
-    std::printf("%d lines x %d beams, medians of %d rounds\n", scan.lines(), scan.beams(), rounds);
-    const double thesisMs = medianOf(stages.front().cpuMs);
-    for (const Candidate& stage : stages)
-        std::printf("%-42s %8.2f ms %7.2f x thesis\n", stage.name.c_str(), medianOf(stage.cpuMs), medianOf(stage.cpuMs) / thesisMs);
+    const auto msOf = [&](std::size_t stage) { return medianOf(stages[stage].cpuMs); };
+    const double thesisMs = msOf(0);
+    const double plusMs = msOf(kResponses) + msOf(kDecision);
+    std::printf("Medians of %d rounds, %d x %d.\n\n| stage | thread CPU, ms | x thesis's recipe | x EdgeScan+ |\n|---|---|---|---|\n", rounds,
+                scan.lines(), scan.beams());
+    for (const Candidate& stage : stages) {
+        const double ms = medianOf(stage.cpuMs);
+        std::printf("| %s | %.2f | %.2f | %.2f |\n", stage.name.c_str(), ms, ms / thesisMs, ms / plusMs);
+    }
     return 0;
 }
