@@ -1,6 +1,8 @@
 // The thread that helps, started when it is first needed and kept: to start one takes longer than many a stage.
 #include "core/base/bands.h"
 
+#include <pthread.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -63,6 +65,9 @@ public:
         wake_.notify_one();
         thread_.join();
     }
+    /// While a process is copied nobody else may hold the lock: its copy would stay locked.
+    std::mutex& mutex() { return mutex_; }
+
     void ask(std::shared_ptr<Shares> shares) {
         {
             const std::lock_guard lock(mutex_);
@@ -97,9 +102,29 @@ struct Second {
     std::mutex mutex;
     std::unique_ptr<SecondThread> thread;
 };
+Second& second();
+
+// A copy of the process has no second thread: what was kept for it is left alone, and the next who asks starts another.
+void beforeFork() {
+    second().mutex.lock();
+    if (second().thread) second().thread->mutex().lock();
+}
+void afterForkHere() {
+    if (second().thread) second().thread->mutex().unlock();
+    second().mutex.unlock();
+}
+void afterForkInCopy() {
+    static_cast<void>(second().thread.release());
+    second().mutex.unlock();
+}
+
 // Never destroyed: its thread waits until the process ends.
 Second& second() {
-    static auto* const only = new Second;
+    static Second* const only = [] {
+        auto* const made = new Second;
+        static_cast<void>(::pthread_atfork(beforeFork, afterForkHere, afterForkInCopy));
+        return made;
+    }();
     return *only;
 }
 

@@ -192,15 +192,16 @@ InverseRange inverseRange(const Scan& scan, int threads) {
         }
     });
     if (bands == 1) return inverse;
-    // The first ends of a band may close gaps in the lines of the band before.
+    // The first ends of a band look at lines of the band before, and may close gaps there.
+    constexpr int kLooksBack = kLongestGap + 1;
     const auto start = [&](int band) { return firstOfBand(lines, bands, band); };
     shareOut(bands, [&](int band) {
         GapEnds ends(beams);
-        for (int i = start(band) + kLongestGap; i < start(band + 1); ++i) ends.fillAlongLines(inverse, i);
+        for (int i = start(band) + kLooksBack; i < start(band + 1); ++i) ends.fillAlongLines(inverse, i);
     });
     GapEnds ends(beams);
     for (int band = 0; band < bands; ++band) {
-        for (int i = start(band); i < std::min(start(band) + kLongestGap, start(band + 1)); ++i) ends.fillAlongLines(inverse, i);
+        for (int i = start(band); i < std::min(start(band) + kLooksBack, start(band + 1)); ++i) ends.fillAlongLines(inverse, i);
     }
     return inverse;
 }

@@ -2,6 +2,8 @@
 #include "core/base/bands.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <stdexcept>
@@ -39,6 +41,26 @@ TEST(Shares, WhatOneThrowsIsThrownAfterAllAreDone) {
     endSecondThread(); // there is none
     shareOut(2, [&done](int) { ++done; });
     EXPECT_EQ(done, 52);
+    endSecondThread();
+}
+
+// As a batch in Python does: the copy has no second thread, and must not wait for it.
+TEST(Shares, ACopyOfTheProcessStartsItsOwn) {
+    std::atomic<int> done{0};
+    for (int call = 0; call < 20; ++call) {
+        shareOut(4, [&done](int) { ++done; });
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::atomic<int> here{0};
+            for (int again = 0; again < 20; ++again) shareOut(7, [&here](int) { ++here; });
+            ::_exit(here == 140 ? 0 : 1);
+        }
+        ASSERT_GT(child, 0);
+        int status = -1;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(done, 80);
     endSecondThread();
 }
 
