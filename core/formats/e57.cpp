@@ -232,6 +232,7 @@ Result<Done> takeGrid(PointTable& table, const E57Scan& scan, const E57Numbers& 
     }
     if (auto enough = checkMemory(grid->lines * grid->beams * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough;
     spread(table, *grid, numbers, linesAreRows);
+    table.mayBeTurned = scan.lineIndex.empty();
     if (scan.lineIndex.empty()) {
         table.remarks.emplace_back(
             "The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.");

@@ -123,6 +123,11 @@ Result<PointTable> recordPoints(const NumpyArray& array, const Source& source) {
 
 enum class Holds : std::uint8_t { Ranges, Points, Records, Neither };
 
+/// Three rows of numbers: the x, y and z of points, the wrong way round, unless somebody gives the angles of three lines.
+bool mayBePointsAcross(const NumpyArray& array, const ReadingOptions& options) {
+    return array.fields.empty() && array.shape.size() == 2 && array.shape[0] == 3 && array.shape[1] >= kFewestBeams && !options.beamStepDeg;
+}
+
 Holds whatIsIn(const NumpyArray& array, const ReadingOptions& options) {
     const std::size_t sides = array.shape.size();
     if (!array.fields.empty()) return sides == 1 || (sides == 2 && !array.fortranOrder) ? Holds::Records : Holds::Neither;
@@ -145,6 +150,12 @@ Result<Scan> readArray(const Source& source) {
     const auto array = readNumpy(source);
     if (!array) return array.error();
     if (auto fits = checkSides(*array, source); !fits) return fits.error();
+    if (mayBePointsAcross(*array, *source.options)) {
+        return source.refused("a numpy array of shape " + array->shapeText() +
+                                  " may be points the wrong way round, or three lines of ranges",
+                              "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
+                              "--line-step --axis");
+    }
     const Holds what = whatIsIn(*array, *source.options);
     if (what == Holds::Ranges) return rangeScan(*array, source);
     if (what == Holds::Neither) {

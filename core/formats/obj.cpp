@@ -7,6 +7,7 @@
 #include "core/points/column_rows.h"
 #include "core/points/point_columns.h"
 #include "core/points/text_layout.h"
+#include "core/points/text_refusals.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,7 @@ Result<PointTable> readObjPoints(const Source& source) {
         Eigen::Vector3d point;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto value = i + 1 < words.size() ? numberIn(words[i + 1]) : std::nullopt;
+            if (!value && i + 1 < words.size()) return noNumber(source, lines.number(), words[i + 1]);
             if (!value)
                 return source.refusedAtLine(lines.number(), "this vertex does not hold three numbers",
                                             "copy the file again, it may be cut off here");

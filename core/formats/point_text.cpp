@@ -9,6 +9,7 @@
 #include "core/points/own_scan.h"
 #include "core/points/point_columns.h"
 #include "core/points/text_words.h"
+#include "core/points/unnamed_cells.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,8 @@ constexpr std::size_t kRowsLookedAt = 200;
 struct Columns {
     std::array<std::size_t, 3> xyz{0, 1, 2};
     NamedColumns named;
-    std::size_t needed = 3; ///< columns a row must have
+    std::size_t needed = 3;    ///< columns a row must have
+    bool unnamedCells = false; ///< line and beam are the first two columns, which no heading names
 };
 
 /// Names of a table rather than a title between blanks or the numbers of its columns.
@@ -37,14 +39,16 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Without names: how many columns of whole numbers, two at most, stand before three with decimals. They are an intensity, a class, a time,
-/// or row and column of a grid (FARO), and not x.
+constexpr std::size_t kMostWholeFirst = 4;
+
+/// Without names: how many columns of whole numbers, four at most, stand before three with decimals. They are an intensity, a class, a
+/// time, colours, or row and column of a grid (FARO), and not x.
 std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
-    constexpr std::size_t kMost = 2;
+    constexpr std::size_t kMost = kMostWholeFirst;
     if (layout.columns < 4 || !layout.names.empty()) return 0;
     std::array<PrintedDigits, kMost + 3> digits;
     const std::size_t first = layout.labels ? 1 : 0;
-    std::size_t looked = std::min(digits.size(), layout.columns - first);
+    std::size_t looked = std::min(digits.size(), layout.columns);
     std::size_t at = layout.firstByte;
     for (std::size_t row = 0; row < kRowsLookedAt && at < source.text().size(); ++row) {
         const TextLine line = textLineAt(source.text(), at);
@@ -77,7 +81,14 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (columns.named.hasPoint()) {
         for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
     }
-    if (const std::size_t whole = wholeNumbersFirst(source, layout); whole > 0) columns.xyz = {whole, whole + 1, whole + 2};
+    if (const std::size_t whole = wholeNumbersFirst(source, layout); whole > 0) {
+        columns.xyz = {whole, whole + 1, whole + 2};
+        if (whole == 2) { // FARO: row and column; which of them counts the lines shows itself
+            columns.named.of[static_cast<std::size_t>(ColumnRole::Line)] = 1;
+            columns.named.of[static_cast<std::size_t>(ColumnRole::Beam)] = 0;
+            columns.unnamedCells = true;
+        }
+    }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
         const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
@@ -88,12 +99,19 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
 }
 
 /// What was taken for x, y and z where no heading says it; empty where one does, or where numbers are all that there is.
-std::optional<std::string> guessedColumns(const Columns& columns, const TextLayout& layout) {
+std::optional<std::string> guessedColumns(const Columns& columns, const TextLayout& layout, bool cells) {
+    static constexpr std::array<const char*, kMostWholeFirst + 1> kTaken{"", "the second to the fourth", "the third to the fifth",
+                                                                         "the fourth to the sixth", "the fifth to the seventh"};
+    static constexpr std::array<const char*, kMostWholeFirst + 1> kWhole{"", "the first holds", "the first two hold",
+                                                                         "the first three hold", "the first four hold"};
     if (columns.named.hasPoint()) return std::nullopt;
-    if (columns.xyz[0] == 2)
-        return "No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.";
-    if (columns.xyz[0] == 1)
-        return "No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.";
+    if (cells)
+        return "No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and "
+               "z.";
+    if (const std::size_t whole = columns.xyz[0]; whole > 0) {
+        return std::string("No heading names the columns: ") + kTaken[whole] + " were taken for x, y and z, as " + kWhole[whole] +
+               " whole numbers only.";
+    }
     if (areWords(layout)) {
         return "The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " + layout.names[1] +
                ", " + layout.names[2] + ").";
@@ -153,6 +171,11 @@ Result<PointTable> readTextPoints(const Source& source) {
     std::size_t rowsRead = 0;
     while (rows.next(row)) {
         if (row.size() < needed) {
+            if (layout.promisedRows && row.size() == 1 && rowsRead == *layout.promisedRows) {
+                return source.refusedAtLine(rows.lineNumber(),
+                                            "begins a further list, behind the " + std::to_string(rowsRead) + " points of the first",
+                                            "save each scan in a file of its own");
+            }
             return source.refusedAtLine(rows.lineNumber(),
                                         "holds " + std::to_string(row.size()) + " numbers where a point needs " + std::to_string(needed),
                                         "the file may be cut off here, copy it again");
@@ -189,7 +212,13 @@ Result<PointTable> readTextPoints(const Source& source) {
     table.unitMm = named.unitMm;
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
-    if (auto guess = guessedColumns(*columns, layout)) table.remarks.push_back(std::move(*guess));
+    const bool cells = columns->unnamedCells && areCells(table);
+    if (columns->unnamedCells && !cells) {
+        table.line.clear();
+        table.beam.clear();
+    }
+    table.mayBeTurned = !table.line.empty() && (cells || named.rowsAndColumns);
+    if (auto guess = guessedColumns(*columns, layout, cells)) table.remarks.push_back(std::move(*guess));
     if (source.extension() == ".3d") {
         table.format = "3DTK scan";
         table.unitMm = 10.0; // 3DTK: centimetres, left-handed

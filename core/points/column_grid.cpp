@@ -24,7 +24,7 @@ struct Extent {
 };
 
 /// What is counted from 1 begins at 1; what begins elsewhere is a part of a larger grid and keeps its numbers, unless these are absurdly
-/// large.
+/// large or another program's rows and columns.
 struct Shape {
     std::uint32_t firstLine = 0, firstBeam = 0;
     std::uint64_t lines = 0, beams = 0;
@@ -42,6 +42,7 @@ std::optional<Shape> shapeOf(const PointTable& table) {
     const auto most = std::max(kFewCells, kMostCellsPerPoint * static_cast<double>(table.points.size()));
     const bool fromOne = lines.first == 1 && beams.first == 1;
     for (const bool asNumbered : {true, false}) {
+        if (asNumbered && table.mayBeTurned) continue; // a part that another program cut out
         Shape shape;
         shape.firstLine = asNumbered ? (fromOne ? 1 : 0) : lines.first;
         shape.firstBeam = asNumbered ? (fromOne ? 1 : 0) : beams.first;

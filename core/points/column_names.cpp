@@ -223,6 +223,7 @@ NamedColumns columnsNamed(std::span<const std::string> names) {
         found.of[role] = i;
         rank[role] = *itsRank;
     }
+    if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = plain(names[*line]).starts_with("row");
     if (!found.hasPoint()) return found;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (const auto unit = nameOf(names[*found.of[axis]]).unitMm) found.unitMm = unit;

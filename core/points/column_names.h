@@ -17,6 +17,7 @@ inline constexpr std::size_t kColumnRoles = 12;
 /// Which column has which role; empty where none has.
 struct NamedColumns {
     std::optional<std::size_t> of[kColumnRoles];
+    bool rowsAndColumns = false;  ///< line and beam are called row and column, which programs mean either way
     std::optional<double> unitMm; ///< millimetres per number of x y z, where their names say so: "x_mm", "X [m]"
 
     [[nodiscard]] std::optional<std::size_t> operator[](ColumnRole role) const { return of[static_cast<std::size_t>(role)]; }

@@ -32,10 +32,12 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
                        field(ColumnRole::Intensity),
                        field(ColumnRole::FilledSdMm),
                        {},
-                       named.unitMm};
+                       named.unitMm,
+                       false};
     if (named.hasCell()) {
         picked.line = field(ColumnRole::Line);
         picked.beam = field(ColumnRole::Beam);
+        picked.rowsAndColumns = named.rowsAndColumns;
     }
     if (named.hasScannerPoint())
         picked.scanner = {*field(ColumnRole::ScannerX), *field(ColumnRole::ScannerY), *field(ColumnRole::ScannerZ)};
@@ -45,12 +47,13 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
 bool readRecords(PointTable& table, const PointFields& all, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source) {
     PointFields fields = all;
-    if (source.placesOnly) fields = {all.x, all.y, all.z, {}, {}, {}, {}, {}, {}, {}, all.unitMm};
+    if (source.placesOnly) fields = {all.x, all.y, all.z, {}, {}, {}, {}, {}, {}, {}, all.unitMm, false};
     const bool rangesOnly = !source.placesOnly && all.rangeMm && all.state && !all.filledSdMm && takesRangesOnly(table.description);
     if (rangesOnly) {
         fields.line.reset();
         fields.beam.reset();
     }
+    table.mayBeTurned = fields.rowsAndColumns;
     constexpr std::size_t kAtOnce = 4096; // records stay in the cache while their fields are read one after the other
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
     if (!rangesOnly) table.points.resize(points);
@@ -101,6 +104,7 @@ Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t 
 Result<Done> readRows(PointTable& table, const PointFields& fields, const PromisedRows& promised, const Source& source) {
     const auto& [points, columns, firstByte, firstLine, last] = promised;
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
+    table.mayBeTurned = fields.rowsAndColumns;
     TextLayout layout;
     layout.firstByte = firstByte;
     layout.firstLine = firstLine;

@@ -31,6 +31,7 @@ struct PointFields {
     std::optional<RecordField> rangeMm, state, line, beam, intensity, filledSdMm;
     std::vector<RecordField> scanner; ///< three or none
     std::optional<double> unitMm;     ///< where the names of x y z say it
+    bool rowsAndColumns = false;      ///< line and beam are called row and column
 };
 
 /// Empty when x, y or z is missing.

@@ -220,6 +220,51 @@ void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTab
     for (const AttachedPoint& point : behind) scan.attached.push_back({point.cell, point.pointM * metres});
 }
 
+/// The angles of a table's points, in the file's own frame or about whatever axis its lines turn.
+struct FoundGrid {
+    Result<RecognisedGrid> grid;
+    bool inFrameOfFile = false;
+    [[nodiscard]] bool cancelled() const { return !grid && grid.error().what == "cancelled"; }
+};
+/// `named`: the file gives each point its line and beam, so no other shape is right.
+FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named) {
+    FoundGrid found{recognise(table, source, organised ? table.width : 0)};
+    if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
+    found.inFrameOfFile = static_cast<bool>(found.grid);
+    if (found.inFrameOfFile || found.cancelled() || !named || table.gridIsGiven) return found;
+    auto turned = recogniseTurned(table, source);
+    if ((!turned && turned.error().what == "cancelled") || (turned && !isOfAnotherShape(*turned, table))) found.grid = std::move(turned);
+    return found;
+}
+
+/// Lines for beams and beams for lines.
+void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind) {
+    const auto exchanged = [&](const auto& cells) {
+        auto turned = cells;
+        for (std::size_t k = 0; k < cells.size(); ++k) turned[k % table.width * table.height + k / table.width] = cells[k];
+        return turned;
+    };
+    table.points = exchanged(table.points);
+    if (!table.rangeMm.empty()) table.rangeMm = exchanged(table.rangeMm);
+    if (!table.state.empty()) table.state = exchanged(table.state);
+    if (!table.intensity.empty()) table.intensity = exchanged(table.intensity);
+    for (AttachedPoint& point : behind)
+        point.cell = static_cast<std::uint32_t>(point.cell % table.width * table.height + point.cell / table.width);
+    std::swap(table.width, table.height);
+}
+
+/// Where lines of rows make no fan, lines of columns may.
+FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind) {
+    FoundGrid found = findGrid(table, source, true, true);
+    if (found.grid || found.cancelled() || !table.mayBeTurned || table.height < 2 || table.width < 2) return found;
+    exchangeLinesAndBeams(table, behind);
+    FoundGrid other = findGrid(table, source, true, true);
+    if (other.grid) table.remarks.emplace_back("Lines and beams were exchanged: only that way the lines make fans about one axis.");
+    if (other.grid || other.cancelled()) return other;
+    exchangeLinesAndBeams(table, behind);
+    return found;
+}
+
 Result<Scan> scanOf(PointTable& table, const Source& source) {
     const Projection projection = source.options->projection;
     if (projection == Projection::Always) return projectedScan(table, source, {});
@@ -231,21 +276,16 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
-    auto grid = recognise(table, source, organised ? table.width : 0);
+    if (auto afar = organised ? seenFromAfar(table, source) : std::nullopt) return std::move(*afar);
+    FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind) : findGrid(table, source, organised, false);
+    auto& grid = found.grid;
     const bool text = table.format == "point list";
     if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
     }
-    if (!grid && grid.error().what == "cancelled") return source.cancelled();
-    if (grid && (table.gridIsGiven || laidOut) && isOfAnotherShape(*grid, table)) grid = Error{"another grid", "", ""};
-    const bool inFrameOfFile = static_cast<bool>(grid);
-    if (!grid && laidOut) {
-        auto turned = recogniseTurned(table, source);
-        if (!turned && turned.error().what == "cancelled") return source.cancelled();
-        if (turned && !isOfAnotherShape(*turned, table)) grid = std::move(turned);
-    }
+    if (found.cancelled()) return source.cancelled();
     if (grid || organised) {
-        Scan scan = grid ? recognisedScan(table, std::move(*grid), source, inFrameOfFile) : organisedScan(table, source);
+        Scan scan = grid ? recognisedScan(table, std::move(*grid), source, found.inFrameOfFile) : organisedScan(table, source);
         attach(scan, behind, table, source);
         return scan;
     }

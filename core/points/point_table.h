@@ -28,6 +28,7 @@ struct PointTable {
     std::string format;                               ///< "PCD", "PLY", "point list"
     std::size_t width = 0;                            ///< points per row of an organised cloud; all points otherwise
     std::size_t height = 1;                           ///< 1 = not organised
+    bool mayBeTurned = false;                         ///< what the file calls its lines may be its beams: the one that makes a fan counts
     bool gridIsGiven = false;                         ///< organised by the file's own line and beam of each point: no other shape is right
     std::vector<Eigen::Vector3d> points;              ///< the numbers of the file; not finite where missing
     Precision precision{0.0, kFloatError};            ///< how exactly they are written

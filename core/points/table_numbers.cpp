@@ -1,6 +1,7 @@
 // What the numbers of a table of points mean: their unit, how they were rounded, where the sensor is among them.
 #include "core/points/table_numbers.h"
 
+#include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
 #include "core/points/cells_of_points.h"
@@ -92,6 +93,35 @@ Precision precisionAboutSensor(const PointTable& table) {
     }
     if (!table.sensor.isZero(0.0)) precision.absolute = std::max(precision.absolute, kFloatError / 2 * largest);
     return precision;
+}
+
+/// An organised cloud whose points all lie one way was not taken from there: coordinates of a mine, and nobody says where the scanner
+/// stood.
+std::optional<Error> seenFromAfar(const PointTable& table, const Source& source) {
+    constexpr double kNarrowRad = 0.0175, kNarrowCellRad = 3.5e-5; // a degree, and two thousandths of one
+    if (source.options->sensorM || !table.sensor.isZero(0.0)) return std::nullopt;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    std::size_t returns = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!isReturn(p)) continue;
+        middle += p.normalized();
+        ++returns;
+    }
+    constexpr std::size_t kFewest = 12;
+    if (returns < kFewest || middle.norm() < 0.5 * static_cast<double>(returns)) return std::nullopt;
+    middle.normalize();
+    double widest = 0;
+    double farthest = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!isReturn(p)) continue;
+        widest = std::max(widest, 2 * middle.cross(p).norm() / p.norm());
+        farthest = std::max(farthest, p.norm());
+    }
+    if (widest > kNarrowRad || widest > kNarrowCellRad * static_cast<double>(std::max(table.width, table.height))) return std::nullopt;
+    return source.refused("the " + std::to_string(returns) + " points of its grid lie in one direction from the origin, within " +
+                              significantText(degrees(widest), 3) + " degrees and up to " + significantText(farthest, 6) +
+                              " away: the scanner stood elsewhere",
+                          "give --sensor X,Y,Z, the place in metres that the scan was taken from");
 }
 
 void takeGivenSensor(PointTable& table, const Source& source) {

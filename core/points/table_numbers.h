@@ -31,4 +31,8 @@ namespace edgescan {
 /// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
 void takeGivenSensor(PointTable& table, const Source& source);
 
+/// An organised cloud whose points all lie one way from the origin was not taken from there: coordinates of a mine, and nobody says where
+/// the scanner stood. Empty: nothing speaks against the origin, or a sensor's place is known.
+[[nodiscard]] std::optional<Error> seenFromAfar(const PointTable& table, const Source& source);
+
 } // namespace edgescan

@@ -1,5 +1,7 @@
 // Finds out how a text of numbers is laid out from its first lines.
 #include "core/points/column_names.h"
+#include "core/points/number_groups.h"
+#include "core/points/text_refusals.h"
 #include "core/points/text_words.h"
 
 #include <algorithm>
@@ -174,9 +176,20 @@ std::vector<std::string> namesOf(std::string_view header, std::size_t cells, con
     return names;
 }
 
+/// "x" above "[mm]" is "x [mm]".
+void addUnits(std::vector<std::string>& names, std::string_view units, const TextLayout& layout) {
+    const auto words = cellsIn(units, layout);
+    if (words.size() != names.size()) return;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!words[i].empty()) names[i] += " [" + std::string(words[i]) + "]";
+    }
+}
+
 /// The label's own name goes; R leaves it out itself.
-void nameColumns(std::string_view header, std::size_t cells, std::string_view text, TextLayout& layout) {
+void nameColumns(const TextHead& head, std::size_t cells, std::string_view text, TextLayout& layout) {
+    const std::string_view header = head.header;
     auto names = namesOf(header, cells, layout);
+    addUnits(names, head.units, layout);
     if (names.size() != cells && names.size() + 1 != cells) names.clear(); // a line about something else is no header
     const bool pandas = names.size() == cells && cells > 2 && (names[0].empty() || names[0].starts_with("unnamed: 0"));
     const bool counted = names.size() != cells && cells > 3 && firstCellsCount(text, layout);
@@ -252,25 +265,6 @@ std::optional<TextLayout> layoutAmongWords(std::string_view text) {
     return std::nullopt;
 }
 
-/// Numbers and words in one row, as total stations write points: "12,350012.33,7650004.10,-812.4,ROCK".
-bool hasNumbersAmongWords(std::string_view text) {
-    std::size_t at = 0;
-    for (std::size_t number = 0; at < text.size() && number < kSampleRows; ++number) {
-        const TextLine line = textLineAt(text, at);
-        at = line.next;
-        if (std::ranges::count_if(wordsIn(line.text), isNumber) >= 3) return true;
-    }
-    return false;
-}
-
-Error noNumbers(const Source& source) {
-    if (hasNumbersAmongWords(source.text())) {
-        return source.refused("there are words among the numbers of its rows, and no heading names x, y and z",
-                              "write a first row with the names of the columns, such as id,x,y,z,code");
-    }
-    return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
-}
-
 /// "3,48,-0,30,0,0" below "x,y,z": a comma is both, and twice as many cells as names.
 bool hasCommasForBoth(std::string_view header, std::span<const std::string_view> cells, const TextLayout& layout) {
     const auto whole = [](std::string_view cell) { return isNumber(cell) && cell.find_first_of(".eE") == std::string_view::npos; };
@@ -311,11 +305,12 @@ std::optional<std::size_t> firstByteThatIsNoText(std::string_view text) {
 
 Result<TextLayout> textLayoutOf(const Source& source) {
     const std::string_view text = source.text();
+    if (const auto grouped = findGroupedNumber(text)) return thousandsApart(source, *grouped);
     TextHead head = readHead(text, false);
     const bool labels = !head.found;
     if (labels) head = readHead(text, true);
     if (auto layout = head.found ? std::nullopt : layoutAmongWords(text)) return std::move(*layout);
-    if (!head.found) return noNumbers(source);
+    if (!head.found) return textWithoutNumbers(source);
     TextLayout layout;
     layout.firstByte = head.firstByte;
     layout.firstLine = head.firstLine;
@@ -350,8 +345,8 @@ Result<TextLayout> textLayoutOf(const Source& source) {
         layout.firstByte = firstNumbers;
         head.header = rows.front();
     }
-    nameColumns(head.header, cells.size(), text, layout);
-    if (labels && layout.columns < kWide && !columnsNamed(layout.names).hasPoint()) return noNumbers(source);
+    nameColumns(head, cells.size(), text, layout);
+    if (labels && layout.columns < kWide && !columnsNamed(layout.names).hasPoint()) return textWithoutNumbers(source);
     layout.mayBeWords = unreadColumns(layout.names);
     return layout;
 }

@@ -88,6 +88,7 @@ public:
 private:
     bool readRow(std::vector<double>& numbers);
     bool skipLabel();
+    bool passRestOf(const char* cell, std::vector<double>& numbers);
     const char* endOfRow();
     bool readCell(std::vector<double>& numbers);
     bool readUsualCell(std::vector<double>& numbers);

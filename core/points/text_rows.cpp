@@ -1,5 +1,6 @@
 // Reads rows of numbers with std::from_chars: the point is always '.', whatever the locale.
 #include "core/points/text_layout.h"
+#include "core/points/text_refusals.h"
 #include "core/points/text_words.h"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ bool RowReader::readRow(std::vector<double>& numbers) {
     if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true; // Ctrl+Z ended files once
     if (layout_->labels && !skipLabel()) return true;
     for (;;) {
+        const char* const cell = at_;
         if (!readUsualCell(numbers) && !readCell(numbers)) return false;
         if (numbers.size() == mostNumbers_) return true;
         while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
@@ -139,9 +141,23 @@ bool RowReader::readRow(std::vector<double>& numbers) {
             continue;
         }
         if (at_ == rowEnd_ || isComment()) return true;
-        ++at_; // the separator; readCell has checked that it is one
+        if (*at_ != separator && !passRestOf(cell, numbers)) return false;
+        if (at_ == rowEnd_) return true;
+        ++at_; // the separator
         if (at_ == rowEnd_ && layout_->trailingSeparator) return true;
     }
+}
+
+/// Past what stands behind the number of a cell; false where the number is needed.
+bool RowReader::passRestOf(const char* cell, std::vector<double>& numbers) {
+    while (at_ < rowEnd_ && *at_ != layout_->separator) ++at_;
+    const std::size_t column = numbers.size() - 1;
+    if (column < layout_->mayBeWords.size() && layout_->mayBeWords[column]) {
+        numbers.back() = kMissing;
+        return true;
+    }
+    problem_ = noNumber(*source_, line_, {cell, static_cast<std::size_t>(at_ - cell)});
+    return false;
 }
 
 /// Past the label and its separator; false when the row ends there.
@@ -222,10 +238,9 @@ bool RowReader::readCell(std::vector<double>& numbers) {
             at_ = wordEnd;
             return true;
         }
-        std::string word(at_, wordEnd);
-        std::replace_if(
-            word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
-        problem_ = source_->refusedAtLine(line_, "\"" + word + "\" is no number", "correct the line or export the file again");
+        // Between other separators a cell may hold blanks: the whole of it tells more.
+        while (separator != ' ' && wordEnd < rowEnd_ && *wordEnd != separator) ++wordEnd;
+        problem_ = noNumber(*source_, line_, {at_, static_cast<std::size_t>(wordEnd - at_)});
         return false;
     }
     measureCell(numbers.size(), from, end);

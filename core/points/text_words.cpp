@@ -31,6 +31,19 @@ std::optional<std::size_t> countIn(std::string_view line) {
     return count;
 }
 
+/// "m,m,m" or "[mm] [mm] [mm] -": the row below the names in tables of measuring programs.
+bool isRowOfUnits(std::string_view line) {
+    static constexpr std::array<std::string_view, 17> kUnits{"m", "mm", "cm", "km", "ft", "usft", "in",   "deg", "rad",
+                                                             "s", "ms", "us", "ns", "db", "-",    "none", "1"};
+    const auto words = wordsIn(line);
+    return words.size() >= 3 && std::ranges::all_of(words, [](std::string_view word) {
+               if (word.size() > 2 && (word.front() == '[' || word.front() == '(')) word = word.substr(1, word.size() - 2);
+               std::string lower(word);
+               std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+               return std::ranges::find(kUnits, lower) != kUnits.end();
+           });
+}
+
 /// Behind a label, and two numbers at least.
 bool isLabelledRow(std::string_view line) {
     const std::size_t cut = std::min({line.find(';'), line.find(','), line.find('\t')});
@@ -163,8 +176,11 @@ TextHead readHead(std::string_view text, bool labels) {
             head.promisedRows = count;
         } else if (isEmptyRow(line.text)) {
             if (emptyRows++ == 0) firstEmpty = at;
+        } else if (!head.header.empty() && isRowOfUnits(line.text)) {
+            head.units = line.text;
         } else if (!trimmed(line.text).empty()) {
             head.header = line.text;
+            head.units = {};
             emptyRows = 0;
         } else if (emptyRows > 0) {
             emptyRows = 0; // a blank line among them

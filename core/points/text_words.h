@@ -33,6 +33,7 @@ std::from_chars_result numberWithFortranExponent(const char* from, const char* t
 struct TextHead {
     std::size_t firstByte = 0;
     std::size_t firstLine = 0;
+    std::string_view units;  ///< a row of them below the header, one per column
     std::string_view header; ///< last line that is neither blank nor numbers, comment sign removed
     std::optional<std::size_t> promisedRows;
     std::string description;

@@ -45,9 +45,10 @@ void print(const std::string& name, const Scan& scan, const std::vector<const ch
                     if (!back.problem.empty())
                         std::printf("%s |\n", back.problem.c_str());
                     else
-                        std::printf("%d x %d | %zu of %zu | %zu | %zu of %zu (%.3f %%) |", back.lines, back.beams, back.lost, back.written,
-                                    back.moved, back.differ, back.edges,
-                                    100.0 * static_cast<double>(back.differ) / static_cast<double>(std::max<std::size_t>(1, scan.cells())));
+                        std::printf("%d x %d | %zu of %zu | %zu | %zu | %zu | %zu of %zu (%.3f %%) | %zu |", back.lines, back.beams,
+                                    back.lost, back.written, back.unclear, back.moved, back.movedClear, back.differ, back.edges,
+                                    100.0 * static_cast<double>(back.differ) / static_cast<double>(std::max<std::size_t>(1, scan.cells())),
+                                    back.differRounded);
                     if (verbose && back.problem.empty()) {
                         std::printf(" %.2f s", back.seconds);
                         std::printf("%s%s", back.turnedLines ? " lines turned" : "", back.turnedBeams ? " beams turned" : "");
@@ -108,9 +109,10 @@ int main(int argc, char** argv) {
     std::vector<const char*> formats;
     for (const std::string& name : formatNames) formats.push_back(name.c_str());
     if (!verbose)
-        std::puts("| scan | format | rounded to | order | thinned by | grid found | points without a cell | cells with another range | "
-                  "mask cells that differ, of edge cells (share of all cells) |\n"
-                  "|---|---|---|---|---|---|---|---|---|");
+        std::puts(
+            "| scan | format | rounded to | order | thinned by | grid found | points without a cell | points whose line rounding hides | "
+            "cells with another range | none of these | mask cells that differ, of edge cells (share of all cells) | by rounding alone |\n"
+            "|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const std::string& file : files) {
         auto scan = openScan(file);
         if (!scan) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <numbers>
 #include <random>
 
 namespace edgescan::test {
@@ -59,11 +60,14 @@ struct CameBack {
     std::string problem; ///< the error's sentence; empty: it opened
     int lines = 0, beams = 0;
     std::size_t written = 0;
-    std::size_t lost = 0;   ///< points that have no cell of their own
-    std::size_t moved = 0;  ///< cells whose range is not that of the same cell of the original
-    std::size_t edges = 0;  ///< cells of the original's mask
-    std::size_t differ = 0; ///< of the mask
-    double seconds = 0;     ///< to open it
+    std::size_t lost = 0;          ///< points that have no cell of their own
+    std::size_t moved = 0;         ///< cells whose range is not that of the same cell of the original
+    std::size_t edges = 0;         ///< cells of the original's mask
+    std::size_t differ = 0;        ///< of the mask
+    std::size_t unclear = 0;       ///< points so near the axis that rounding may move them by more than half a line: nothing tells theirs
+    std::size_t movedClear = 0;    ///< of `moved`: cells that had a point, and one that is none of these
+    std::size_t differRounded = 0; ///< mask cells that differ where each cell keeps its place and gets the range of its rounded point
+    double seconds = 0;            ///< to open it
     bool turnedLines = false, turnedBeams = false;
     std::vector<std::array<double, 4>> examples; ///< of moved cells: line, beam, range that was, range that is
     std::vector<std::string> warnings;
@@ -143,8 +147,35 @@ inline Scan turnedOver(const Scan& scan, bool lines, bool beams) {
     return turned;
 }
 
+/// Written points, by cell, whose line their rounded numbers do not tell.
+inline std::vector<bool> unclearCells(const Scan& scan, const WrittenPoints& written, const RoundTrip& trip) {
+    std::vector<bool> unclear(scan.cells(), false);
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return unclear;
+    const CartesianTables tables(scan);
+    const double roundedM = 0.5 * std::pow(10.0, -trip.decimals) * std::numbers::sqrt2; // of the two coordinates across the axis
+    for (const std::uint32_t k : written.cell) {
+        const auto i = static_cast<std::size_t>(k) / static_cast<std::size_t>(scan.beams());
+        double step = 360;
+        if (i > 0) step = std::min(step, std::abs(polar->lineDeg[i] - polar->lineDeg[i - 1]));
+        if (i + 1 < polar->lineDeg.size()) step = std::min(step, std::abs(polar->lineDeg[i + 1] - polar->lineDeg[i]));
+        const Eigen::Vector3d p = tables.point(k);
+        const double fromAxis = polar->axis == Axis::Spin ? std::hypot(p.x(), p.y()) : std::hypot(p.y(), p.z());
+        unclear[k] = fromAxis * std::sin(step / 2 * std::numbers::pi / 180) <= roundedM;
+    }
+    return unclear;
+}
+
+/// The scan with the ranges of its rounded points, each in its own cell.
+inline Scan withRoundedRanges(Scan scan, const WrittenPoints& written, const RoundTrip& trip) {
+    for (std::size_t n = 0; n < written.cell.size(); ++n)
+        scan.rangeMm[written.cell[n]] = static_cast<float>(1000 * (written.points[n] - trip.sensorM).norm());
+    return scan;
+}
+
 /// A shuffled list has lost its direction: the original is taken in the direction in which it was found.
-inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t written, double toleranceMm) {
+inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t written, double toleranceMm,
+                         const std::vector<bool>& unclearAsWritten = {}) {
     CameBack back;
     back.written = written;
     back.lines = found.lines();
@@ -157,6 +188,14 @@ inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t w
     back.turnedBeams = turned.turnBeams;
     const Scan original = turnedOver(asWritten, turned.turnLines, turned.turnBeams);
     const Alignment a = alignmentOf(original, found, toleranceMm);
+    back.unclear = static_cast<std::size_t>(std::ranges::count(unclearAsWritten, true));
+    const auto isUnclear = [&](std::size_t k) {
+        if (unclearAsWritten.empty()) return false;
+        const auto line = static_cast<int>(k / static_cast<std::size_t>(original.beams()));
+        const auto beam = static_cast<int>(k % static_cast<std::size_t>(original.beams()));
+        return unclearAsWritten[original.rangeMm.index(turned.turnLines ? original.lines() - 1 - line : line,
+                                                       turned.turnBeams ? original.beams() - 1 - beam : beam)];
+    };
     const auto expected = maskOf(original);
     const auto mask = maskOf(found);
     std::vector<bool> seen(original.cells(), false);
@@ -170,6 +209,7 @@ inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t w
             }
             seen[*k] = true;
             if (found.state.at(i, j) == CellState::Valid && !sameRange(original, *k, found, i, j, toleranceMm)) {
+                back.movedClear += original.state[*k] == CellState::Valid && !isUnclear(*k) ? 1 : 0;
                 if (++back.moved % 97 == 1) back.examples.push_back({double(i), double(j), original.rangeMm[*k], found.rangeMm.at(i, j)});
             }
             back.differ += edge != ((*expected)[*k] != 0) ? 1 : 0;
@@ -196,7 +236,11 @@ inline CameBack roundTrip(const Scan& scan, const RoundTrip& trip) {
         return back;
     }
     const Scan reference = onlyWritten(scan, written.cell);
-    CameBack back = compared(reference, *found, written.points.size(), 1000 * std::pow(10.0, -trip.decimals) + 1);
+    CameBack back = compared(reference, *found, written.points.size(), 1000 * std::pow(10.0, -trip.decimals) + 1,
+                             unclearCells(reference, written, trip));
+    const auto asItWas = maskOf(reference);
+    const auto rounded = maskOf(withRoundedRanges(reference, written, trip));
+    for (std::size_t k = 0; k < reference.cells(); ++k) back.differRounded += (*asItWas)[k] != (*rounded)[k] ? 1 : 0;
     back.seconds = seconds;
     return back;
 }

@@ -100,6 +100,17 @@ TEST_F(ColumnHeadings, AGuessIsTold) {
     }
 }
 
+TEST_F(ColumnHeadings, ARowOfUnitsBelowIsNoHeading) {
+    for (const Heading& heading : std::initializer_list<Heading>{
+             {"z,y,x\nm,m,m", "z,y,x"}, {"id;Z;Y;X\n-;[mm];[mm];[mm]", "n;z;y;x", 1000}, {"Z\tY\tX\n(m)\t(m)\t(m)", "z\ty\tx"}}) {
+        SCOPED_TRACE(heading.names);
+        expectSame(heading);
+    }
+    const auto scan = opened({"x,y,z,i\nm,m,m,-", "x,y,z,i"});
+    ASSERT_TRUE(scan);
+    EXPECT_FALSE(tellsOfColumns(*scan));
+}
+
 TEST_F(ColumnHeadings, OtherThingsThanPointsAreRefused) {
     const auto refused = [&](const Heading& heading, const std::string& what) {
         SCOPED_TRACE(heading.names);

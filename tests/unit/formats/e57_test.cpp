@@ -154,6 +154,19 @@ TEST(E57, LinesAreRowsWhereTheFileSaysSo) {
     EXPECT_FALSE(e57Told(*scan, "taken as lines"));
 }
 
+TEST(E57, LinesAreRowsWhereOnlyThatMakesFans) {
+    const Scan expected = makeScan({.beamStart = 20, .noReturns = 0.2});
+    const E57Cells cells = e57CellsOf(expected, 9);
+    E57Part part{e57Cartesian(cells.points), ""}; // neither bounds nor grouping
+    part.columns.push_back(e57Whole("rowIndex", cells.lines));
+    part.columns.push_back(e57Whole("columnIndex", cells.beams));
+    const auto scan = readBytes(e57Bytes({part}), ".e57");
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_EQ(scan->rangeMm, expected.rangeMm);
+    EXPECT_EQ(scan->state, expected.state);
+    EXPECT_TRUE(e57Told(*scan, "Lines and beams were exchanged"));
+}
+
 TEST(E57, SphericalGridsAreTheSameGrids) {
     ScanShape shape;
     shape.axis = Axis::Spin;

@@ -142,6 +142,7 @@ TEST(Numpy, WhatIsNoScanIsRefusedWithASentence) {
     EXPECT_NE(refused("'<f8'", "(100, 100)", "xxxx").find("10000 items of 8 bytes, and the file holds 4 bytes"), std::string::npos);
     EXPECT_NE(refused("'<f8'", "(0, 100)", "").find("is empty"), std::string::npos);
     EXPECT_NE(refused("'<f8'", "(7,)", std::string(56, 'x')).find("shape (7,) is neither ranges"), std::string::npos);
+    EXPECT_NE(refused("'<f8'", "(3, 40)", std::string(960, 'x')).find("points the wrong way round"), std::string::npos);
     EXPECT_NE(refused("[('a', '<f4')]", "(7,)", std::string(28, 'x')).find("have no x, y and z, only a"), std::string::npos);
     EXPECT_NE(refusalOf("\x93NUMPY\x01", ".npy").find("ends within its numpy header"), std::string::npos);
     EXPECT_NE(refusalOf(npyBytes("{'descr': __import__('os')}", ""), ".npy").find("does not say type, order and shape"), std::string::npos);

@@ -60,6 +60,7 @@ TEST(Obj, EdgesHaveTheirVertices) {
 }
 
 TEST(Obj, DamageIsNamedByLine) {
+    EXPECT_NE(refusalOf("o x\nv 1 2 3\nv 1,5 2 3\n", ".obj").find("line 3: \"1,5\" has a decimal comma"), std::string::npos);
     EXPECT_NE(refusalOf("o x\nv 1 2 3\nv 1 2\n", ".obj").find("line 3: this vertex does not hold three numbers"), std::string::npos);
     EXPECT_NE(refusalOf("o x\nf 1 2 3\n", ".obj").find("no vertices"), std::string::npos);
     EXPECT_NE(refusalOf("v a b c\n", ".obj").find("line 1"), std::string::npos);

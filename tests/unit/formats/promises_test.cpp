@@ -107,11 +107,15 @@ TEST(Promises, ALastRowWithoutItsLineEndMayBeCut) {
 }
 
 TEST(Promises, PointsOutOfReachAreTold) {
-    std::string far;
-    for (int n = 0; n < 200; ++n) far += std::to_string(698700 + n % 20) + ".5 " + std::to_string(5150000 + n / 20) + ".5 300.5\n";
+    std::string far, oneWay;
+    for (int n = 0; n < 200; ++n) {
+        far += std::to_string(1200000 + n % 20 * 100000) + ".5 " + std::to_string(n / 20 * 100000) + ".5 300.5\n";
+        oneWay += std::to_string(698700 + n % 20) + ".5 " + std::to_string(5150000 + n / 20) + ".5 300.5\n";
+    }
     ReadingOptions metres;
     metres.unitMm = 1000;
     expectSaid(pcd(20, 10, "ascii", far), ".pcd", "200 points lie farther than 1000 km from the sensor", metres);
+    expectSaid(pcd(20, 10, "ascii", oneWay), ".pcd", "200 points of its grid lie in one direction from the origin", metres);
 }
 
 TEST(Promises, APlaceIsOnEarth) {

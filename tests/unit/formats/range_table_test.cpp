@@ -223,7 +223,7 @@ TEST(RangeTable, FilesThatAreNoneAreNamed) {
     refused("<?xml version=\"1.0\"?>\n<a>\n1,2,3\n</a>\n", "this is an XML document");
     refused(std::string("BM\x36\0\0\0", 6), "this is a BMP picture");
     refused(std::string("RIFF\x24\0\0\0WEBP", 12), "this is a picture, sound or film");
-    refused("x,y,z\nBerlin,Rome,Paris\n", "text without a row of numbers");
+    refused("x,y,z\nBerlin,Rome,Paris\n", "\"Berlin\" stands below x, y or z and is no number");
     refused("place,a,b\nBerlin,1,2\nRome,3,4\n", "text without a row of numbers"); // labels make no points without x, y and z
     refused("\"3,5\",\"3,6\",\"3,7\"\n\"3,5\",\"3,6\",\"3,7\"\n", "decimal commas in quotes between commas");
     std::string turned; // a beam per row

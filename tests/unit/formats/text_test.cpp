@@ -187,6 +187,10 @@ TEST(PointText, SentencesNameTheLine) {
     refused("1 2 3\n4 5 6\n7 8\n", "line 3: holds 2 numbers");
     refused("5\n1 2 3\n4 5 6\n", "promises 5 points and holds 2");
     refused("1 2\n3 4\n", "line 1: holds 2 numbers where a point needs three");
+    refused("1.5|2.5|3.5\n1.5|2.5|4.5\n", "line 1: its numbers stand between \"|\"");
+    refused("[1.5 2.5 3.5]\n", "line 1: its numbers stand between \"[\"");
+    refused("x,y,z\n1.5 m,2.5 m,3.5 m\n", "line 2: \"1.5 m\" stands below x, y or z and is no number");
+    refused("3\n1 2 3\n1 2 4\n1 2 5\n2\n1 2 6\n1 2 7\n", "line 5: begins a further list, behind the 3 points of the first");
     refused("only words here\n", "without a row of numbers");
     refused("1 2 3\n", "too few");
     refused("0 0 0\n0 0 0\n", "holds 0 points with a return");

@@ -77,6 +77,7 @@ TEST(RoundedLists, NoPointIsLostAndTheMaskStays) {
                         EXPECT_EQ(back.lines, scan.lines());
                         EXPECT_EQ(back.beams, scan.beams());
                         EXPECT_EQ(back.lost, 0U);
+                        EXPECT_EQ(back.movedClear, 0U); // what came into another cell had nothing to tell its line
                         if (!shuffled) {
                             EXPECT_EQ(back.moved, 0U);
                         }
