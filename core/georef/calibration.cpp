@@ -109,4 +109,10 @@ RigidTransform inclinometerFromAxisBase(const Calibration& c) {
 
 StepperMount stepperMount(const Calibration& c) { return {moverFromSensor(c.mountRpyDeg, c.mountM), c.axis, c.zeroDeg, c.direction}; }
 
+std::optional<Boom> boomOf(const Calibration& c) {
+    if (c.armM.isZero(0.0)) return std::nullopt;
+    const RigidTransform fromInclinometer = inverse(inclinometerFromAxisBase(c)); // whose origin is the head
+    return Boom{fromInclinometer * Eigen::Vector3d(-c.armM), fromInclinometer.translationM};
+}
+
 } // namespace edgescan

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -64,5 +65,7 @@ Result<Calibration> openCalibration(const std::filesystem::path& path);
 /// T_IA.
 [[nodiscard]] RigidTransform inclinometerFromAxisBase(const Calibration& calibration);
 [[nodiscard]] StepperMount stepperMount(const Calibration& calibration);
+/// From pivot to head; empty without an arm.
+[[nodiscard]] std::optional<Boom> boomOf(const Calibration& calibration);
 
 } // namespace edgescan

@@ -146,6 +146,7 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     auto placement = std::make_shared<Placement>();
     placement->mount = stepperMount(calibration);
     placement->gridScale = calibration.gridScale;
+    if (!poses.headInRobotM.allFinite()) placement->boom = boomOf(calibration);
     placement->grid = poses.grid;
     placement->source = poses.source;
     const TalinReading mean = averageTalin(poses.talin);

@@ -77,15 +77,21 @@ Eigen::Vector3d PlacedPoints::scanner(int line, int beam, const Eigen::Vector3d&
     return unturned_[i].transpose() * (inverse(mountOf(beam)) * inMover);
 }
 
-MinePoint minePoint(const Scan& scan, std::size_t k) {
+Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
     const Placement& placement = *scan.placement;
     const double lineDeg = turnOfLine(polar, line);
-    const double skewDeg = skewOfBeam(polar, k % static_cast<std::size_t>(scan.beams()));
-    const Eigen::Vector3d inMover = mountAfter(placement, polar, skewDeg) * (idealTurn(polar, lineDeg).transpose() * pointOfCell(scan, k));
+    const double skewDeg = skewOfBeam(polar, static_cast<std::size_t>(beam));
+    const Eigen::Vector3d inMover = mountAfter(placement, polar, skewDeg) * (idealTurn(polar, lineDeg).transpose() * scannerPointM);
+    return stepperTurn(placement.mount, lineDeg) * inMover;
+}
+
+MinePoint minePoint(const Scan& scan, std::size_t k) {
+    const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
+    const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
+    const Placement& placement = *scan.placement;
     const RigidTransform& pose = poseOfLine(placement, line);
-    const Eigen::Vector3d inPose = pose.rotation * (stepperTurn(placement.mount, lineDeg) * inMover);
+    const Eigen::Vector3d inPose = pose.rotation * inAxisBase(scan, line, beam, pointOfCell(scan, k));
     const Eigen::Vector3d local = pose.translationM + scaleOf(placement).cwiseProduct(inPose);
     return {placement.originEnhM + local, local};
 }

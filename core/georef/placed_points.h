@@ -46,6 +46,9 @@ struct MinePoint {
 /// One point without tables: for a probe, not for a loop. NaN where the cell is not valid. The scan must have a placement.
 [[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
 
+/// Scanner frame -> axis base A, metres. The scan must have a placement.
+[[nodiscard]] Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
+
 /// What is doubtful about a scan's place: empty without one.
 [[nodiscard]] inline std::vector<std::string> placeWarnings(const Scan& scan) {
     return scan.placement ? scan.placement->warnings : std::vector<std::string>{};

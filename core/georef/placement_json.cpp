@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace edgescan {
 namespace {
@@ -45,6 +46,15 @@ bool isTransform(const nlohmann::json& value) {
     return rotationError(transformOf(numbers).rotation) < kRotationTolerance;
 }
 
+std::optional<Boom> boomFrom(JsonFields& fields) {
+    if (!fields.has("boom")) return std::nullopt;
+    JsonFields object = fields.object("boom");
+    const Boom boom{object.neededVector("pivot_m", physical::kPlaceM.limits), object.neededVector("head_m", physical::kPlaceM.limits)};
+    if (boom.pivotM == boom.headM) object.refuse("head_m", "must not be where the pivot is");
+    object.done();
+    return boom;
+}
+
 } // namespace
 
 Json placementToJson(const Placement& p) {
@@ -63,6 +73,10 @@ Json placementToJson(const Placement& p) {
                   {"axis", {p.mount.axis.x(), p.mount.axis.y(), p.mount.axis.z()}},
                   {"zero_deg", p.mount.zeroDeg},
                   {"direction", p.mount.direction}}}};
+    if (p.boom) {
+        object["boom"] = {{"pivot_m", {p.boom->pivotM.x(), p.boom->pivotM.y(), p.boom->pivotM.z()}},
+                          {"head_m", {p.boom->headM.x(), p.boom->headM.y(), p.boom->headM.z()}}};
+    }
     object["poses"] = std::move(poses);
     return object;
 }
@@ -91,6 +105,7 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.mount.direction = stepper.neededNumber("direction");
     if (std::abs(p.mount.direction) != 1.0) stepper.refuse("direction", "must be 1 or -1");
     stepper.done();
+    p.boom = boomFrom(fields);
     const nlohmann::json& poses = fields.value("poses");
     const std::size_t count = poses.is_array() ? poses.size() : 0;
     if (count != 1 && count != lines) fields.refuse("poses", "must hold one pose or " + std::to_string(lines) + ", one per line");

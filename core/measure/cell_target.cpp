@@ -46,6 +46,7 @@ CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::si
     target.resolution = resolutionAt(scan, tables, k);
     target.surface = surfaceAt(scan, tables, k, sigmaM);
     if (target.surface) target.dip = dipAt(scan, target.probe, target.surface->normal);
+    target.boom = boomAt(scan, k, target.surface ? std::optional(target.surface->normal) : std::nullopt);
     return target;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/explain/probe.h"
+#include "core/measure/boom_at.h"
 #include "core/measure/surface_at.h"
 #include "core/method/detection.h"
 
@@ -20,6 +21,7 @@ struct CellTarget {
     std::optional<Resolution> resolution; ///< empty where the cell is not valid
     std::optional<SurfaceAtCell> surface; ///< empty where no plane fits
     std::optional<Dip> dip;               ///< of the surface, to the mine's horizon; empty without a pose
+    std::optional<BoomAtCell> boom;       ///< empty where the place tells of no boom
     std::optional<double> strength;       ///< of the edge, 1 = at the threshold; empty where the method measures none of the surface
 };
 

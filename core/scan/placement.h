@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ struct StepperMount {
     bool operator==(const StepperMount&) const = default;
 };
 
+/// The boom that carries the head, metres in the axis base A: it does not turn with the stepper (docs/coordinates.md, "Step 3").
+struct Boom {
+    Eigen::Vector3d pivotM = Eigen::Vector3d::Zero();
+    Eigen::Vector3d headM = Eigen::Vector3d::UnitX(); ///< never the pivot
+
+    bool operator==(const Boom&) const = default;
+};
+
 /// Which numbers an export carries.
 enum class CoordinateFrame : std::uint8_t {
     Scanner,   ///< as measured, origin at the scanner
@@ -57,6 +66,7 @@ struct Placement {
     double ageSeconds = 0.0;                              ///< start of the scan minus time of its pose; NaN when unknown
     bool outOfSpec = false;                               ///< pose older than the scan, tilt moved: warnings say why
     std::vector<std::string> warnings;
+    std::optional<Boom> boom; ///< empty: the calibration knows of none, or the pose said itself where the head was
 };
 
 } // namespace edgescan

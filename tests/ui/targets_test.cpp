@@ -216,6 +216,9 @@ private slots:
         QVERIFY2(text.contains(QString("E, N, RL: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
                  qPrintable(text));
         QVERIFY2(!text.contains("no pose"), qPrintable(text));
+        const CellTarget target = targetAt(*on.picture().detection, noiseOf(*on.picture().detection), k);
+        QVERIFY(target.boom.has_value());
+        QVERIFY2(text.contains(QString("From the boom: %1 m").arg(target.boom->distanceM, 0, 'f', 2)), qPrintable(text));
     }
 
     void targetsAreKeptWithTheirScan() {

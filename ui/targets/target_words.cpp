@@ -64,6 +64,15 @@ TargetRow dipRow(const CellTarget& target) {
     return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
 }
 
+TargetRow boomRow(const BoomAtCell& boom) {
+    const QString distance = QObject::tr("%1 m").arg(fixed(boom.distanceM, 2));
+    return {
+        QObject::tr("From the boom"),
+        boom.angleDeg ? QObject::tr("%1 · surface %2° off square").arg(distance, fixed(*boom.angleDeg, 0)) : distance,
+        QObject::tr("To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the "
+                    "boom points straight at the surface")};
+}
+
 TargetRow cellRow(const CellTarget& target) {
     TargetRow row{QObject::tr("Cell"), QObject::tr("line %1 · beam %2").arg(target.probe.line).arg(target.probe.beam), QString(), false};
     if (!std::isnan(target.probe.beamDeg))
@@ -101,6 +110,7 @@ std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurround
         rows.push_back(resolvesRow(target));
         rows.push_back(surfaceRow(target));
         rows.push_back(dipRow(target));
+        if (target.boom) rows.push_back(boomRow(*target.boom));
     }
     rows.push_back(cellRow(target));
     rows.push_back(edgeRow(target));

@@ -1,4 +1,6 @@
 // What is said of a picked cell: what is resolved there, and the plane of its surface against planes that are known.
+#include "core/georef/placed_points.h"
+#include "core/georef/poses.h"
 #include "core/measure/cell_target.h"
 #include "core/method/pipeline.h"
 #include "tests/support/placements.h"
@@ -182,6 +184,74 @@ TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
     const auto gray = detectEdges(scan, canny);
     EXPECT_FALSE(targetAt(*gray, noiseOf(*gray), gray->edges->front()).strength);
     EXPECT_DOUBLE_EQ(noiseOf(*gray).at(5), noise.at(5)) << "the noise is the scan's, not the method's";
+}
+
+// The boom's ends by the chain of frames itself: in local metres, from a head that is put where they are.
+TEST(BoomAt, IsWhereTheChainOfFramesPutsIt) {
+    std::mt19937 random(5);
+    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    for (int run = 0; run < 20; ++run) {
+        Scan scan = sweepOfSurface(planeAt(tilted(between(0, 60), between(0, 360)), 5.0), 0.0);
+        Calibration c;
+        c.axis = Eigen::Vector3d::UnitX();
+        c.mountRpyDeg = {between(-1, 1), between(-1, 1), between(-1, 1)};
+        c.mountM = {0.01, 0.02, 0.03};
+        c.inclinometerM = {between(-0.3, 0.3), 0.1, between(-0.3, 0.3)};
+        c.headInRobotM = {between(3, 5), between(-1, 1), 2.6}; // the pivot
+        c.armM = {between(1, 4), between(-0.1, 0.1), between(-0.1, 0.1)};
+        PoseTrack poses;
+        poses.boomAzimuthDeg = between(-60, 60);
+        poses.inclinometer = {{0.0, between(-20, 20), between(-5, 5)}};
+        poses.talin = {{0.0, {620000, 6200000, 250}, between(0, 360), false, between(-5, 5), between(-5, 5)}};
+        const auto placed = placeScan(scan, c, poses);
+        ASSERT_TRUE(placed) << placed.error().sentence();
+        scan.placement = *placed;
+        const auto endAt = [&](const Eigen::Vector3d& arm) {
+            Calibration end = c;
+            end.armM = arm;
+            end.inclinometerM.setZero(); // the origin of the axis base then is the head
+            const auto there = placeScan(scan, end, poses);
+            return (*there)->originEnhM - scan.placement->originEnhM + (*there)->poses.front().translationM;
+        };
+        const Eigen::Vector3d pivot = endAt(Eigen::Vector3d::Zero());
+        const Eigen::Vector3d head = endAt(c.armM);
+        EXPECT_NEAR((head - pivot).norm(), c.armM.norm(), 1e-9);
+        const std::size_t k = middleOf(scan);
+        const Eigen::Vector3d point = minePoint(scan, k).localM;
+        double nearest = 1e9;
+        for (int n = 0; n <= 100000; ++n) nearest = std::min(nearest, (point - pivot - n / 1e5 * (head - pivot)).norm());
+        const CartesianTables tables(scan);
+        const auto surface = surfaceAt(scan, tables, k, 0.001);
+        ASSERT_TRUE(surface);
+        const auto boom = boomAt(scan, k, surface->normal);
+        ASSERT_TRUE(boom);
+        EXPECT_NEAR(boom->distanceM, nearest, 1e-6);
+        const PlacedPoints places(scan);
+        const int line = static_cast<int>(k) / scan.beams();
+        const int beam = static_cast<int>(k) % scan.beams();
+        const Eigen::Vector3d normal =
+            places.local(line, beam, surface->normal) - places.local(line, beam, Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        const double off = degreesBetween(normal, head - pivot);
+        EXPECT_NEAR(*boom->angleDeg, std::min(off, 180 - off), 1e-6);
+        EXPECT_FALSE(boomAt(scan, k, std::nullopt)->angleDeg);
+    }
+}
+
+TEST(BoomAt, NothingIsSaidWhereNoBoomIsKnown) {
+    Scan scan = sweepOfSurface(planeAt(tilted(20, 0), 5.0), 0.0);
+    EXPECT_FALSE(boomAt(scan, middleOf(scan), std::nullopt));
+    Calibration c;
+    c.axis = Eigen::Vector3d::UnitX();
+    c.armM = {3, 0, 0};
+    PoseTrack poses;
+    poses.inclinometer = {{0.0, 0, 0}};
+    poses.talin = {{0.0, {620000, 6200000, 250}, 0, false, 0, 0}};
+    poses.headInRobotM = {4, 1, 2}; // the pose knows where the head was, and not where the boom is
+    const auto placed = placeScan(scan, c, poses);
+    ASSERT_TRUE(placed) << placed.error().sentence();
+    EXPECT_FALSE((*placed)->boom);
+    poses.headInRobotM.setConstant(kUnknownTime);
+    EXPECT_TRUE((*placeScan(scan, c, poses))->boom);
 }
 
 } // namespace
