@@ -139,7 +139,12 @@ Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
         const std::uint64_t at = header.pointsAt + n * header.pointBytes;
         const Eigen::Vector3d whole(valueAt<std::int32_t>(source, at), valueAt<std::int32_t>(source, at + 4),
                                     valueAt<std::int32_t>(source, at + 8));
-        read.points.push_back(whole.cwiseProduct(header.scale) + header.offset);
+        const unsigned flags = valueAt<std::uint8_t>(source, at + las::kFlags);
+        const bool isWithheld =
+            header.format >= 6 ? (flags & las::kWithheldFlag) != 0 : header.minor > 0 && (flags & las::kWithheldClass) != 0;
+        read.withheld += isWithheld ? 1 : 0;
+        read.points.push_back(isWithheld ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
+                                         : Eigen::Vector3d(whole.cwiseProduct(header.scale) + header.offset));
         read.intensity.push_back(valueAt<std::uint16_t>(source, at + las::kIntensity));
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
             return source.cancelled();
@@ -242,6 +247,8 @@ Result<PointTable> readLasPoints(const Source& source) {
     auto read = packed ? readLazPoints(source) : readPoints(*header, source);
     if (!read) return read.error();
     table.points = std::move(read->points);
+    if (read->withheld > 0)
+        table.remarks.push_back(std::to_string(read->withheld) + " points are marked as withheld in the file and count as no return.");
     // Who has no intensities leaves the field 0.
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     const OwnRecords own = ownRecords(*header, source);

@@ -19,6 +19,9 @@ inline constexpr std::size_t kGlobalEncoding = 6, kVersionMajor = 24, kVersionMi
                              kExtendedCount = 243, kPoints = 247, kPointsByReturn = 255;
 /// Of a point of any format.
 inline constexpr std::size_t kIntensity = 12;
+/// Who marks a point so has deleted it: a bit of the byte of flags, which is that of the class before format 6 (and of none in LAS 1.0).
+inline constexpr std::size_t kFlags = 15;
+inline constexpr unsigned kWithheldFlag = 0x04, kWithheldClass = 0x80;
 inline constexpr std::size_t kHeader12 = 227, kHeader13 = 235, kHeader14 = 375;
 /// Records after the header: reserved 2, user 16, id 2, length 2 (extended: 8), description 32.
 inline constexpr std::size_t kRecordHeader = 54, kExtendedHeader = 60;

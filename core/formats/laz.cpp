@@ -11,6 +11,7 @@
 #include <cstring>
 #include <exception>
 #include <istream>
+#include <limits>
 #include <streambuf>
 #endif
 
@@ -125,6 +126,9 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
                                       " (" + unpacker.problem() + ")",
                                   "copy it again");
         }
+        const bool withheld = point->withheld_flag != 0 || (point->extended_classification_flags & las::kWithheldFlag) != 0;
+        if (withheld) p.setConstant(std::numeric_limits<double>::quiet_NaN());
+        read.withheld += withheld ? 1 : 0;
         read.points.push_back(p);
         read.intensity.push_back(point->intensity);
         if (point->num_extra_bytes > 0) {

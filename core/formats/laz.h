@@ -12,6 +12,7 @@ namespace edgescan {
 struct LasPoints {
     std::vector<Eigen::Vector3d> points;
     std::vector<float> intensity; ///< one per point
+    std::size_t withheld = 0;     ///< points that the file marks as deleted; their places are not finite
     std::vector<std::byte> extra; ///< of a LAZ file: what stands behind the fixed part of each point, one after the other
 };
 

@@ -126,7 +126,9 @@ std::optional<GroupedNumber> findGroupedNumber(std::string_view text) {
         const TextLine line = textLineAt(text, at);
         at = line.next;
         ++number;
-        if (line.text.starts_with('#') || line.text.starts_with('%') || line.text.starts_with('/')) continue;
+        if (line.text.size() > kLongestRowLookedAt || line.text.starts_with('#') || line.text.starts_with('%') ||
+            line.text.starts_with('/'))
+            continue;
         const auto ways = waysToCut(line.text);
         for (const auto& cells : ways) {
             if (std::ranges::count_if(cells, isAnyNumber) < 3) continue;

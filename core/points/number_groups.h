@@ -10,6 +10,9 @@
 
 namespace edgescan {
 
+/// Bytes of a row that is cut up to see what is wrong: of a longer one the cells would take more memory than the file.
+inline constexpr std::size_t kLongestRowLookedAt = 1U << 16U;
+
 /// Maybe: one comma or point before three last digits, which may be decimals.
 enum class Grouped : std::uint8_t { No, Maybe, Yes };
 

@@ -55,7 +55,7 @@ std::optional<WrongCell> wrongCellBelowNames(std::string_view text) {
             const TextLine line = textLineAt(text, at);
             at = line.next;
             ++number;
-            if (trimmed(line.text).empty()) continue;
+            if (line.text.size() > kLongestRowLookedAt || trimmed(line.text).empty()) continue;
             const auto cells = cellsIn(line.text, layout);
             if (!named.hasPoint()) {
                 std::vector<std::string> names(cells.begin(), cells.end());
@@ -109,6 +109,7 @@ Error textWithoutNumbers(const Source& source) {
     for (std::size_t number = 1; at < text.size() && number <= kRowsRead; ++number) {
         const TextLine line = textLineAt(text, at);
         at = line.next;
+        if (line.text.size() > kLongestRowLookedAt) continue;
         if (isNumbersAmongWords(line.text)) {
             return source.refusedAtLine(number, "there are words among the numbers of its rows, and no heading names x, y and z",
                                         "write a first row with the names of the columns, such as id,x,y,z,code");

@@ -135,6 +135,13 @@ TEST_F(NumberGroups, TwoNumbersInACellAreNotOne) {
     EXPECT_NE(refusalOf(text + "1.5;2.5 m;3.5\n").find("line 302: \"2.5 m\" is no number"), std::string::npos);
 }
 
+TEST_F(NumberGroups, RowsWithoutEndAreNotCutUp) {
+    std::string text;
+    while (text.size() < 4 * kLongestRowLookedAt) text += "1 234,5 ";
+    EXPECT_FALSE(findGroupedNumber(text));
+    EXPECT_TRUE(findGroupedNumber("1;2;3\n1 234,5;1;2\n" + text));
+}
+
 TEST_F(NumberGroups, WhatStandsInAColumnThatIsNotReadIsNoMatter) {
     const ListStyle style{.separator = ";"};
     const Scan expected = makeScan({});
