@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
     const auto msOf = [&](std::size_t stage) { return medianOf(stages[stage].cpuMs); };
     const double thesisMs = msOf(0);
     const double plusMs = msOf(kResponses) + msOf(kDecision);
-    std::printf("Medians of %d rounds, %d x %d.\n\n| stage | thread CPU, ms | x thesis's recipe | x EdgeScan+ |\n|---|---|---|---|\n", rounds,
-                scan.lines(), scan.beams());
+    std::printf("Medians of %d rounds, %d x %d.\n\n| stage | thread CPU, ms | x thesis's recipe | x EdgeScan+ |\n|---|---|---|---|\n",
+                rounds, scan.lines(), scan.beams());
     for (const Candidate& stage : stages) {
         const double ms = medianOf(stage.cpuMs);
         std::printf("| %s | %.2f | %.2f | %.2f |\n", stage.name.c_str(), ms, ms / thesisMs, ms / plusMs);
