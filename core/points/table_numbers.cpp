@@ -6,6 +6,8 @@
 #include "core/base/order_statistic.h"
 #include "core/points/cells_of_points.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
