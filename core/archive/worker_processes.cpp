@@ -1,6 +1,8 @@
 // Workers made by fork, each at the end of a pair of sockets. A message is its length and its bytes.
 #include "core/archive/worker_processes.h"
 
+#include "core/base/bands.h"
+
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
@@ -256,6 +258,7 @@ private:
 } // namespace
 
 Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs) {
+    endSecondThread();
     if (const std::size_t threads = threadsOfThisProcess(); threads > 1)
         return Error{"this process has " + std::to_string(threads) + " threads, and a copy of it could wait for one of them for ever", "",
                      "start no thread before the work is given to processes; this is a fault of the program"};

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <future>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -17,17 +17,30 @@ namespace edgescan {
     return cells >= kCellsForTwo && std::thread::hardware_concurrency() >= 2 ? 2 : 1;
 }
 
-/// Calls work(first, last) for bands of lines first <= line < last that cover all lines; the first band on this thread.
+/// Calls work(n) for 0 <= n < count, on this thread and on a second one where it comes in time: nobody waits for it to begin. Returns when
+/// all are done; throws what one of them threw.
+void shareOut(int count, const std::function<void(int)>& work);
+
+/// Calls each of these; on two threads if so many work on it.
+inline void onThreads(int threads, const std::vector<std::function<void()>>& parts) {
+    if (threads > 1) return shareOut(static_cast<int>(parts.size()), [&](int n) { parts[static_cast<std::size_t>(n)](); });
+    for (const std::function<void()>& part : parts) part();
+}
+
+/// Ends the second thread, which else waits for more until the process ends: before fork(). The next shareOut() starts it again.
+void endSecondThread();
+
+/// The first line of a band; of the one after the last, the number of lines.
+[[nodiscard]] inline int firstOfBand(int lines, int bands, int band) {
+    return static_cast<int>(static_cast<long long>(lines) * band / bands);
+}
+
+/// Calls work(first, last) for bands of lines first <= line < last that cover all lines.
 template <class Work>
 void inBands(int lines, int bands, Work work) {
     bands = std::clamp(bands, 1, std::max(1, lines));
-    const auto start = [&](int band) { return static_cast<int>(static_cast<long long>(lines) * band / bands); };
-    std::vector<std::future<void>> others;
-    // Where no thread can be had, the band waits until it is asked for.
-    for (int band = 1; band < bands; ++band)
-        others.push_back(std::async(std::launch::async | std::launch::deferred, work, start(band), start(band + 1)));
-    work(0, start(1));
-    for (std::future<void>& other : others) other.get();
+    if (bands == 1) return work(0, lines);
+    shareOut(bands, [&](int band) { work(firstOfBand(lines, bands, band), firstOfBand(lines, bands, band + 1)); });
 }
 
 } // namespace edgescan

@@ -1,4 +1,5 @@
 // EdgeScan+'s last step: which cells are edges, and of which class.
+#include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/depth/depth_edges.h"
 
@@ -182,24 +183,33 @@ Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettin
     return strength;
 }
 
-DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings) {
+DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings, int threads) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;
+    const int bands = bandsFor(responses.jump.size(), threads);
     DepthEdges result{Grid<std::uint8_t>(lines, beams), Grid<DepthEdge>(lines, beams, DepthEdge::None), responses.noise};
     const Wanted wanted(settings);
     const auto high = static_cast<float>(settings.sensitivity);
     const float low = high * static_cast<float>(settings.hysteresisLow);
-    markClasses(responses.jump.cells.data(), responses.crease.cells.data(), result.mask.size(), wanted, high, low,
-                result.mask.cells.data());
-    std::vector<std::uint32_t> kept;
-    linkChains(result.mask, settings.minimumLength, [&](const Chain& chain) {
-        kept.insert(kept.end(), chain.cells().begin(), chain.cells().end());
-        for (std::size_t n = 0; n < chain.cells().size(); ++n) {
-            const std::uint8_t known = chain.known()[n];
-            const DepthEdge crease = (known & kConvex) != 0 ? DepthEdge::Convex : DepthEdge::Concave;
-            result.kind[chain.cells()[n]] = (known & kJump) != 0 ? DepthEdge::Jump : crease;
-        }
+    inBands(lines, bands, [&](int first, int last) {
+        const std::size_t from = result.mask.index(first, 0);
+        markClasses(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from, wanted,
+                    high, low, result.mask.cells.data() + from);
     });
+    std::vector<std::uint32_t> kept, outlines;
+    const auto link = [&] {
+        linkChains(result.mask, settings.minimumLength, [&](const Chain& chain) {
+            kept.insert(kept.end(), chain.cells().begin(), chain.cells().end());
+            for (std::size_t n = 0; n < chain.cells().size(); ++n) {
+                const std::uint8_t known = chain.known()[n];
+                const DepthEdge crease = (known & kConvex) != 0 ? DepthEdge::Convex : DepthEdge::Concave;
+                result.kind[chain.cells()[n]] = (known & kJump) != 0 ? DepthEdge::Jump : crease;
+            }
+        });
+    };
+    onThreads(bands, {link, [&] {
+                          if (settings.silhouettes) outlines = longSilhouettes(responses, settings.minimumLength);
+                      }});
     for (const std::uint32_t k : kept) result.mask[k] = 255;
     const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
         for (const std::uint32_t k : cells) {
@@ -208,7 +218,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
             result.kind[k] = kind;
         }
     };
-    if (settings.silhouettes) add(longSilhouettes(responses, settings.minimumLength), DepthEdge::Silhouette);
+    add(outlines, DepthEdge::Silhouette);
     if (settings.border) add(responses.border, DepthEdge::Border);
     return result;
 }

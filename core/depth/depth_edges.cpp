@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace edgescan {
@@ -141,10 +142,10 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 } // namespace
 
 DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
-    DepthSurface surface{inverseRange(scan), {}, angularSteps(scan), {}, 0, {}, {}};
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
-    surface.noise = rangeNoise(surface.inverse);
-    surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera);
+    onThreads(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
+                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
     if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
         surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
     flattenSpikes(surface.inverse, surface.noise);
@@ -192,20 +193,25 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
 DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks, int threads) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
-    const auto grid = [&support] { return Grid<float>(support.lines, support.beams); };
-    if (cracks != nullptr) *cracks = {grid(), grid(), grid(), grid(), grid()};
-    DepthResponses result{grid(),
-                          grid(),
-                          limits.noise,
-                          static_cast<double>(limits.jumpMm),
-                          surface.scales,
-                          limits.foldNoise,
-                          surface.memory.windowMm > 0,
-                          borderCells(support),
-                          silhouetteCells(surface.inverse, surface.steps, limits)};
-    inBands(support.lines, bandsFor(support.size(), threads), [&](int first, int last) {
-        respond(surface, limits, {first, last}, result, cracks);
-    });
+    const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
+    const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
+    DepthResponses result{
+        {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {}, {}};
+    onThreads(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
+    if (cracks != nullptr) {
+        for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
+            clear(*grid);
+    }
+    // Bands of lines, and what is done beside them.
+    std::vector<std::function<void()>> parts;
+    for (int band = 0; band < bands; ++band)
+        parts.emplace_back([&, band] {
+            const Band lines{firstOfBand(support.lines, bands, band), firstOfBand(support.lines, bands, band + 1)};
+            respond(surface, limits, lines, result, cracks);
+        });
+    parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
+    parts.emplace_back([&] { result.border = borderCells(support); });
+    onThreads(bands, parts);
     goRoundGaps(surface.inverse, result.jump, result.crease);
     return result;
 }

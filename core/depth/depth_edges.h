@@ -95,7 +95,7 @@ struct DepthCracks {
 /// The silhouettes, ascending, in chains of `minimum` cells at least; two cells within two of each other are linked.
 [[nodiscard]] std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum);
 
-/// Step 7: classes, hysteresis and minimum length.
-[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings);
+/// Step 7: classes, hysteresis and minimum length. The same with any number of threads (0: as many as pay).
+[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings, int threads = 1);
 
 } // namespace edgescan

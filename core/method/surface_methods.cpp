@@ -12,7 +12,7 @@ namespace edgescan {
 namespace {
 
 FoundEdges surfaceEdges(const Detection& detection) {
-    DepthEdges found = decideDepthEdges(*detection.responses, depthEdgeSettings(detection.settings));
+    DepthEdges found = decideDepthEdges(*detection.responses, depthEdgeSettings(detection.settings), 0);
     return {std::move(found.mask), std::move(found.kind)};
 }
 

@@ -1,10 +1,10 @@
 // The sweep in inverse range.
 #include "core/scan/inverse_range.h"
 
+#include "core/base/bands.h"
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/scan/cartesian.h"
-#include "core/scan/line_window.h"
 #include "core/scan/marked_cells.h"
 #include "core/scan/missing_cells.h"
 
@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <span>
 
 namespace edgescan {
 namespace {
@@ -30,21 +31,23 @@ constexpr std::size_t kCellsForSpacing = 50000;
 
 // What was measured becomes inverse range; `isolated`: 255 where a cell stands alone.
 EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams, float* __restrict u,
-                                std::uint8_t* __restrict measured, Support* __restrict support) {
+                                Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
         const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] >= kLeastRangeMm);
-        measured[j] = valid ? 1 : 0;
         support[j] = valid ? Support::Measured : Support::Void;
         u[j] = valid ? 1000.0F / rangeMm[j] : kVoidU;
     }
 }
 
-// 1 at measured cells that end a gap of 1 to 4 cells.
-EDGESCAN_SIMD void findGapEnds(const std::uint8_t* measured, std::ptrdiff_t step, int beams, std::uint8_t* __restrict ends) {
+// 1 at measured cells that end a gap of 1 to 4 cells, `step` apart, of which the first is `cells` before: five where there are.
+EDGESCAN_SIMD void findGapEnds(const Support* support, std::ptrdiff_t step, int cells, int beams, std::uint8_t* __restrict ends) {
     static_assert(kLongestGap == 4);
+    // Where there are fewer before, the last of them is looked at again.
+    const std::ptrdiff_t three = std::min(3, cells) * step, four = std::min(4, cells) * step, five = std::min(5, cells) * step;
     for (int j = 0; j < beams; ++j) {
-        const int before = measured[j - 2 * step] | measured[j - 3 * step] | measured[j - 4 * step] | measured[j - 5 * step];
-        ends[j] = static_cast<std::uint8_t>(measured[j] & ~measured[j - step] & before);
+        const bool before = (support[j - 2 * step] == Support::Measured) | (support[j - three] == Support::Measured) |
+                            (support[j - four] == Support::Measured) | (support[j - five] == Support::Measured);
+        ends[j] = static_cast<std::uint8_t>((support[j] == Support::Measured) & (support[j - step] != Support::Measured) & before);
     }
 }
 
@@ -73,6 +76,31 @@ void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
         inverse.support[hole] = Support::Filled;
     }
 }
+
+// Finds the gaps that end on a line and fills them. Those along the beams do not look at other lines; each hole lies in one gap along the
+// lines, so the order of the lines does not matter.
+class GapEnds {
+public:
+    explicit GapEnds(int beams) : ends_(static_cast<std::size_t>(beams)) {}
+
+    void fillAlongBeams(InverseRange& inverse, int line) {
+        const int beams = inverse.u.beams;
+        for (int before = 2; before < std::min(kLongestGap + 1, beams); ++before) find(inverse, line, before, 1, 1, before);
+        if (beams > kLongestGap + 1) find(inverse, line, kLongestGap + 1, beams - kLongestGap - 1, 1, kLongestGap + 1);
+    }
+    void fillAlongLines(InverseRange& inverse, int line) {
+        if (line >= 2) find(inverse, line, 0, inverse.u.beams, inverse.u.beams, line);
+    }
+
+private:
+    // Of so many beams from one on, with so many cells before them.
+    void find(InverseRange& inverse, int line, int beam, int beams, int step, int before) {
+        findGapEnds(inverse.support.line(line) + beam, step, before, beams, ends_.data());
+        forEachMarked(std::span(ends_.data(), static_cast<std::size_t>(beams)),
+                      [&](std::size_t place) { fillGap(inverse, inverse.u.index(line, beam) + place, static_cast<std::size_t>(step)); });
+    }
+    std::vector<std::uint8_t> ends_;
+};
 
 AngularSteps polarSteps(const PolarGeometry& polar) {
     const auto stepOf = [](const std::vector<double>& deg, std::size_t i) {
@@ -145,26 +173,35 @@ AngularSteps cameraSteps(const Scan& scan) {
 
 } // namespace
 
-InverseRange inverseRange(const Scan& scan) {
-    const auto beams = static_cast<std::size_t>(scan.beams());
-    InverseRange inverse{Grid<float>(scan.lines(), scan.beams(), std::vector<float>()), Grid<Support>(scan.lines(), scan.beams())};
+InverseRange inverseRange(const Scan& scan, int threads) {
+    const int lines = scan.lines(), beams = scan.beams();
+    const int bands = std::clamp(bandsFor(scan.cells(), threads), 1, std::max(1, lines));
+    InverseRange inverse{Grid<float>(lines, beams, std::vector<float>()), Grid<Support>(lines, beams)};
     inverse.u.cells.reserve(scan.cells());
-    IsolatedLines isolatedLines(scan);
-    std::vector<std::uint8_t> isolated(beams);
-    LineWindow<std::uint8_t> measured(scan.beams(), kLongestGap + 2); // 1 or 0
-    std::vector<std::uint8_t> gapEnds(beams);
-    for (int i = 0; i < scan.lines(); ++i) {
-        isolatedLines.next(isolated.data());
-        std::uint8_t* line = measured.next();
-        inverse.u.cells.resize(inverse.u.index(i + 1, 0));
-        takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), scan.beams(), inverse.u.line(i), line,
-                     inverse.support.line(i));
-        const auto fillGaps = [&](std::ptrdiff_t stepOfMeasured, std::size_t step) {
-            findGapEnds(line, stepOfMeasured, scan.beams(), gapEnds.data());
-            forEachMarked(gapEnds, [&](std::size_t beam) { fillGap(inverse, inverse.u.index(i, 0) + beam, step); });
-        };
-        fillGaps(1, 1);
-        fillGaps(measured.stride, beams);
+    if (bands > 1) inverse.u.cells.resize(scan.cells());
+    inBands(lines, bands, [&](int first, int last) {
+        IsolatedLines isolatedLines(scan, first);
+        GapEnds ends(beams);
+        std::vector<std::uint8_t> isolated(static_cast<std::size_t>(beams));
+        for (int i = first; i < last; ++i) {
+            isolatedLines.next(isolated.data());
+            if (bands == 1) inverse.u.cells.resize(inverse.u.index(i + 1, 0)); // cleared while it is in the cache
+            takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), beams, inverse.u.line(i), inverse.support.line(i));
+            ends.fillAlongBeams(inverse, i);
+            if (bands == 1) ends.fillAlongLines(inverse, i);
+        }
+    });
+    if (bands == 1) return inverse;
+    // The first ends of a band look at lines of the band before, and may close gaps there.
+    constexpr int kLooksBack = kLongestGap + 1;
+    const auto start = [&](int band) { return firstOfBand(lines, bands, band); };
+    shareOut(bands, [&](int band) {
+        GapEnds ends(beams);
+        for (int i = start(band) + kLooksBack; i < start(band + 1); ++i) ends.fillAlongLines(inverse, i);
+    });
+    GapEnds ends(beams);
+    for (int band = 0; band < bands; ++band) {
+        for (int i = start(band); i < std::min(start(band) + kLooksBack, start(band + 1)); ++i) ends.fillAlongLines(inverse, i);
     }
     return inverse;
 }

@@ -33,7 +33,8 @@ struct AngularSteps {
 };
 
 /// The first step (docs/method.md, "Step 1"): cells that stand alone are dropped, gaps of up to 4 cells with both sides present are filled.
-[[nodiscard]] InverseRange inverseRange(const Scan& scan);
+/// The same with any number of threads (0: as many as pay).
+[[nodiscard]] InverseRange inverseRange(const Scan& scan, int threads = 1);
 
 /// For an organised cloud the steps are the angles between neighbouring points as seen from the sensor, their median where missing.
 [[nodiscard]] AngularSteps angularSteps(const Scan& scan);

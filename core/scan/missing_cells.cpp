@@ -55,9 +55,9 @@ Grid<std::uint8_t> isolatedCells(const Scan& scan) {
     return isolated;
 }
 
-IsolatedLines::IsolatedLines(const Scan& scan) : scan_(&scan) {
-    takeRanges(ranges_[1], scan, -1);
-    takeRanges(ranges_[2], scan, 0);
+IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), line_(firstLine) {
+    takeRanges(ranges_[1], scan, firstLine - 1);
+    takeRanges(ranges_[2], scan, firstLine);
 }
 
 void IsolatedLines::next(std::uint8_t* isolated) {

@@ -18,13 +18,13 @@ namespace edgescan {
 /// The same line by line. The scan must outlive it.
 class IsolatedLines {
 public:
-    explicit IsolatedLines(const Scan& scan);
+    explicit IsolatedLines(const Scan& scan, int firstLine = 0);
     /// Beams values of the next line.
     void next(std::uint8_t* isolated);
 
 private:
     const Scan* scan_;
-    int line_ = 0;                             // next one
+    int line_;                                 // next one
     std::array<std::vector<float>, 3> ranges_; // of the lines before, at and after
 };
 

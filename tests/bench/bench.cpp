@@ -109,7 +109,8 @@ Scan enlarged(const Scan& scan, int scale) {
 
 void runPlus(const Scan& scan, int threads) {
     const DepthEdgeSettings settings;
-    const DepthEdges found = decideDepthEdges(depthResponses(depthSurface(scan, true, threads), settings, nullptr, threads), settings);
+    const DepthEdges found =
+        decideDepthEdges(depthResponses(depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
     (void)edgeCells(found.mask);
 }
 

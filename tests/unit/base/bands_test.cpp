@@ -1,0 +1,84 @@
+// Work shared out: each share is done once, whoever asks at the same time; what throws is thrown where it was asked for.
+#include "core/base/bands.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+TEST(Shares, EachIsDoneOnceForAllWhoAskAtOnce) {
+    constexpr int kAskers = 3, kCalls = 200, kShares = 17;
+    std::vector<std::vector<int>> done(kAskers, std::vector<int>(kShares, 0));
+    std::vector<std::thread> askers;
+    askers.reserve(kAskers);
+    for (std::vector<int>& mine : done) {
+        askers.emplace_back([&mine] {
+            for (int call = 0; call < kCalls; ++call) shareOut(kShares, [&mine](int n) { ++mine[static_cast<std::size_t>(n)]; });
+        });
+    }
+    for (std::thread& asker : askers) asker.join();
+    for (const std::vector<int>& mine : done) EXPECT_EQ(mine, std::vector<int>(kShares, kCalls));
+    endSecondThread();
+}
+
+TEST(Shares, WhatOneThrowsIsThrownAfterAllAreDone) {
+    std::atomic<int> done{0};
+    EXPECT_THROW(shareOut(50,
+                          [&done](int n) {
+                              ++done;
+                              if (n % 10 == 3) throw std::runtime_error("no");
+                          }),
+                 std::runtime_error);
+    EXPECT_EQ(done, 50);
+    endSecondThread();
+    endSecondThread(); // there is none
+    shareOut(2, [&done](int) { ++done; });
+    EXPECT_EQ(done, 52);
+    endSecondThread();
+}
+
+// As a batch in Python does: the copy has no second thread, and must not wait for it.
+TEST(Shares, ACopyOfTheProcessStartsItsOwn) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "the thread sanitizer starts no thread in a copied process";
+#endif
+    std::atomic<int> done{0};
+    for (int call = 0; call < 20; ++call) {
+        shareOut(4, [&done](int) { ++done; });
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::atomic<int> here{0};
+            for (int again = 0; again < 20; ++again) shareOut(7, [&here](int) { ++here; });
+            ::_exit(here == 140 ? 0 : 1);
+        }
+        ASSERT_GT(child, 0);
+        int status = -1;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(done, 80);
+    endSecondThread();
+}
+
+TEST(Shares, BandsCoverAllLinesOnce) {
+    for (const int lines : {0, 1, 2, 7, 100}) {
+        for (const int bands : {0, 1, 2, 3, 1000}) {
+            std::vector<std::atomic<int>> seen(static_cast<std::size_t>(lines));
+            inBands(lines, bands, [&seen](int first, int last) {
+                for (int i = first; i < last; ++i) ++seen[static_cast<std::size_t>(i)];
+            });
+            for (const std::atomic<int>& times : seen) EXPECT_EQ(times, 1) << lines << " lines, " << bands << " bands";
+        }
+    }
+    endSecondThread();
+}
+
+} // namespace
+} // namespace edgescan
