@@ -1,7 +1,9 @@
-// SHA-256 through OpenSSL's EVP interface.
+// SHA-256 by OpenSSL's own functions for it. Its newer interface reads the system's settings for certificates before the first hash, which
+// takes longer than to hash a megabyte.
+#define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/base/sha256.h"
 
-#include <openssl/evp.h>
+#include <openssl/sha.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +13,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <vector>
 
 namespace edgescan {
@@ -23,25 +24,20 @@ struct CloseFile {
 
 } // namespace
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
-    if (context_ != nullptr && EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) == 1) return;
-    EVP_MD_CTX_free(context_);
-    throw std::bad_alloc();
-}
+Sha256::Sha256() : context_(std::make_unique<SHA256state_st>()) { SHA256_Init(context_.get()); }
 
-Sha256::~Sha256() { EVP_MD_CTX_free(context_); }
+Sha256::~Sha256() = default;
 
-void Sha256::add(std::span<const std::byte> bytes) { EVP_DigestUpdate(context_, bytes.data(), bytes.size()); }
+void Sha256::add(std::span<const std::byte> bytes) { SHA256_Update(context_.get(), bytes.data(), bytes.size()); }
 
 std::string Sha256::hex() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int length = 0;
-    EVP_DigestFinal_ex(context_, digest.data(), &length);
+    std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
+    SHA256_Final(digest.data(), context_.get());
     static constexpr const char* kDigits = "0123456789abcdef";
     std::string hex;
-    for (unsigned int i = 0; i < length; ++i) {
-        hex += kDigits[digest[i] >> 4U];
-        hex += kDigits[digest[i] & 15U];
+    for (const unsigned char byte : digest) {
+        hex += kDigits[byte >> 4U];
+        hex += kDigits[byte & 15U];
     }
     return hex;
 }

@@ -5,11 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 
-struct evp_md_ctx_st; // OpenSSL's
-using EVP_MD_CTX = evp_md_ctx_st;
+struct SHA256state_st; // OpenSSL's
 
 namespace edgescan {
 
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] std::string hex();
 
 private:
-    EVP_MD_CTX* context_;
+    std::unique_ptr<SHA256state_st> context_;
 };
 
 /// 64 lower-case hex digits.

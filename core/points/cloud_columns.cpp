@@ -215,10 +215,12 @@ void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, c
     addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
 }
 
-bool areEightZero(const std::uint8_t* values) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, values, sizeof eight);
-    return eight == 0;
+constexpr int kAtOnce = 32; // cells
+
+bool areAllZero(const std::uint8_t* values) {
+    std::array<std::uint64_t, kAtOnce / 8> eights;
+    std::memcpy(eights.data(), values, kAtOnce);
+    return (eights[0] | eights[1] | eights[2] | eights[3]) == 0;
 }
 
 /// `mask`: none is wanted where it is 0; null: any may be.
@@ -229,8 +231,8 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>*
     for (int i = 0; i < scan.lines(); ++i) {
         const std::size_t first = scan.rangeMm.index(i, 0);
         for (int j = 0; j < scan.beams(); ++j) {
-            if (mask != nullptr && j + 8 <= scan.beams() && areEightZero(mask->line(i) + j)) {
-                j += 7;
+            if (mask != nullptr && j + kAtOnce <= scan.beams() && areAllZero(mask->line(i) + j)) {
+                j += kAtOnce - 1;
                 continue;
             }
             if (wanted(first + static_cast<std::size_t>(j)))

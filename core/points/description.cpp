@@ -218,11 +218,30 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
     return jsonText(object, indent);
 }
 
+namespace {
+
+// Whether ranges alone do not say it.
+bool isTold(CellState state) { return state == CellState::Lost || state == CellState::Masked || state == CellState::OutOfWindow; }
+
+bool isAnyTold(const CellState* states, std::size_t cells) {
+    bool any = false;
+    for (std::size_t k = 0; k < cells; ++k) any |= isTold(states[k]);
+    return any;
+}
+
+} // namespace
+
 std::vector<StateRun> stateRunsOf(const Scan& scan) {
+    constexpr std::size_t kBlock = 256; // cells, of which most blocks have none that is told
     std::vector<StateRun> runs;
-    for (std::size_t k = 0; k < scan.state.size(); ++k) {
-        const CellState state = scan.state[k];
-        if (state != CellState::Lost && state != CellState::Masked && state != CellState::OutOfWindow) continue;
+    const std::vector<CellState>& states = scan.state.cells;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        if (k % kBlock == 0 && k + kBlock <= states.size() && !isAnyTold(states.data() + k, kBlock)) {
+            k += kBlock - 1;
+            continue;
+        }
+        const CellState state = states[k];
+        if (!isTold(state)) continue;
         const bool continues = !runs.empty() && runs.back().state == state && runs.back().firstCell + runs.back().cells == k;
         if (continues)
             ++runs.back().cells;

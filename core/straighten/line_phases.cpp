@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 namespace edgescan {
 namespace {
@@ -24,6 +23,7 @@ constexpr double kLeastOff = 0.15; // beam steps, of the line that is farthest o
 constexpr double kLinesAgree = 0.12;
 constexpr double kMostLines = 0.85; // that must agree
 constexpr double kRound = 0.25;     // of an even division
+constexpr float kNear = 0.07F;      // below half of kLeastOff: medians of such lines cannot differ by it
 
 struct LineOff {
     int line;
@@ -42,18 +42,32 @@ EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int b
     }
 }
 
-/// How far the beams of a line lie ahead of the mean of both neighbours, beam steps; empty where too few cells tell.
-std::optional<double> offNeighbours(const InverseRange& inverse, int line, LineSlants& slants) {
+/// How far the beams of a line lie ahead of the mean of both neighbours, beam steps: what each of its cells says.
+void voteOnNeighbours(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& votes) {
     const Grid<float>& u = inverse.u;
+    votes.clear();
     slantsAlongBeams(u.line(line), u.beams, u.beams, slants.slant.data(), slants.slanted.data());
-    std::vector<SlipVote> votes;
     slants.forEach([&](int j, float slant) {
         if (!measuredAround(inverse, line, j)) return;
         const float off = u.at(line, j) - 0.5F * (u.at(line - 1, j) + u.at(line + 1, j));
         votes.push_back({off / slant, std::abs(slant) / u.at(line, j), slant});
     });
-    if (votes.size() < kFewestVotes) return std::nullopt;
-    return static_cast<double>(weightedMiddle(std::move(votes)));
+}
+
+struct LineNear {
+    int line;
+    bool isNear; // less than kNear off its neighbours
+};
+
+/// Whether more than half of the lines at each place of a turn are near their neighbours, for turns of 2 to `most` lines: then
+/// offsInTurn() finds nothing in any of them, and no line need be told exactly.
+bool areMostNear(const std::vector<LineNear>& lines, int most) {
+    for (int phases = 2; phases <= most; ++phases) {
+        std::vector<int> surplus(static_cast<std::size_t>(phases)); // of near ones
+        for (const LineNear& line : lines) surplus[static_cast<std::size_t>(line.line % phases)] += line.isNear ? 1 : -1;
+        if (std::ranges::any_of(surplus, [](int near) { return near <= 0; })) return false;
+    }
+    return true;
 }
 
 /// The medians of the lines that have the same place in a turn, without their common part, which is the curvature of the scene.
@@ -116,19 +130,28 @@ bool areApart(std::vector<double> phases) {
 
 LinePhases linePhases(const InverseRange& inverse) {
     constexpr int kBlock = 96; // lines in one go that are looked at, in three places of a large sweep
-    std::vector<LineOff> offs;
+    std::vector<LineNear> telling;
     const int lines = inverse.u.lines;
     LineSlants slants(inverse.u.beams);
+    std::vector<SlipVote> votes;
     const auto isLookedAt = [&](int line) { return lines <= 4 * kBlock || line % (lines / 3) < kBlock; };
     int looked = 0;
     for (int i = 1; i + 1 < lines; ++i) {
         if (!isLookedAt(i)) continue;
         ++looked;
-        if (const auto off = offNeighbours(inverse, i, slants)) offs.push_back({i, *off});
+        voteOnNeighbours(inverse, i, slants, votes);
+        if (votes.size() >= kFewestVotes) telling.push_back({i, isMiddleWithin(kNear, votes)});
     }
-    const auto told = static_cast<int>(offs.size());
+    const auto told = static_cast<int>(telling.size());
     if (told < kFewestPhasedLines || 2 * told < looked) return {};
-    for (int count = 2; count <= std::min(kMostPhases, told / kFewestTurns); ++count) {
+    const int most = std::min(kMostPhases, told / kFewestTurns);
+    if (areMostNear(telling, most)) return {};
+    std::vector<LineOff> offs;
+    for (const LineNear& line : telling) {
+        voteOnNeighbours(inverse, line.line, slants, votes);
+        offs.push_back({line.line, static_cast<double>(weightedMiddle(votes))});
+    }
+    for (int count = 2; count <= most; ++count) {
         const LinePhases found = offsInTurn(offs, count);
         if (found.steps.empty()) continue;
         std::vector<double> phases = phasesOf(found.steps);
