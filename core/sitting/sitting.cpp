@@ -180,6 +180,7 @@ std::string sittingText(const Sitting& sitting, const fs::path& folder, const st
     if (sitting.camera) whole["camera"] = cameraJson(*sitting.camera);
     if (sitting.images) whole["images"] = {{"beam", sitting.images->beam}, {"line", sitting.images->line}, {"zoom", sitting.images->zoom}};
     whole["switches"] = sitting.switches;
+    whole["looks"] = sitting.looks;
     whole["layout"] = sitting.layout;
     if (!sitting.keptIn.empty()) whole["kept_in"] = sitting.keptIn.string();
     return asciiJsonText(whole, 1) + "\n";
@@ -228,6 +229,7 @@ Result<ReadSitting> sittingFromText(std::string_view text, const fs::path& folde
         images.done();
     }
     sitting.switches = switchesFrom(fields, "switches");
+    sitting.looks = textsFrom(fields, "looks");
     sitting.layout = textsFrom(fields, "layout");
     sitting.keptIn = shortPath(fields, "kept_in");
     fields.done();

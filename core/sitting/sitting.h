@@ -80,6 +80,7 @@ struct Sitting {
     std::optional<SittingCamera> camera;
     std::optional<SittingImages> images;       ///< empty: the whole image
     std::map<std::string, bool> switches;      ///< of menus, by key
+    std::map<std::string, std::string> looks;  ///< of the views, what is no switch: colours of the cloud, range window, size of points ...
     std::map<std::string, std::string> layout; ///< of docks and splitters: base64, by name
     std::filesystem::path keptIn;              ///< of what is saved by itself: the file that the person saved it as; may be empty
 };

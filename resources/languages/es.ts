@@ -41,6 +41,7 @@
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
@@ -217,6 +218,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
+<message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
@@ -535,6 +538,9 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
+<message><source>Redo</source><translation>Rehacer</translation></message>
+<message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>Select</source><translation>Seleccionar</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>
@@ -546,7 +552,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
@@ -762,7 +767,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -772,6 +776,10 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
 <message><source>Recent</source><translation>Recientes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
+<message><source>Cab mode</source><translation>Modo cabina</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
@@ -813,7 +821,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
 <message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
-<message><source>Select</source><translation>Seleccionar</translation></message>
 <message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
 <message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>

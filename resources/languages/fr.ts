@@ -41,6 +41,7 @@
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>nothing to compare with yet:
@@ -217,6 +218,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
+<message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
@@ -535,6 +538,9 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
+<message><source>Redo</source><translation>Rétablir</translation></message>
+<message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>Select</source><translation>Sélectionner</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>
@@ -546,7 +552,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
@@ -762,7 +767,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -772,6 +776,10 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
+<message><source>Cab mode</source><translation>Mode cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
@@ -813,7 +821,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
-<message><source>Select</source><translation>Sélectionner</translation></message>
 <message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
 <message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>

@@ -41,6 +41,7 @@
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
@@ -217,6 +218,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
 <message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
+<message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
@@ -535,6 +538,9 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
+<message><source>Redo</source><translation>Refazer</translation></message>
+<message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>Select</source><translation>Selecionar</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>
@@ -546,7 +552,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
@@ -762,7 +767,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -772,6 +776,10 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
+<message><source>Cab mode</source><translation>Modo cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
@@ -813,7 +821,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
-<message><source>Select</source><translation>Selecionar</translation></message>
 <message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
 <message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>

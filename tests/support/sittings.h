@@ -39,6 +39,7 @@ inline Sitting exampleSitting(const std::filesystem::path& path) {
     sitting.camera = SittingCamera{{1, 2, 3}, {4, 5, 6}, {0, -1, 0}, 40.0, true};
     sitting.images = SittingImages{600.5, 50.25, 3.5};
     sitting.switches = {{"rocks/shown", true}, {"view/overlay", false}};
+    sitting.looks = {{"cloud-colour", "range"}, {"range-window-m", "2.5 9 locked"}};
     sitting.layout = {{"window", std::string("AAAA/wAAAAD9")}};
     return sitting;
 }

@@ -8,6 +8,7 @@
 #include "ui/cab/hold_button.h"
 #include "ui/cab/numbers_side.h"
 #include "ui/cab/stepper.h"
+#include "ui/cloud/cloud_overlay.h"
 #include "ui/live/state_badge.h"
 #include "ui/main/cab_mode.h"
 #include "ui/main/theme.h"
@@ -67,6 +68,26 @@ private slots:
         touch_ = QTest::createTouchDevice();
     }
     void cleanup() { useTheme(*qApp); }
+
+    void theCornerCoversNoWords() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.resize(1280, 775);
+        on.window.cab().set(true);
+        QVERIFY2(!on.window.cab().corner().isVisible(), "without a scan there is nothing to show in it");
+        QVERIFY(on.open(scan_));
+        QTRY_VERIFY(on.window.cab().corner().isVisible());
+        // What is said of all rocks ends where the picture begins.
+        on.window.views().cloud().setCaption("what holds for all of them");
+        const auto* overlay = on.window.views().cloud().findChild<CloudOverlay*>();
+        QTRY_COMPARE(overlay->marks().caption, QString("what holds for all of them"));
+        QCOMPARE(on.window.views().cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
+        press(on.window, "cab-images");
+        press(on.window, "cab-images");
+        QVERIFY(!on.window.cab().corner().isVisible());
+        QCOMPARE(overlay->marks().captionRoom, 0);
+        on.window.cab().set(false);
+    }
 
     void nothingIsTooSmallForAGlove() {
         WindowFixture on;

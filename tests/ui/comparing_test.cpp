@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QToolButton>
 
 #include <algorithm>
@@ -220,6 +221,13 @@ private slots:
         QCOMPARE(on.window.comparing().comparison()->change.edges.lost, expected->edges.lost);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
         QVERIFY(on.window.comparing().kept()->asked != other);
+        // Rocks over the cloud hide the change there, which is said.
+        const auto* covered = legend.findChild<QLabel*>("change-covered");
+        QVERIFY(covered->isHidden());
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QTRY_VERIFY_WITH_TIMEOUT(covered->isVisible(), 30000);
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QTRY_VERIFY(covered->isHidden());
     }
 
     void anEarlierFileIsReadBesideAndWhatDoesNotFitIsRefused() {

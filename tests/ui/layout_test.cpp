@@ -10,6 +10,8 @@
 #include "ui/language/languages.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/theme.h"
+#include "ui/main/tool_bar.h"
+#include "ui/main/window_room.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/status_line.h"
 #include "ui/rocks/rocks_panel.h"
@@ -26,6 +28,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QtTest>
+
+#include <random>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -98,6 +102,21 @@ private slots:
         WindowFixture again(ini);
         QVERIFY(again.show());
         QVERIFY(again.window.width() <= screen.width() && again.window.height() <= screen.height());
+    }
+
+    void aWindowAndItsFrameStandOnTheScreen() {
+        std::mt19937 random(5);
+        const auto number = [&random](int least, int most) { return std::uniform_int_distribution<int>(least, most)(random); };
+        for (int n = 0; n < 2000; ++n) {
+            const QRect room(number(-2000, 2000), number(0, 60), number(900, 3000), number(600, 2000));
+            const QMargins frame(number(0, 8), number(0, 40), number(0, 8), number(0, 8));
+            const QRect window(number(-3000, 3000), number(-500, 2500), number(300, 3500), number(300, 2500));
+            const QRect fits = insideScreen(window, frame, room);
+            QVERIFY(room.contains(fits.marginsAdded(frame)));
+            if (room.contains(window.marginsAdded(frame))) QCOMPARE(fits, window); // nothing moves by itself
+            const QRect most = room.marginsRemoved(frame);
+            QCOMPARE(fits.size(), window.size().boundedTo(most.size()));
+        }
     }
 
     void theCloudHasTheRoomAtEverySize() {
@@ -266,6 +285,46 @@ private slots:
             }
         }
         useLanguage("en");
+    }
+
+    void everyToolHasItsButtonInEveryLanguage() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            int withWords = 0;
+            for (const int width : {853, 1280, 1920, 2560}) {
+                resizeTo(on.window, {width, 800});
+                withWords = 0;
+                for (const auto* button : on.window.tools().findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+                    if (button->objectName() == "qt_toolbar_ext_button") {
+                        QVERIFY2(!button->isVisible(), qPrintable(QString("%1: there is no room at %2").arg(code).arg(width)));
+                        continue;
+                    }
+                    QVERIFY2(button->isVisible() && button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+                    QVERIFY2(!button->icon().isNull() && !button->toolTip().isEmpty(), qPrintable(button->text()));
+                    withWords += button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon ? 1 : 0;
+                }
+                QVERIFY2(withWords >= 2, "Open and Connect are read at every width");
+            }
+            QVERIFY2(withWords > 10, "where there is room all are read");
+        }
+        useLanguage("en");
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        const auto pressed = [&](const char* text) {
+            for (auto* button : on.window.tools().findChildren<QToolButton*>()) {
+                if (button->text() == text) QTest::mouseClick(button, Qt::LeftButton);
+            }
+        };
+        pressed("Rocks");
+        QVERIFY(on.window.rocks().shown());
+        auto* measure = on.window.findChild<QToolButton*>("tool-measure");
+        QVERIFY(!measure->isChecked());
+        on.window.measures().start(MeasureKind::Distance);
+        QVERIFY(measure->isChecked());
+        pressed("Pin");
+        QVERIFY(!measure->isChecked() && on.window.views().tool() == Tool::Pin);
     }
 
     // Three panels above each other, a rock and a target with their cards: what does not fit scrolls, nothing is squeezed or cut off.

@@ -227,6 +227,38 @@ private slots:
         QVERIFY2(proposed().contains("_edges_canny_lower7_"), qPrintable(proposed()));
     }
 
+    // Where a person looks first: beside the scan, with a memory and without one; never where the program was started.
+    void aDialogBeginsWhereTheScanLies() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        const auto begins = [&](const std::function<void()>& ask) {
+            QString folder;
+            QTimer look;
+            connect(&look, &QTimer::timeout, this, [&folder] {
+                if (auto* dialog = shownDialog<QFileDialog>()) {
+                    folder = dialog->directory().canonicalPath();
+                    QTest::keyClick(dialog, Qt::Key_Escape);
+                }
+            });
+            look.start(30);
+            ask();
+            return folder;
+        };
+        const QString beside = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
+        QVERIFY(beside != QDir::current().canonicalPath());
+        QCOMPARE(begins([&] { on.window.files().ask(); }), beside);
+        QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
+        QCOMPARE(begins([&] { on.window.sittings().ask(); }), beside);
+        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+        // What was saved elsewhere is looked for there, until that folder is gone.
+        const QString elsewhere = path("elsewhere");
+        QVERIFY(QDir().mkpath(elsewhere));
+        on.memory.keepFolder("presets", elsewhere + "/mine.json");
+        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), QDir(elsewhere).canonicalPath());
+        QVERIFY(QDir().rmdir(elsewhere));
+        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+    }
+
     // What the command line can ask of a format, the dialog can too; the record says it.
     void theWritingChoicesAreThoseOfTheCommandLine() {
         const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(scan_)), Settings{});

@@ -4,15 +4,22 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/change/change_legend.h"
+#include "ui/control/scan_look.h"
 #include "ui/live/live_panel.h"
+#include "ui/main/cab_mode.h"
 #include "ui/main/start.h"
+#include "ui/panel/range_window.h"
 #include "ui/sitting/sitting_file.h"
 #include "ui/sitting/sittings.h"
 #include "ui/start/start_page.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
 #include <QDir>
 #include <QDropEvent>
+#include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
@@ -46,6 +53,22 @@ class SittingsTest : public QObject {
         QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &event);
     }
+    /// How the views look, by keys and mouse where there are some.
+    static void setLooks(WindowFixture& on) {
+        MainWindow& w = on.window;
+        QTest::keyClick(&w, Qt::Key_J, Qt::ShiftModifier); // colours by range
+        RangeHandles& handles = w.rangeWindow().handles();
+        for (int n = 0; n < 9; ++n) QTest::keyClick(&handles, Qt::Key_Left);
+        QTest::keyClick(&handles, Qt::Key_Right, Qt::ShiftModifier);
+        auto* lock = w.findChild<QToolButton*>("range-lock");
+        QTest::mouseClick(lock, Qt::LeftButton);
+        QVERIFY(lock->isChecked());
+        for (int n = 0; n < 2; ++n) QTest::keyClick(&w, Qt::Key_BracketRight); // larger points
+        w.views().cloud().setClip({0.1, 0.02});
+        w.confidence().setLeast(40);
+        QTest::mouseClick(w.changeLegend().row(ChangeRow::Lost), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+        QVERIFY(!w.comparing().rows()[static_cast<std::size_t>(ChangeRow::Lost)]);
+    }
     /// Something of everything.
     static void work(WindowFixture& on) {
         MainWindow& w = on.window;
@@ -70,6 +93,7 @@ class SittingsTest : public QObject {
         rocks.level = 1.5;
         w.rocks().turn(rocks);
         w.rocks().setByHand({{{RockEditKind::NotRock, {3000}}}, {}});
+        setLooks(on);
         w.views().cloud().viewTop();
         w.views().gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
         QVERIFY(atRest(on));
@@ -119,12 +143,53 @@ private slots:
         QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // read once
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.window.rocks().shown() && on.window.rocks().picture() != nullptr);
+        QVERIFY(on.window.look().colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
+        QVERIFY(on.window.views().rangeWindow() && on.window.look().rangeLocked());
+        QCOMPARE(on.window.views().cloud().clip().nearShare, 0.1);
+        QCOMPARE(on.window.confidence().least(), 40);
         // Another scan leaves the file as it is.
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
         QVERIFY(on.window.sittings().path().isEmpty());
         const auto left = readSitting(file.toStdString());
         QCOMPARE(QString::fromStdString(left->sitting.scan.path.string()), QString::fromStdString(boxes_));
+    }
+
+    void aSessionChangesNoHabitAndComesBackFromACab() {
+        const QString file = inFolder("habits.edgescan-session.json");
+        const auto named = [](WindowFixture& on, const char* name) {
+            for (QAction* action : on.window.actions()) {
+                if (action->text() == name) return action;
+            }
+            qFatal("there is no command %s", name);
+        };
+        {
+            WindowFixture on;
+            on.window.resize(1300, 850);
+            QVERIFY(on.showWith(boxes_) && on.activate());
+            named(on, "&Wheel the other way")->trigger();
+            QVERIFY(named(on, "&Wheel the other way")->isChecked());
+            QWidget* title = on.window.views().edges().parentWidget()->findChild<QLabel*>()->parentWidget();
+            QTest::mouseDClick(title, Qt::LeftButton); // it has all the room
+            QVERIFY(!on.window.views().cloud().isVisible());
+            on.window.sittings().saveAs(file);
+            QVERIFY(atRest(on));
+            QTRY_VERIFY(QFile::exists(file));
+        }
+        WindowFixture on;
+        on.window.resize(1300, 850);
+        QVERIFY(on.show());
+        on.window.sittings().openSession(file);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.sittings().path() == file; }, 20000));
+        QVERIFY(atRest(on));
+        QVERIFY(!named(on, "&Wheel the other way")->isChecked());
+        QVERIFY(!on.window.views().cloud().isVisible() && on.window.views().edges().isVisible());
+        // What is saved in a cab says nothing of docks: in the office they stand as they stood.
+        on.window.cab().set(true);
+        QVERIFY(on.window.layoutKept().empty());
+        on.window.useLayout({{"docks", "AAAA"}});
+        QVERIFY(on.window.cab().on() && on.window.views().cloud().isVisible());
+        on.window.cab().set(false);
     }
 
     void aScanThatMovedOrChangedIsSaid() {

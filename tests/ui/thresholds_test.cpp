@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -240,6 +241,24 @@ private slots:
         const auto none = std::ranges::find(detection.mask->cells, 0) - detection.mask->cells.begin();
         askWhy(static_cast<std::uint32_t>(none));
         QTRY_VERIFY2(card.verdict().startsWith("No edge: "), qPrintable(card.verdict()));
+    }
+
+    // Whoever clicks a cell beside the edge that was meant comes to it by one more click.
+    void theEdgeBesideTheCellIsAButtonAway() {
+        use(Settings{});
+        const Detection& detection = *window_->session().picture()->detection;
+        const auto& mask = detection.mask->cells;
+        std::size_t beside = 1;
+        while (beside < mask.size() && (mask[beside] != 0 || mask[beside - 1] == 0 || beside % 160 == 0)) ++beside;
+        QVERIFY(beside < mask.size());
+        askWhy(static_cast<std::uint32_t>(beside));
+        if (QTest::currentTestFailed()) return;
+        const WhyCard& card = *window_->explanation().card();
+        auto* button = card.findChild<QPushButton*>("why-beside");
+        QTRY_VERIFY(button->isVisible() && card.verdict().startsWith("No edge: "));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY2(card.verdict().startsWith("Edge: "), qPrintable(card.verdict()));
+        QVERIFY(!button->isVisible());
     }
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {

@@ -28,6 +28,11 @@ QString shownName(const QString& name, int mostCharacters) {
     return whole.left(head).trimmed() + QStringLiteral("…") + whole.right(mostCharacters - head - 1).trimmed();
 }
 
+QString shortLength(double metres) {
+    if (metres < 0.0995) return QString::number(metres * 1000.0, 'f', 0) + " mm";
+    return QString::number(metres, 'g', 3) + " m";
+}
+
 QString exactText(const std::string& text) { return QString::fromStdString(text); }
 
 } // namespace edgescan::ui

@@ -15,6 +15,9 @@ namespace edgescan::ui {
 /// The same on one line, where there is room for so many characters: of a longer name the middle is left out (…).
 [[nodiscard]] QString shownName(const QString& name, int mostCharacters = 120);
 
+/// Millimetres below a tenth of a metre, else metres in three digits: "53 mm", "0.532 m", "12.3 m".
+[[nodiscard]] QString shortLength(double metres);
+
 /// For paths, settings and the clipboard: as it is.
 [[nodiscard]] QString exactText(const std::string& text);
 

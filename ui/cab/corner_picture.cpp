@@ -50,8 +50,12 @@ void CornerPicture::place() {
     }
     const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + kWords);
     if (at.size() != size()) scaled_ = QPixmap();
+    const int before = reach();
     setGeometry(at);
+    if (reach() != before) emit reachChanged(reach());
 }
+
+int CornerPicture::reach() const { return width() + kFromEdge; }
 
 bool CornerPicture::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize) place();

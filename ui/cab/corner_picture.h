@@ -21,7 +21,13 @@ public:
     void show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked);
     void setWords(const QString& words);
 
+    /// How far it reaches from the right side of its parent, px.
+    [[nodiscard]] int reach() const;
+
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void reachChanged(int px);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

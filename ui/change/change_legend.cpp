@@ -45,8 +45,8 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 } // namespace
 
 ChangeLegend::ChangeLegend(QWidget* parent)
-    : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")), region_(wordsOf(this, "change-region")),
-      next_(new QToolButton(this)) {
+    : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")),
+      covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")), next_(new QToolButton(this)) {
     setObjectName("change-legend");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
@@ -73,10 +73,13 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::tellRows);
     }
     grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
+    covered_->setText(tr("Rocks cover them in the cloud"));
+    covered_->hide();
+    grid->addWidget(covered_, kChangeRows + 2, 0, 1, 2);
     next_->setText(tr("Next changed region"));
     next_->setFocusPolicy(Qt::TabFocus);
-    grid->addWidget(next_, kChangeRows + 2, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 3, 0, 1, 2);
+    grid->addWidget(next_, kChangeRows + 3, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 4, 0, 1, 2);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionWanted);
     hide();
 }
@@ -117,6 +120,11 @@ void ChangeLegend::showFlipped(bool flipped) {
     adjustSize();
 }
 
+void ChangeLegend::showCovered(bool on) {
+    covered_->setVisible(on);
+    adjustSize();
+}
+
 void ChangeLegend::showRegion(const QString& words) {
     region_->setText(words);
     region_->setVisible(!words.isEmpty());
@@ -127,6 +135,10 @@ QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<st
 QString ChangeLegend::howText() const { return how_->text(); }
 QString ChangeLegend::titleText() const { return title_->text(); }
 QString ChangeLegend::regionText() const { return region_->text(); }
+
+void ChangeLegend::setRows(const ChangeRows& rows) {
+    for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);
+}
 
 void ChangeLegend::tellRows() {
     ChangeRows rows{};

@@ -20,8 +20,11 @@ public:
     void showKept(const QString& before, const Comparison* comparison, bool working);
     /// Off: the differences are not shown, and no row tells of them.
     void setRowsShown(bool on);
+    void setRows(const ChangeRows& rows);
     /// Which of the two is on the screen.
     void showFlipped(bool flipped);
+    /// The cloud does not show them: rocks cover them there.
+    void showCovered(bool on);
     /// Words about a region; empty = none.
     void showRegion(const QString& words);
     [[nodiscard]] QCheckBox* row(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].box; }
@@ -42,7 +45,7 @@ private:
     };
     void tellRows();
 
-    QLabel *title_, *how_, *region_;
+    QLabel *title_, *how_, *covered_, *region_;
     std::array<Row, kChangeRows> rows_;
     QToolButton* next_;
     QString before_;

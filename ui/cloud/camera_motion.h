@@ -51,6 +51,12 @@ struct CameraPose {
 /// beams and lines as the sensor sees them. 0 where that is not known.
 [[nodiscard]] double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx);
 
+/// How much of the depth is cut away before and behind what is seen, 0 .. 1 each.
+struct CloudClip {
+    double nearShare = 0.0, farShare = 0.0;
+    bool operator==(const CloudClip&) const = default;
+};
+
 struct ClipRange {
     double nearM = 0.1;
     double farM = 100.0;

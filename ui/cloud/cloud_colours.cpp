@@ -20,6 +20,9 @@ constexpr std::size_t kSteps = 256;
 constexpr double kLeftOut = 0.01; // of the points at each end
 constexpr std::size_t kSampled = 20'000;
 
+constexpr std::array<std::pair<ColourBy, const char*>, 4> kKeys{
+    {{ColourBy::Nothing, "gray"}, {ColourBy::Range, "range"}, {ColourBy::Height, "height"}, {ColourBy::Line, "line"}}};
+
 /// Where the middle 98 % lie, from a sample that is spread over all of them.
 std::pair<double, double> endsOf(const std::vector<float>& values) {
     const std::size_t step = std::max<std::size_t>(1, values.size() / kSampled);
@@ -46,6 +49,15 @@ std::function<double(std::size_t)> valueOf(const Scan& scan, const CloudGeometry
 }
 
 } // namespace
+
+const char* colourKey(ColourBy by) { return std::ranges::find(kKeys, by, &std::pair<ColourBy, const char*>::first)->second; }
+
+std::optional<ColourBy> colourOfKey(std::string_view key) {
+    for (const auto& [by, name] : kKeys) {
+        if (key == name) return by;
+    }
+    return std::nullopt;
+}
 
 QRgb colourAt(double share) {
     const double at = std::clamp(share, 0.0, 1.0) * (kScale.size() - 1);

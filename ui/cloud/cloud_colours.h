@@ -8,11 +8,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace edgescan::ui {
 
 enum class ColourBy : std::uint8_t { Nothing, Range, Height, Line };
+
+/// As it is kept in files: "gray", "range", "height", "line".
+[[nodiscard]] const char* colourKey(ColourBy by);
+/// Empty: no such key.
+[[nodiscard]] std::optional<ColourBy> colourOfKey(std::string_view key);
 
 /// The colour at `share` (0 .. 1) of the scale: from blue to ochre, all of one luminance, so that light and dark still mean form and edges
 /// stand out as they do from gray; told apart by blue and yellow alone too.

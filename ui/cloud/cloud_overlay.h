@@ -21,7 +21,8 @@ struct OverlayMarks {
     QString note;                 ///< top left
     QString tip;                  ///< beside a point ...
     std::optional<QPointF> tipAt; ///< ... that is in view
-    QString caption;              ///< top right
+    QString caption;              ///< top right ...
+    int captionRoom = 0;          ///< ... of what stands there already, so many pixels from the right
     QString stale;                ///< greys the picture and says why; empty = none
     ScreenMarks marks;            ///< targets and measurements
     QPolygonF dragged;            ///< round what is being selected

@@ -139,6 +139,12 @@ void CloudView::setCaption(const QString& text) {
     updateOverlay();
 }
 
+void CloudView::setCaptionRoom(int pixels) {
+    if (pixels == captionRoom_) return;
+    captionRoom_ = pixels;
+    updateOverlay();
+}
+
 void CloudView::requestFrame() {
     nextPart_ = 0; // from the beginning
     framePending_ = true;
@@ -153,7 +159,7 @@ void CloudView::moved(int restMs) {
 void CloudView::applyCamera() {
     screenMarks_.reset();
     static const CloudGeometry nothing;
-    scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_));
+    scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, clip_.nearShare, clip_.farShare));
     followSpacing();
     updateOverlay();
     requestFrame();
@@ -278,6 +284,7 @@ void CloudView::updateOverlay() {
     marks.stale = stale_;
     marks.tip = tip_;
     marks.caption = caption_;
+    marks.captionRoom = captionRoom_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {
@@ -334,9 +341,9 @@ void CloudView::usePointSize(double pixels) {
     emit pointSizeChanged(size);
 }
 
-void CloudView::setPointSizeFollows(bool on) {
+void CloudView::setPointSizeFollows(bool on, double factor) {
     sizeFollows_ = on;
-    sizeFactor_ = 1.0;
+    sizeFactor_ = std::clamp(factor, 1.0 / 8, 8.0);
     followSpacing();
 }
 

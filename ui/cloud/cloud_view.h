@@ -75,6 +75,9 @@ public:
     /// Metres from line to line of the grid below the rocks; 0: it is not shown.
     [[nodiscard]] double groundStepM() const { return groundStepM_; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
+    /// What the size that follows the spacing is multiplied by; empty: the size stays as it is.
+    [[nodiscard]] std::optional<double> pointSizeFactor() const { return sizeFollows_ ? std::optional(sizeFactor_) : std::nullopt; }
+    [[nodiscard]] const CloudClip& clip() const { return clip_; }
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] const EdgeColours& edgeColours() const { return edgeColours_; }
     [[nodiscard]] bool edgesByClass() const { return byClass_; }
@@ -100,6 +103,8 @@ public:
     /// What holds for everything that is shown, in the upper right corner. Empty = nothing.
     void setCaption(const QString& text);
     [[nodiscard]] const QString& caption() const { return caption_; }
+    /// Something stands in that corner, so many pixels from the right; 0: nothing.
+    void setCaptionRoom(int pixels);
     [[nodiscard]] const QString& stale() const { return stale_; }
     /// Targets and measurements, until others are set.
     void setMarks(CellMarks marks);
@@ -158,7 +163,8 @@ public slots:
     void setShaded(bool on);          ///< off = the cloud is one flat gray
     void setPointSize(double pixels); ///< 1 .. 12; from then on it stays
     /// On: the size follows the spacing of the points and the zoom, so that a surface is closed and a crowd no blob.
-    void setPointSizeFollows(bool on);
+    void setPointSizeFollows(bool on, double factor = 1.0);
+    void setClip(const edgescan::ui::CloudClip& clip);
     void largerPoints() { changePointSize(+1); }
     void smallerPoints() { changePointSize(-1); }
     void setBackground(const QColor& colour);
@@ -244,7 +250,7 @@ private:
 
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
-    double nearShare_ = 0.0, farShare_ = 0.0;
+    CloudClip clip_;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;
     bool sizeFollows_ = false;
@@ -253,6 +259,7 @@ private:
     EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
     QString note_, stale_, tip_, caption_;
+    int captionRoom_ = 0;
 
     DragAction drag_ = DragAction::None;
     Press press_;

@@ -12,7 +12,7 @@ double CloudView::aspect() const { return static_cast<double>(std::max(1, width(
 
 ScreenView CloudView::screenView() const {
     static const CloudGeometry nothing;
-    const ClipRange clip = clipRange(pose_, cloud_ ? *cloud_ : nothing, nearShare_, farShare_);
+    const ClipRange clip = clipRange(pose_, cloud_ ? *cloud_ : nothing, clip_.nearShare, clip_.farShare);
     const double dpr = devicePixelRatioF();
     return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, std::round(pointSize_ * dpr)};
 }
@@ -39,8 +39,7 @@ void CloudView::viewFromScanner() {
 }
 
 void CloudView::resetView() {
-    nearShare_ = 0.0;
-    farShare_ = 0.0;
+    clip_ = {};
     viewFromScanner();
 }
 

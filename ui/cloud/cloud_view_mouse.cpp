@@ -18,7 +18,7 @@ constexpr double kPickPx = 8.0;
 constexpr double kSameCursorPx = 3.0;
 constexpr int kShowCentreMs = 600;
 constexpr double kZoomPerNotch = 1.2;
-constexpr double kClipPerNotch = 0.02;
+constexpr double kClipPerNotch = 0.02, kMostClipped = 0.98; // of the depth
 
 } // namespace
 
@@ -147,8 +147,8 @@ void CloudView::wheelEvent(QWheelEvent* event) {
     const WheelAction action = wheelAction(event->modifiers());
     if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -steps : steps);
     if (action == WheelAction::PointSize) changePointSize(steps > 0.0 ? 1 : -1);
-    if (action == WheelAction::NearClip) wheelClip(nearShare_, steps);
-    if (action == WheelAction::FarClip) wheelClip(farShare_, -steps);
+    if (action == WheelAction::NearClip) wheelClip(clip_.nearShare, steps);
+    if (action == WheelAction::FarClip) wheelClip(clip_.farShare, -steps);
 }
 
 void CloudView::wheelZoom(QPointF pixel, double notches) {
@@ -160,8 +160,13 @@ void CloudView::wheelZoom(QPointF pixel, double notches) {
 }
 
 void CloudView::wheelClip(double& share, double notches) {
-    share = std::clamp(share + kClipPerNotch * notches, 0.0, 0.98);
+    share = std::clamp(share + kClipPerNotch * notches, 0.0, kMostClipped);
     moved();
+}
+
+void CloudView::setClip(const CloudClip& clip) {
+    clip_ = {std::clamp(clip.nearShare, 0.0, kMostClipped), std::clamp(clip.farShare, 0.0, kMostClipped)};
+    applyCamera();
 }
 
 void CloudView::pointAt(std::optional<std::uint32_t> cell) {

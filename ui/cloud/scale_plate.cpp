@@ -2,6 +2,7 @@
 #include "ui/cloud/scale_plate.h"
 
 #include "core/georef/placed_points.h"
+#include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 
 #include <QEvent>
@@ -22,11 +23,6 @@ constexpr int kFromRim = 8;            // px
 constexpr QSize kLeastView(460, 240);
 const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
 const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
-
-QString lengthText(double metres) {
-    if (metres < 0.0995) return QString::number(metres * 1000.0, 'g', 3) + " mm";
-    return QString::number(metres, 'g', 3) + " m";
-}
 
 /// Where east, north and up point in the frame of the scan, in the middle of its sweep.
 Eigen::Matrix3d mineAxes(const Scan& scan) {
@@ -71,7 +67,7 @@ void ScalePlate::follow() {
     place();
     if (!isVisible()) return;
     const double step = cloud_->groundStepM();
-    const QString ground = step > 0.0 ? tr("grid %1").arg(lengthText(step)) : QString();
+    const QString ground = step > 0.0 ? tr("grid %1").arg(shortLength(step)) : QString();
     if (ground != groundText_) update();
     groundText_ = ground;
     if (scan_ != cloud_->scan()) {
@@ -81,10 +77,13 @@ void ScalePlate::follow() {
         names_ = mine ? std::array<QString, 3>{"E", "N", "El"} : std::array<QString, 3>{"X", "Y", "Z"};
     }
     const CameraPose pose = cloud_->camera();
-    const double depth = depthInTheMiddle();
+    const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};
+    if (seen != seen_) depth_ = depthInTheMiddle();
+    seen_ = seen;
+    const double depth = depth_;
     const double perMetre = cloud_->height() / (2.0 * pose.halfHeight()) * (pose.parallel ? 1.0 : pose.distance() / depth);
     const double metres = roundedDown(kMostBar * unit() / perMetre);
-    const QString text = pose.parallel ? lengthText(metres) : tr("%1 at %2 m").arg(lengthText(metres)).arg(depth, 0, 'f', 1);
+    const QString text = pose.parallel ? shortLength(metres) : tr("%1 at %2 m").arg(shortLength(metres)).arg(depth, 0, 'f', 1);
     std::array<Eigen::Vector2d, 3> axes;
     for (int n = 0; n < 3; ++n) axes[static_cast<std::size_t>(n)] = {pose.right().dot(frame_.col(n)), pose.up.dot(frame_.col(n))};
     if (text == barText_ && metres * perMetre == barPixels_ && axes == axes_) return;

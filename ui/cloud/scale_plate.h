@@ -2,10 +2,13 @@
 #pragma once
 
 #include "ui/base/view_plate.h"
+#include "ui/cloud/camera_motion.h"
 #include "ui/cloud/cloud_colours.h"
 #include "ui/cloud/ground_grid.h"
 
 #include <Eigen/Core>
+
+#include <QSize>
 
 #include <array>
 
@@ -39,6 +42,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// What decides which point lies in the middle.
+    struct Seen {
+        std::shared_ptr<const CloudGeometry> cloud;
+        CameraPose camera;
+        CloudClip clip;
+        QSize size;
+        bool operator==(const Seen&) const = default;
+    };
     void follow();
     void place();
     [[nodiscard]] double unit() const; // 1, more where the letters are larger than usual
@@ -55,6 +66,8 @@ private:
     std::array<Eigen::Vector2d, 3> axes_{};
     QString barText_, groundText_;
     double barPixels_ = 0.0;
+    Seen seen_;
+    double depth_ = 1.0; // of what was seen there, metres
     CloudColours colours_;
     bool coloured_ = false; // the points have these colours now
 };

@@ -42,6 +42,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     grid->setContentsMargins(8, 6, 8, 6);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(2);
+    grid->setColumnStretch(1, 1); // names stand beside their colours
     auto* title = new QLabel(tr("Confidence of edges"), this);
     QFont bold = title->font();
     bold.setBold(true);

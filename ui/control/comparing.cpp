@@ -122,11 +122,14 @@ Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeL
     connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
+        emit rowsChanged();
     });
     connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
     connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
     QApplication::instance()->installEventFilter(this);
 }
+
+void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
 
 void Comparing::keep() {
     if (session_.picture() == nullptr) {

@@ -54,6 +54,9 @@ public:
 
     /// Off: the edges in their own colours, A still a key away.
     void setDifferenceShown(bool on);
+    /// Which kinds of change are shown.
+    void setRows(const ChangeRows& rows);
+    [[nodiscard]] const ChangeRows& rows() const { return rows_; }
     /// A instead of what is on the screen, in all views; off again.
     void flip(bool on);
     /// Of A and what is on the screen; null until it is known, and where there is nothing to compare.
@@ -68,6 +71,7 @@ public:
 
 signals:
     void keptChanged(bool some);
+    void rowsChanged();
     void flipped(bool on);
     /// The views show a difference, or none any more.
     void differenceShown(bool on);

@@ -27,6 +27,7 @@ Confidence::Confidence(Session& session, LinkedViews& views, ConfidenceLegend& l
     connect(&legend_, &ConfidenceLegend::leastWanted, this, [this](int percent) {
         memory_.keep(kLeast, QString::number(percent));
         if (made_) ask(); // the images alone
+        emit changed();
     });
     connect(&session_, &Session::pictureReady, this, &Confidence::follow);
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
@@ -42,6 +43,10 @@ void Confidence::setOn(bool on) {
     on_ = on;
     follow();
 }
+
+void Confidence::setLeast(int percent) { legend_.setLeast(percent); }
+
+int Confidence::least() const { return legend_.least(); }
 
 void Confidence::giveWay(bool toAnother) {
     gaveWay_ = toAnother;

@@ -27,6 +27,9 @@ public:
     ~Confidence() override;
 
     void setOn(bool on);
+    /// Edges surer than that are shown alone, percent.
+    void setLeast(int percent);
+    [[nodiscard]] int least() const;
     [[nodiscard]] bool on() const { return on_; }
     /// Of the picture on the screen; null until it is known, and while it is off.
     [[nodiscard]] const std::shared_ptr<const ConfidencePicture>& made() const { return made_; }

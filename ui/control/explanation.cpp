@@ -16,6 +16,8 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kBeside = 6; // cells
+
 /// The way that decides: that of the strongest step or fold; for the other methods the one along which the range changes more.
 EdgeProfile profileOf(const Detection& detection, const Why& why) {
     const Scan& scan = *detection.scan;
@@ -32,6 +34,26 @@ EdgeProfile profileOf(const Detection& detection, const Why& why) {
         return most;
     };
     return deep(lines) > deep(beams) ? lines : beams;
+}
+
+/// The nearest edge where the cell is none: a finger meets an edge of one cell only by chance.
+std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t cell) {
+    const Grid<std::uint8_t>& mask = *detection.mask;
+    if (mask[cell] != 0) return std::nullopt;
+    const Scan& scan = *detection.scan;
+    const int line = static_cast<int>(cell) / scan.beams(), beam = static_cast<int>(cell) % scan.beams();
+    std::optional<std::size_t> nearest;
+    int least = kBeside * kBeside + 1;
+    for (int y = std::max(0, line - kBeside); y <= std::min(scan.lines() - 1, line + kBeside); ++y) {
+        for (int x = std::max(0, beam - kBeside); x <= std::min(scan.beams() - 1, beam + kBeside); ++x) {
+            const int away = (y - line) * (y - line) + (x - beam) * (x - beam);
+            const std::size_t k = static_cast<std::size_t>(y) * static_cast<std::size_t>(scan.beams()) + static_cast<std::size_t>(x);
+            if (away >= least || mask[k] == 0) continue;
+            least = away;
+            nearest = k;
+        }
+    }
+    return nearest;
 }
 
 } // namespace
@@ -63,7 +85,11 @@ void Explanation::explain(std::size_t cell) {
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
+        connect(card_, &WhyCard::besideWanted, this, [this] {
+            if (beside_) explain(*beside_);
+        });
     }
+    card_->offerBeside(0);
     card_->tell(tr("Working out why …"));
     worker_.post({picture, cell});
 }
@@ -81,6 +107,12 @@ void Explanation::tell(const Answer& answer) {
     QString numbers = shownText(whyNumbers(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+    beside_ = edgeBeside(*picture->detection, why.probe.cell);
+    const auto away = [&](std::size_t cell) {
+        const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
+        return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
+    };
+    card_->offerBeside(still && beside_ ? away(*beside_) : 0);
     card_->tell(shownText(whyVerdict(why, picture->detection->settings, Naming::Labels)), profileOf(*picture->detection, why), numbers);
     if (still)
         showTrail(why);

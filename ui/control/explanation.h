@@ -44,7 +44,8 @@ private:
 
     LinkedViews& views_;
     NoticeBar& notice_;
-    WhyCard* card_ = nullptr; // child of the window
+    WhyCard* card_ = nullptr;           // child of the window
+    std::optional<std::size_t> beside_; // the edge next to the cell on the card, where that is none
     Newest<Question, Answer> worker_;
 };
 

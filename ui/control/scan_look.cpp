@@ -6,10 +6,13 @@
 #include "ui/linked/linked_views.h"
 #include "ui/session/memory.h"
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
 constexpr const char* kLocked = "view/range-window"; // "near far" where it is locked
+constexpr const char* kColourBy = "view/colour-by";
 
 } // namespace
 
@@ -18,9 +21,11 @@ ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, Rang
       worker_(
           this,
           [](const Asked& asked) {
-              return Answer{asked.number, rangeHistogram(*asked.scan), cloudColours(*asked.scan, asked.cloud, asked.by)};
+              auto histogram = asked.counted ? std::nullopt : std::optional(rangeHistogram(*asked.scan));
+              return Answer{asked.number, asked.cloud, std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
           },
           [this](const Answer& answer) { take(answer); }, [this](const QString&) { answered_ = posted_; }) { // gray is true as well
+    by_ = colourOfKey(memory_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
     const QStringList kept = memory_.text(kLocked).split(' ');
     if (kept.size() == 2 && kept[1].toDouble() > kept[0].toDouble()) {
         views_.setRangeWindow(RangeSpan{kept[0].toDouble(), kept[1].toDouble()});
@@ -40,6 +45,7 @@ ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, Rang
         if (on && !views_.rangeWindow()) views_.setRangeWindow(views_.rangesShown());
         views_.keepRangeWindow(on);
         remember();
+        emit changed();
     });
     connect(&views_, &LinkedViews::rangeWindowChanged, this, [this, remember] {
         showWindow();
@@ -51,8 +57,17 @@ ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, Rang
 void ScanLook::setColourBy(ColourBy by) {
     if (by == by_) return;
     by_ = by;
+    memory_.keep(kColourBy, QString(colourKey(by)));
     asked_ = nullptr;
     follow();
+    emit colourByChanged(by);
+    emit changed();
+}
+
+void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locked) {
+    window_.setLocked(false); // what it gets first is of the one before
+    views_.setRangeWindow(window);
+    window_.setLocked(locked && window);
 }
 
 void ScanLook::follow() {
@@ -60,14 +75,17 @@ void ScanLook::follow() {
     const auto& picture = session_.picture();
     if (!picture || picture->cloud == asked_) return;
     asked_ = picture->cloud;
-    worker_.post({++posted_, picture->detection->scan, picture->cloud, by_});
+    worker_.post({++posted_, picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});
 }
 
 void ScanLook::take(const Answer& answer) {
     answered_ = answer.number;
     if (answer.number != posted_) return;
-    window_.showHistogram(answer.histogram);
-    showWindow();
+    if (answer.histogram) {
+        window_.showHistogram(*answer.histogram);
+        counted_ = answer.of;
+        showWindow();
+    }
     views_.cloud().setColours(answer.colours.of, answer.colours.points);
     plate_.showColours(answer.colours);
 }

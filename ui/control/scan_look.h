@@ -8,6 +8,9 @@
 
 #include <QObject>
 
+#include <memory>
+#include <optional>
+
 namespace edgescan::ui {
 
 class LinkedViews;
@@ -20,10 +23,20 @@ class ScanLook : public QObject {
 public:
     ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
 
+    /// Kept in the memory.
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
     /// What is shown is of the cloud on the screen.
     [[nodiscard]] bool settled() const { return posted_ == answered_; }
+    /// The window of the range image stays when another scan is opened.
+    [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
+    /// Empty: as the method scales the ranges.
+    void setRangeWindow(const std::optional<RangeSpan>& window, bool locked);
+
+signals:
+    void colourByChanged(edgescan::ui::ColourBy by);
+    /// Another lock or another colour: what a session keeps beside what the views tell.
+    void changed();
 
 private:
     struct Asked {
@@ -31,14 +44,15 @@ private:
         std::shared_ptr<const Scan> scan;
         std::shared_ptr<const CloudGeometry> cloud;
         ColourBy by = ColourBy::Nothing;
+        bool counted = false; ///< the histogram of this cloud is on the screen
     };
     struct Answer {
         int number = 0;
-        RangeHistogram histogram;
+        std::shared_ptr<const CloudGeometry> of;
+        std::optional<RangeHistogram> histogram; ///< empty: it is there already
         CloudColours colours;
     };
     void follow();
-    void ask();
     void take(const Answer& answer);
     void showWindow();
 
@@ -48,7 +62,8 @@ private:
     RangeWindow& window_;
     Memory& memory_;
     ColourBy by_ = ColourBy::Nothing;
-    std::shared_ptr<const CloudGeometry> asked_; // that the newest question was about
+    std::shared_ptr<const CloudGeometry> asked_;   // that the newest question was about
+    std::shared_ptr<const CloudGeometry> counted_; // that the histogram is of
     int posted_ = 0, answered_ = 0;
     Newest<Asked, Answer> worker_; // last
 };

@@ -14,6 +14,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -43,7 +44,7 @@ CalibrationCard::CalibrationCard(QWidget* parent)
     setWindowTitle(tr("Calibrate the Assembly"));
     auto* row = new QHBoxLayout;
     row->addWidget(question());
-    row->addWidget(answer(), 1);
+    row->addWidget(answer_ = answer(), 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     save_ = buttons->addButton(tr("&Save As…"), QDialogButtonBox::ActionRole);
     apply_ = buttons->addButton(tr("&Apply to This Scan"), QDialogButtonBox::ActionRole);
@@ -53,7 +54,6 @@ CalibrationCard::CalibrationCard(QWidget* parent)
     column->addLayout(row, 1);
     column->addWidget(saved_);
     column->addWidget(buttons);
-    resize(1180, 690);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(save_, &QPushButton::clicked, this, &CalibrationCard::saveWanted);
     connect(apply_, &QPushButton::clicked, this, &CalibrationCard::applyWanted);
@@ -153,6 +153,16 @@ void CalibrationCard::forgetResult() {
     verdict_->clear();
     about_->clear();
     setSaved({}, {});
+    fit();
+}
+
+/// Large once there is a picture to see.
+void CalibrationCard::fit() {
+    const bool some = !shown_.empty();
+    answer_->setVisible(some);
+    const QSize wanted = some ? QSize(1180, 690) : QSize(kQuestionWidth + 30, 400);
+    const QScreen* at = screen();
+    resize(at != nullptr ? wanted.boundedTo(at->availableSize() - QSize(20, 60)) : wanted);
 }
 
 void CalibrationCard::setWorking(bool on) {
@@ -197,6 +207,7 @@ void CalibrationCard::tell(const CalibrationShown& found) {
     for (const CalibrationPicture& each : shown_) which_->addItem(each.title);
     which_->setVisible(!shown_.empty());
     pictures_->setVisible(!shown_.empty());
+    fit();
     setSaved({}, {});
 }
 

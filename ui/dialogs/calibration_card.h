@@ -75,6 +75,7 @@ private:
     void setWorking(bool on);
     void showPicture(int which);
     void forgetResult();
+    void fit();
 
     QListWidget* scans_;
     QPushButton* remove_ = nullptr;
@@ -86,6 +87,7 @@ private:
     QLabel* about_;
     QComboBox* which_;
     LinkedPictures* pictures_;
+    QWidget* answer_ = nullptr;
     QLabel* saved_;
     QPushButton* save_ = nullptr;
     QPushButton* apply_ = nullptr;

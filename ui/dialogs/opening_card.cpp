@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QShowEvent>
 #include <QStyle>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -84,10 +85,19 @@ OpeningCard::OpeningCard(QWidget* parent)
 void OpeningCard::fitRows() {
     const int margin = 2 * (list_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
     const QRect room(0, 0, std::max(60, list_->columnWidth(1) - margin), 10000);
+    bool others = false;
     for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
         const int high = list_->fontMetrics().boundingRect(room, Qt::TextWordWrap, (*row)->text(1)).height() + kAroundWords;
-        if ((*row)->sizeHint(1).height() != high) (*row)->setSizeHint(1, QSize(0, high));
+        if ((*row)->sizeHint(1).height() == high) continue;
+        (*row)->setSizeHint(1, QSize(0, high));
+        others = true;
     }
+    if (others) list_->doItemsLayout(); // the tree keeps the heights that it knows
+}
+
+void OpeningCard::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
 }
 
 bool OpeningCard::chosen(int& point, int& other) const {
@@ -113,7 +123,7 @@ void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& poi
         }
         row->setExpanded(true);
     }
-    fitRows();
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
     adopt_->setEnabled(false);
     verdict_->setText(points.empty()       ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
                       : looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)

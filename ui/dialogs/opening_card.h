@@ -32,6 +32,9 @@ signals:
     void previewWanted(int point, int other);
     void adoptWanted(int point, int other);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void fitRows();
     [[nodiscard]] bool chosen(int& point, int& other) const;

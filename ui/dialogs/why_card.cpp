@@ -1,11 +1,13 @@
 // Why a cell is an edge.
 #include "ui/dialogs/why_card.h"
 
+#include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -24,10 +26,6 @@ QLabel* words() {
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return label;
-}
-
-QString lengthText(double metres) {
-    return metres < 1.0 ? QString::number(metres * 1000.0, 'f', 0) + " mm" : QString::number(metres, 'f', 2) + " m";
 }
 
 } // namespace
@@ -68,10 +66,11 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(theme.quietText);
     const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
     painter.drawText(QRectF(kRim, height() - 18, width() - 2 * kRim, 16), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1: %2 wide, %3 deep, near is below").arg(way, lengthText(wide), lengthText(deep)));
+                     tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep)));
 }
 
-WhyCard::WhyCard(QWidget* parent) : QDialog(parent), verdict_(words()), numbers_(words()), below_(new QLabel), picture_(new ProfileView) {
+WhyCard::WhyCard(QWidget* parent)
+    : QDialog(parent), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton), picture_(new ProfileView) {
     setObjectName("why-card");
     setWindowTitle(tr("Why is this cell an edge, or none?"));
     verdict_->setObjectName("why-verdict");
@@ -83,6 +82,11 @@ WhyCard::WhyCard(QWidget* parent) : QDialog(parent), verdict_(words()), numbers_
     below_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    beside_->setObjectName("why-beside");
+    beside_->setAutoDefault(false);
+    beside_->hide();
+    buttons->addButton(beside_, QDialogButtonBox::ActionRole);
+    connect(beside_, &QPushButton::clicked, this, &WhyCard::besideWanted);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(verdict_);
     layout->addWidget(picture_);
@@ -104,6 +108,11 @@ void WhyCard::tell(const QString& verdict, const EdgeProfile& profile, const QSt
     }
     show();
     raise();
+}
+
+void WhyCard::offerBeside(int cells) {
+    beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
+    beside_->setVisible(cells > 0);
 }
 
 QString WhyCard::text() const { return numbers_->text().isEmpty() ? verdict_->text() : numbers_->text() + "\n" + verdict_->text(); }

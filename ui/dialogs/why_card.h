@@ -6,6 +6,7 @@
 #include <QDialog>
 
 class QLabel;
+class QPushButton;
 
 namespace edgescan::ui {
 
@@ -34,13 +35,19 @@ public:
     void tell(const QString& text) { tell(text, {}, {}); }
     /// The verdict first, then the picture, then the numbers; each may be empty.
     void tell(const QString& verdict, const EdgeProfile& profile, const QString& numbers);
+    /// A button that asks the same of the edge next to this cell, so many cells away; 0: there is none, or this is one.
+    void offerBeside(int cells);
     /// Numbers and verdict.
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] const ProfileView& picture() const { return *picture_; }
 
+signals:
+    void besideWanted();
+
 private:
     QLabel *verdict_, *numbers_, *below_;
+    QPushButton* beside_;
     ProfileView* picture_;
 };
 

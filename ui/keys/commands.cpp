@@ -22,7 +22,7 @@ void makeSwitch(QAction& action, const Command& command, Memory& memory) {
         QObject::connect(&action, &QAction::triggered, &action, command.set);
         return;
     }
-    action.setProperty("remembered", command.remembered); // sessions keep it
+    if (command.inSessions) action.setProperty(kInSessions, command.remembered);
     action.setChecked(memory.flag(command.remembered, command.on));
     command.set(action.isChecked()); // also when it is what an action starts with
     QObject::connect(&action, &QAction::toggled, &action, [&memory, set = command.set, key = command.remembered](bool on) {
@@ -39,6 +39,11 @@ Command command(const char* text, const char* keys, std::function<void()> run) {
 
 Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set) {
     return {.text = QObject::tr(text), .keys = keys, .set = std::move(set), .remembered = remembered, .on = on, .source = text};
+}
+
+Command habit(Command command) {
+    command.inSessions = false;
+    return command;
 }
 
 Command submenu(const char* text, std::vector<Command> commands) {

@@ -15,6 +15,9 @@ namespace edgescan::ui {
 
 class Memory;
 
+/// Property of an action that is a switch which sessions keep: by which key.
+inline constexpr const char* kInSessions = "kept-in-sessions";
+
 /// One entry of a menu. Made by the functions below.
 struct Command {
     QString text{};
@@ -23,6 +26,7 @@ struct Command {
     std::function<void(bool on)> set{};          ///< of a switch
     const char* remembered = nullptr;            ///< of a switch: its key in the memory; null where its state lives elsewhere
     bool on = false;                             ///< of a remembered switch: what it is at the first start
+    bool inSessions = true;                      ///< of a remembered switch
     std::vector<Command> submenu{};              ///< of a menu
     std::function<void(QMenu& menu)> fill{};     ///< of a menu that is made anew each time it is opened
     const char* source = "";                     ///< the text before translation: keys are remembered by it
@@ -32,6 +36,8 @@ struct Command {
 
 [[nodiscard]] Command command(const char* text, const char* keys, std::function<void()> run);
 [[nodiscard]] Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set);
+/// A switch that is remembered, but in no session: a habit of the person, not a look of the scan.
+[[nodiscard]] Command habit(Command command);
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
 /// `command` with a link.
 [[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);

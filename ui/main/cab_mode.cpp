@@ -46,6 +46,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connectHead();
     connectSide();
     addTools();
+    connect(corner_, &CornerPicture::reachChanged, this, &CabMode::showCorner);
     for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
     follow();
 }
@@ -119,19 +120,19 @@ void CabMode::set(bool on) {
     window_.legend().setBrief(on);
     window_.notice().setBrief(on);
     frame_->setCab(on);
-    corner_->setVisible(on && shown_ != Corner::None);
     for (ImageView* view : {&window_.views().gray(), &window_.views().edges()}) view->setForGloves(on);
     window_.views().cloud().setForGloves(on);
     window_.live().panel().setVisible(!on || window_.live().scanner().connected());
+    showCorner();
     if (on) {
         useTheme(application, true); // last: what is large and not shown must not make the window larger
         showScan();
         showNumbers();
         showSettings();
-        showCorner();
     }
     window_.layout()->activate();
     if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
+    window_.fitScreen();
     emit changed(on);
 }
 

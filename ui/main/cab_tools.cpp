@@ -76,7 +76,6 @@ void CabMode::addTools() {
     connect(images, &QToolButton::clicked, this, [this] {
         if (swapped_) return swap();
         shown_ = shown_ == Corner::Range ? Corner::Edges : shown_ == Corner::Edges ? Corner::None : Corner::Range;
-        corner_->setVisible(shown_ != Corner::None);
         showCorner();
     });
     QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
@@ -110,7 +109,10 @@ std::optional<QPoint> CabMode::markedPlace() const {
 }
 
 void CabMode::showCorner() {
-    if (!on_ || window_.session().picture() == nullptr) return;
+    const bool some = on_ && window_.session().picture() != nullptr && shown_ != Corner::None;
+    corner_->setVisible(some);
+    window_.views().cloud().setCaptionRoom(some ? corner_->reach() : 0); // what is said of all rocks must be read
+    if (!some) return;
     const bool range = shown_ == Corner::Range;
     corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
     corner_->show((range ? window_.views().gray() : window_.views().edges()).image(), markedPlace());

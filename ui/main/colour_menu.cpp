@@ -3,36 +3,31 @@
 
 #include "ui/control/scan_look.h"
 #include "ui/main/main_window.h"
-#include "ui/session/memory.h"
 
 #include <QAction>
 #include <QActionGroup>
 
-#include <tuple>
-
 namespace edgescan::ui {
 
-Command colourMenu(MainWindow& window, Memory& memory) {
-    constexpr const char* kKey = "view/colour-by";
+Command colourMenu(MainWindow& window) {
     auto* group = new QActionGroup(&window);
-    const auto row = [&](Command made, const char* name, ColourBy by) {
-        made.set = [&window, &memory, name, by](bool) {
-            window.look().setColourBy(by);
-            memory.keep(kKey, QString(name));
-        };
-        return linked(made, [&window, &memory, group, name, by](QAction& action) {
+    ScanLook& look = window.look();
+    const auto row = [group, &look](Command made, ColourBy by) {
+        made.set = [&look, by](bool) { look.setColourBy(by); };
+        return linked(made, [group, &look, by](QAction& action) {
             group->addAction(&action);
-            action.setObjectName(QString("colour-") + name);
-            const bool chosen = memory.text(kKey, "gray") == name;
-            action.setChecked(chosen);
-            if (chosen) window.look().setColourBy(by);
+            action.setObjectName(QString("colour-") + colourKey(by));
+            action.setChecked(look.colourBy() == by);
+            QObject::connect(&look, &ScanLook::colourByChanged, &action, [&action, by](ColourBy now) {
+                if (now == by) action.setChecked(true);
+            });
         });
     };
     return submenu("Cloud C&olour", {
-                                        row(toggle("G&ray", "", nullptr, false, nullptr), "gray", ColourBy::Nothing),
-                                        row(toggle("By &Range", "Shift+J", nullptr, false, nullptr), "range", ColourBy::Range),
-                                        row(toggle("By &Height", "Shift+H", nullptr, false, nullptr), "height", ColourBy::Height),
-                                        row(toggle("By &Line", "", nullptr, false, nullptr), "line", ColourBy::Line),
+                                        row(toggle("G&ray", "", nullptr, false, nullptr), ColourBy::Nothing),
+                                        row(toggle("By &Range", "Shift+J", nullptr, false, nullptr), ColourBy::Range),
+                                        row(toggle("By &Height", "Shift+H", nullptr, false, nullptr), ColourBy::Height),
+                                        row(toggle("By &Line", "", nullptr, false, nullptr), ColourBy::Line),
                                     });
 }
 

@@ -6,8 +6,7 @@
 namespace edgescan::ui {
 
 class MainWindow;
-class Memory;
 
-[[nodiscard]] Command colourMenu(MainWindow& window, Memory& memory);
+[[nodiscard]] Command colourMenu(MainWindow& window);
 
 } // namespace edgescan::ui

@@ -33,7 +33,10 @@ Command compareMenu(MainWindow& w) {
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
             linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
-                   [](QAction& action) { action.setChecked(true); }),
+                   [](QAction& action) {
+                       action.setChecked(true);
+                       action.setProperty(kInSessions, "compare/changes");
+                   }),
             linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
             kLine,
             linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
@@ -43,6 +46,7 @@ Command compareMenu(MainWindow& w) {
 void addChangeLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
     over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
     const auto follow = [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); };
     QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
     QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
@@ -51,6 +55,7 @@ void addChangeLegend(MainWindow& w) {
 Command confidenceCommand(MainWindow& w) {
     return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&w](bool on) { w.confidence().setOn(on); }), [](QAction& action) {
         action.setObjectName("edge-confidence");
+        action.setProperty(kInSessions, "edges/confidence");
         action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
     });
 }

@@ -26,6 +26,7 @@
 #include "ui/main/sitting_menu.h"
 #include "ui/main/target_dock.h"
 #include "ui/main/tool_bar.h"
+#include "ui/main/tool_buttons.h"
 #include "ui/main/warned_picture.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
@@ -109,6 +110,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     for (const Command& menu : menusOf(*this, memory_))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_, menu.source);
     recallKeys(keyedCommands(actions()), memory_);
+    addToolButtons(*this);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(views_, this);
     connectSession();

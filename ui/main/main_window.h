@@ -100,6 +100,8 @@ public:
     // Of cab mode: what gives way to it, no dock at all, one view with all the room (null: all views).
     void useCab(bool on);
     void lockDocks(bool on);
+    /// Smaller and nearer, until its frame too lies on the screen.
+    void fitScreen();
     void showAlone(const QWidget* view);
     /// Of docks, splitters and what is alone, for a session.
     [[nodiscard]] std::map<std::string, std::string> layoutKept() const;
@@ -138,6 +140,7 @@ private:
     [[nodiscard]] bool mayClose();
     void maximise(Pane* pane);
     void showRangeWindow();
+    void followFrame();
     void remember();
     void restoreLayout();
 
@@ -194,6 +197,7 @@ private:
     CabMode* cab_ = nullptr;
     QList<QDockWidget*> hiddenForCab_; // and back after it
     QList<QDockWidget*> docks_;
+    bool framed_ = false;                        // the desktop has told how wide its frame is
     int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
     QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
     std::unique_ptr<Sittings> sittings_;         // last: it goes before what it is about

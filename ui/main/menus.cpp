@@ -18,7 +18,6 @@
 #include "ui/main/main_window.h"
 #include "ui/main/sitting_menu.h"
 #include "ui/main/theme_menu.h"
-#include "ui/main/tool_bar.h"
 #include "ui/panel/edge_legend.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/panel/status_line.h"
@@ -105,13 +104,13 @@ Command mouseMenu(MainWindow& w, Memory& memory) {
             cloud.setMousePreset(mouse);
         });
     };
-    return submenu("&Mouse",
-                   {
-                       preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
-                       preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
-                       kLine,
-                       toggle("&Wheel the other way", "", "view/wheel-reversed", false, [&cloud](bool on) { cloud.setWheelReversed(on); }),
-                   });
+    return submenu("&Mouse", {
+                                 preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
+                                 preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
+                                 kLine,
+                                 habit(toggle("&Wheel the other way", "", "view/wheel-reversed", false,
+                                              [&cloud](bool on) { cloud.setWheelReversed(on); })),
+                             });
 }
 
 Command languageMenu(MainWindow& w, Memory& memory) {
@@ -188,7 +187,7 @@ Command viewMenu(MainWindow& w, Memory& memory) {
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(lookCommands(w));
-    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }), colourMenu(w, memory)});
+    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }), colourMenu(w)});
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
          command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), themeMenu(w, memory),
@@ -231,7 +230,7 @@ Command scanMenu(MainWindow& w, Memory& memory) {
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
             linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
-            toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); }),
+            habit(toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
             command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
             kLine,
             linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
@@ -320,20 +319,13 @@ Command rocksMenu(MainWindow& w) {
                    });
 }
 
-/// A tool with its button in the bar. `on`: whether it is the one in use.
+/// A tool. `on`: whether it is the one in use.
 Command tool(MainWindow& w, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
     const auto set = [&w, start = std::move(start)](bool wanted) { wanted ? start() : w.views().setTool(Tool::Pin); };
     return linked(toggle(text, keys, nullptr, false, set), [&w, on = std::move(on)](QAction& action) {
         const auto follow = [&action, on] { action.setChecked(on()); };
         QObject::connect(&w.views(), &LinkedViews::toolChanged, &action, follow);
         QObject::connect(&w.measures(), &Measures::kindChanged, &action, follow);
-        w.tools().add(action);
-        const auto tell = [&action] {
-            const QString key = action.shortcut().toString(QKeySequence::NativeText);
-            action.setToolTip(action.text().remove('&') + (key.isEmpty() ? QString() : " (" + key + ")"));
-        };
-        QObject::connect(&action, &QAction::changed, &action, tell); // the key may be changed
-        tell();
         follow();
     });
 }

@@ -1,6 +1,8 @@
 // Commands of sessions, and the layout that they keep.
 #include "ui/main/sitting_menu.h"
 
+#include "ui/base/pane.h"
+#include "ui/main/cab_mode.h"
 #include "ui/main/main_window.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/sitting/sitting_file.h"
@@ -9,12 +11,14 @@
 #include <QFileInfo>
 #include <QSplitter>
 
+#include <algorithm>
+
 namespace edgescan::ui {
 
 std::unique_ptr<Sittings> sittingsOf(MainWindow& w, Memory& memory) {
     auto sittings = std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
-                                                    w.rocks(), w.markedEdges(), w.comparing(), w.live(), w.notice(), memory, w.undoStack(),
-                                                    [&w] { return w.layoutKept(); },
+                                                    w.rocks(), w.markedEdges(), w.comparing(), w.confidence(), w.look(), w.live(),
+                                                    w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
                                                     [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
     w.exports().setCarried([made = sittings.get()](const QImage& image, const QString& path) {
         return withSitting(image, made->textFor(QFileInfo(path).absolutePath()));
@@ -29,8 +33,13 @@ std::vector<Command> sittingCommands(MainWindow& w) {
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {
+    if (cab_->on()) return {}; // the other layout is the one to come back to
     const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
-    return {{"docks", text(saveState())}, {"views", text(splitter_->saveState())}, {"pictures", text(images_->saveState())}};
+    const QByteArray alone = maximised_ == nullptr ? QByteArray() : maximised_->content()->objectName().toUtf8();
+    return {{"docks", text(saveState())},
+            {"views", text(splitter_->saveState())},
+            {"pictures", text(images_->saveState())},
+            {"alone", text(alone)}};
 }
 
 void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
@@ -38,10 +47,14 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
         const auto found = layout.find(name);
         return found == layout.end() ? QByteArray() : QByteArray::fromBase64(QByteArray::fromStdString(found->second));
     };
+    if (cab_->on() || layout.empty()) return;
     restoreState(bytes("docks"));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));
     images_->setOrientation(Qt::Vertical);
+    const QByteArray alone = bytes("alone");
+    const auto found = std::ranges::find_if(panes_, [&alone](const Pane* pane) { return pane->content()->objectName().toUtf8() == alone; });
+    showAlone(found == panes_.end() ? nullptr : (*found)->content());
 }
 
 } // namespace edgescan::ui

@@ -3,6 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/cloud/cloud_view.h"
+#include "ui/dialogs/sheets.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/main_window.h"
 #include "ui/panel/status_line.h"
@@ -10,6 +11,7 @@
 #include "ui/sitting/sittings.h"
 #include "ui/start/start_page.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QFileDialog>
 #include <QStandardPaths>
@@ -86,6 +88,10 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         memory.forgetRecentFiles();
         page->showRecent({});
     });
+    QObject::connect(page, &StartPage::cabWanted, &w, [&w] {
+        if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
+    });
+    QObject::connect(page, &StartPage::keysWanted, &w, [&w] { showShortcuts(&w, w.actions()); });
     QObject::connect(&w.session(), &Session::pictureReady, page, &QWidget::hide);
     page->showRecent(memory.recentFiles());
     page->showSession(w.sittings().toGoOn());

@@ -5,6 +5,7 @@
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/main/cab_mode.h"
+#include "ui/main/window_room.h"
 #include "ui/panel/range_window.h"
 #include "ui/session/memory.h"
 
@@ -13,6 +14,7 @@
 #include <QScreen>
 #include <QSplitter>
 #include <QStyle>
+#include <QWindow>
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +117,19 @@ void MainWindow::restoreLayout() {
     if (at == nullptr) move(room.topLeft());
 }
 
+void MainWindow::fitScreen() {
+    if (!isVisible() || isMaximized() || isFullScreen() || windowHandle() == nullptr) return;
+    const QRect fits = insideScreen(geometry(), windowHandle()->frameMargins(), screen()->availableGeometry());
+    if (fits != geometry()) setGeometry(fits);
+}
+
+/// How wide the frame is the desktop says only after it has put the window somewhere.
+void MainWindow::followFrame() {
+    if (framed_ || !isVisible() || windowHandle() == nullptr || windowHandle()->frameMargins().isNull()) return;
+    framed_ = true;
+    QTimer::singleShot(0, this, &MainWindow::fitScreen); // not while it is being moved
+}
+
 void MainWindow::resetLayout() {
     if (cab_->on()) return;
     if (maximised_ != nullptr) maximise(maximised_);
@@ -133,6 +148,7 @@ void MainWindow::resetLayout() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     arrange();
+    followFrame();
     rememberTimer_.start();
 }
 
@@ -143,6 +159,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::moveEvent(QMoveEvent* event) {
     QMainWindow::moveEvent(event);
+    followFrame();
     rememberTimer_.start();
 }
 

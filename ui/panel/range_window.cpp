@@ -167,12 +167,12 @@ void RangeHandles::paintEvent(QPaintEvent* /*event*/) {
 }
 
 RangeWindow::RangeWindow(QWidget* parent)
-    : QWidget(parent), words_(new QLabel), automatic_(new QToolButton), lock_(new QToolButton), handles_(new RangeHandles) {
+    : QWidget(parent), title_(new QLabel(tr("Ranges"))), words_(new QLabel), automatic_(new QToolButton), lock_(new QToolButton),
+      handles_(new RangeHandles) {
     setObjectName("range-window");
-    auto* title = new QLabel(tr("Ranges"));
-    QFont bold = title->font();
+    QFont bold = title_->font();
     bold.setBold(true);
-    title->setFont(bold);
+    title_->setFont(bold);
     words_->setObjectName("range-window-words");
     words_->setTextFormat(Qt::PlainText);
     words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -187,7 +187,7 @@ RangeWindow::RangeWindow(QWidget* parent)
     auto* line = new QHBoxLayout;
     line->setContentsMargins(6, 2, 6, 2);
     line->setSpacing(6);
-    line->addWidget(title);
+    line->addWidget(title_);
     line->addWidget(words_, 1);
     line->addWidget(automatic_);
     line->addWidget(lock_);
@@ -210,6 +210,19 @@ void RangeWindow::showWindow(RangeHandles::Window window, bool automatic) {
     words_->setText(ends);
     words_->setToolTip(automatic ? tr("automatic: %1").arg(ends) : ends);
     automatic_->setEnabled(!automatic);
+    fit();
+}
+
+/// Before a number is cut its title goes.
+void RangeWindow::fit() {
+    constexpr int kBeside = 2 * 6 + 3 * 6; // px, of the line
+    const int others = automatic_->sizeHint().width() + lock_->sizeHint().width() + words_->fontMetrics().horizontalAdvance(words_->text());
+    title_->setVisible(title_->sizeHint().width() + others + kBeside <= width());
+}
+
+void RangeWindow::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
 }
 
 void RangeWindow::setLocked(bool on) { lock_->setChecked(on); }

@@ -69,12 +69,18 @@ public:
     [[nodiscard]] RangeHandles& handles() { return *handles_; }
     [[nodiscard]] QString words() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void windowWanted(double nearM, double farM);
     void automaticWanted();
     void lockWanted(bool on);
 
 private:
+    void fit();
+
+    QLabel* title_;
     QLabel* words_;
     QToolButton *automatic_, *lock_;
     RangeHandles* handles_;

@@ -4,7 +4,6 @@
 #include "ui/base/shown_text.h"
 #include "ui/rocks/rock_table_model.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -80,15 +79,16 @@ RockCard::RockCard(QWidget* parent)
     head->addWidget(swatch_);
     head->addWidget(title_, 1);
     head->addWidget(close_);
-    auto* grid = new QGridLayout;
-    grid->setVerticalSpacing(2);
-    grid->setColumnStretch(1, 1);
+    auto* lines = new QVBoxLayout;
+    lines->setSpacing(2);
     for (std::size_t n = 0; n < kRows; ++n) {
         rows_[n] = {new QLabel, new QLabel};
         rows_[n].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         rows_[n].second->setWordWrap(true);
-        grid->addWidget(rows_[n].first, static_cast<int>(n), 0);
-        grid->addWidget(rows_[n].second, static_cast<int>(n), 1);
+        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        line->addWidget(rows_[n].first, 0, Qt::AlignTop);
+        line->addWidget(rows_[n].second, 1);
+        lines->addLayout(line);
     }
     split_->setCheckable(true);
     split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
@@ -104,7 +104,7 @@ RockCard::RockCard(QWidget* parent)
     column->addLayout(head);
     column->addWidget(spans_);
     column->addWidget(state_);
-    column->addLayout(grid);
+    column->addLayout(lines);
     column->addWidget(caveat_);
     column->addLayout(buttons);
 

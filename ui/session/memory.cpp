@@ -71,8 +71,19 @@ void Memory::forgetRecentFile(const QString& path) {
     file_->setValue("recent/files", files);
 }
 
-QString Memory::folder(const QString& kind) const { return text("folder/" + kind); }
-void Memory::keepFolder(const QString& kind, const QString& path) { keep("folder/" + kind, QFileInfo(path).absolutePath()); }
+QString Memory::folder(const QString& kind) const {
+    for (const QString& each : {kind, QString("scans")}) {
+        const auto now = folders_.find(each);
+        const QString place = now != folders_.end() ? now->second : text("folder/" + each);
+        if (!place.isEmpty() && QFileInfo(place).isDir()) return place;
+    }
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void Memory::keepFolder(const QString& kind, const QString& path) {
+    folders_[kind] = QFileInfo(path).absolutePath();
+    keep("folder/" + kind, folders_[kind]);
+}
 
 Settings Memory::settings(const Settings& otherwise) const {
     const auto json = parseJson(text("edges/settings").toStdString(), "viewer.ini", kSettingsJson);

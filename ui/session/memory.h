@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStringList>
 
+#include <map>
 #include <memory>
 
 namespace edgescan::ui {
@@ -37,7 +38,8 @@ public:
     void forgetRecentFiles();
     void forgetRecentFile(const QString& path);
 
-    /// Last folder used for a kind of file: "scans", "exports", "presets", "images".
+    /// Last folder used for a kind of file: "scans", "exports", "presets", "images"; where there is none (any more), that of the scans,
+    /// else that of the person's documents. Of this run also where nothing is remembered.
     [[nodiscard]] QString folder(const QString& kind) const;
     void keepFolder(const QString& kind, const QString& path);
 
@@ -45,7 +47,8 @@ public:
     void keepSettings(const Settings& settings);
 
 private:
-    std::unique_ptr<QSettings> file_; // null: nothing is remembered
+    std::unique_ptr<QSettings> file_;    // null: nothing is remembered
+    std::map<QString, QString> folders_; // of this run, by kind
 };
 
 } // namespace edgescan::ui

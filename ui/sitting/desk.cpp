@@ -10,9 +10,11 @@
 #include "ui/file_control/files.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
+#include "ui/keys/commands.h"
 #include "ui/linked/linked_views.h"
 #include "ui/panel/edges_panel.h"
 #include "ui/rock_control/rocks.h"
+#include "ui/sitting/looks.h"
 #include "ui/target_control/marked_edges.h"
 #include "ui/target_control/selection.h"
 #include "ui/target_control/targets.h"
@@ -76,8 +78,8 @@ std::optional<SittingScan> scanOf(const Desk& desk, const Picture& picture) {
 template <class Act>
 void forSwitches(const QWidget& window, const Act& act) {
     for (QAction* action : window.actions()) {
-        const QVariant key = action->property("remembered");
-        if (key.isValid() && action->isCheckable()) act(*action, key.toString().toStdString());
+        const QVariant key = action->property(kInSessions);
+        if (key.isValid()) act(*action, key.toString().toStdString());
     }
 }
 
@@ -105,6 +107,7 @@ std::optional<Sitting> taken(const Desk& desk) {
     if (const ViewPort& port = *desk.views.gray().viewPort(); !port.fitted())
         sitting.images = SittingImages{port.centre().x(), port.centre().y(), port.zoom()};
     forSwitches(desk.window, [&](const QAction& action, const std::string& key) { sitting.switches[key] = action.isChecked(); });
+    sitting.looks = looksOf(desk);
     sitting.layout = desk.layout();
     return sitting;
 }
@@ -113,8 +116,10 @@ void layOut(const Desk& desk, const Sitting& sitting) {
     if (const auto preset = findPreset(sitting.preset); preset && !sitting.preset.empty()) desk.panel.setPreset(*preset);
     desk.tuning.useSettings(sitting.settings);
     forSwitches(desk.window, [&](QAction& action, const std::string& key) {
-        if (const auto found = sitting.switches.find(key); found != sitting.switches.end()) action.setChecked(found->second);
+        if (const auto found = sitting.switches.find(key); found != sitting.switches.end() && found->second != action.isChecked())
+            action.trigger();
     });
+    useLooks(desk, sitting.looks);
     desk.useLayout(sitting.layout);
 }
 
@@ -147,6 +152,7 @@ void layOutOnScan(const Desk& desk, const Sitting& whole) {
         const SittingCamera& camera = *sitting.camera;
         desk.views.cloud().setCamera({camera.position, camera.focus, camera.up, camera.viewAngleDeg, camera.parallel});
     }
+    useLooksOfScan(desk, sitting.looks);
     if (sitting.kept) {
         const SittingScan& scan = sitting.kept->scan;
         std::optional<bool> demo;

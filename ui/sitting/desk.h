@@ -12,6 +12,7 @@ class QWidget;
 namespace edgescan::ui {
 
 class Comparing;
+class Confidence;
 class EdgesPanel;
 class Files;
 class LinkedViews;
@@ -20,6 +21,7 @@ class MarkedEdges;
 class Memory;
 class NoticeBar;
 class Rocks;
+class ScanLook;
 class Selection;
 class Session;
 class Targets;
@@ -38,6 +40,8 @@ struct Desk {
     Rocks& rocks;
     MarkedEdges& marked;
     Comparing& comparing;
+    Confidence& confidence;
+    ScanLook& look;
     Live& live;
     NoticeBar& notice;
     Memory& memory;

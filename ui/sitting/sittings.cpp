@@ -9,10 +9,13 @@
 #include "ui/base/shown_text.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/control/comparing.h"
+#include "ui/control/confidence.h"
 #include "ui/control/live.h"
+#include "ui/control/scan_look.h"
 #include "ui/file_control/files.h"
 #include "ui/image/image_view.h"
 #include "ui/image/viewport.h"
+#include "ui/keys/commands.h"
 #include "ui/linked/linked_views.h"
 #include "ui/rock_control/rocks.h"
 #include "ui/session/in_background.h"
@@ -83,12 +86,16 @@ void Sittings::connectDesk() {
     follow(&desk_.rocks, &Rocks::rocksShown);
     follow(&desk_.marked, &MarkedEdges::changed);
     follow(&desk_.comparing, &Comparing::keptChanged);
+    follow(&desk_.comparing, &Comparing::rowsChanged);
+    follow(&desk_.confidence, &Confidence::changed);
+    follow(&desk_.look, &ScanLook::changed);
+    follow(&desk_.views, &LinkedViews::rangeWindowChanged);
     follow(&desk_.live.scanner(), &ScannerLink::recordingChanged);
     follow(&desk_.live.scanner(), &ScannerLink::written);
     follow(&desk_.views.cloud(), &CloudView::frameDrawn);
     follow(desk_.views.gray().viewPort().get(), &ViewPort::changed);
     for (QAction* action : desk_.window.actions()) {
-        if (action->property("remembered").isValid()) follow(action, &QAction::toggled);
+        if (action->property(kInSessions).isValid()) follow(action, &QAction::toggled);
     }
     connect(&desk_.session, &Session::streamChanged, this, &Sittings::followStream);
     connect(&desk_.session, &Session::failed, this, [this](const QString& sentence) {

@@ -11,6 +11,7 @@
 class QCommandLinkButton;
 class QLabel;
 class QListWidget;
+class QPushButton;
 
 namespace edgescan::ui {
 
@@ -38,8 +39,12 @@ signals:
     /// A scan that is not where it was is asked for.
     void locateWanted(const QString& path);
     void clearWanted();
+    void cabWanted();
+    void keysWanted();
 
 private:
+    QWidget* makeTitle();
+    QWidget* makeFoot();
     void lookAtNext();
     void tell(const RecentScan& scan);
 
@@ -48,6 +53,7 @@ private:
     QCommandLinkButton* session_;
     QListWidget* list_;
     QLabel* none_;
+    QPushButton* clear_;
     QStringList waiting_; // to be looked at
     bool looking_ = false;
     std::atomic<bool> ending_{false};

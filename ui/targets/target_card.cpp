@@ -5,7 +5,6 @@
 #include "ui/base/themes.h"
 #include "ui/language/catalogue.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,7 +34,7 @@ QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::stri
 
 TargetCard::TargetCard(QWidget* parent)
     : QFrame(parent), number_(new QLabel), name_(new QLineEdit), lock_(new QToolButton), close_(new QToolButton), distance_(new QLabel),
-      tolerance_(new QLabel), grid_(new QGridLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
+      tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
       measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
@@ -75,8 +74,7 @@ TargetCard::TargetCard(QWidget* parent)
     auto* number = new QHBoxLayout;
     number->addWidget(distance_);
     number->addWidget(tolerance_, 1, Qt::AlignLeft | Qt::AlignBottom);
-    grid_->setVerticalSpacing(2);
-    grid_->setColumnStretch(1, 1);
+    lines_->setSpacing(2);
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {why_, measure_, copy_}) {
         button->setMinimumWidth(48);
@@ -87,7 +85,7 @@ TargetCard::TargetCard(QWidget* parent)
     column->setSpacing(4);
     column->addLayout(head);
     column->addLayout(number);
-    column->addLayout(grid_);
+    column->addLayout(lines_);
     column->addWidget(caveat_);
     column->addLayout(buttons);
 
@@ -127,8 +125,10 @@ void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& 
         rows_[row].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         rows_[row].second->setWordWrap(true);
         rows_[row].second->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        grid_->addWidget(rows_[row].first, static_cast<int>(row), 0, Qt::AlignTop);
-        grid_->addWidget(rows_[row].second, static_cast<int>(row), 1);
+        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        line->addWidget(rows_[row].first, 0, Qt::AlignTop);
+        line->addWidget(rows_[row].second, 1);
+        lines_->addLayout(line);
     }
     const auto& [name, value] = rows_[row];
     name->setText(words.name);

@@ -6,11 +6,11 @@
 
 #include <QFrame>
 
-class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QToolButton;
+class QVBoxLayout;
 
 namespace edgescan::ui {
 
@@ -46,7 +46,7 @@ private:
     QToolButton* close_;
     QLabel* distance_;
     QLabel* tolerance_;
-    QGridLayout* grid_;
+    QVBoxLayout* lines_;
     std::vector<std::pair<QLabel*, QLabel*>> rows_;
     QLabel* caveat_;
     QPushButton* why_;

@@ -37,6 +37,7 @@ TEST(Sitting, IsReadBackAsItWasWritten) {
     EXPECT_EQ(now.camera, before.camera);
     EXPECT_EQ(now.images, before.images);
     EXPECT_EQ(now.switches, before.switches);
+    EXPECT_EQ(now.looks, before.looks);
     EXPECT_EQ(now.layout, before.layout);
     EXPECT_EQ(now.scan.reading.unitMm, 2.5);
     EXPECT_EQ(now.scan.reading.pose, before.scan.reading.pose);
@@ -116,6 +117,7 @@ TEST(Sitting, RefusesWhatDoesNotFitItsScan) {
     refused("\"active\": 77", "\"active\": 120000", "active");
     refused("\"lines\": 100", "\"lines\": 0", "scan.lines");
     refused("\"beams\": 1200", "\"beams\": 1000001", "scan.beams");
+    refused("\"looks\": {", "\"looks\": {\"x\": 3, ", "looks");
     refused("\"switches\": {", "\"switches\": {\"x\": 3, ", "switches");
     refused("\"kind\": \"file\"", "\"kind\": \"moon\"", "scan.kind");
     refused("\"preset\"", "\"pre set\"", "pre set");

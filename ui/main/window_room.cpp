@@ -1,0 +1,16 @@
+// A window and its frame in the room of a screen.
+#include "ui/main/window_room.h"
+
+#include <algorithm>
+
+namespace edgescan::ui {
+
+QRect insideScreen(QRect window, const QMargins& frame, const QRect& room) {
+    const QRect most = room.marginsRemoved(frame);
+    window.setSize(window.size().boundedTo(most.size()));
+    window.moveLeft(std::clamp(window.left(), most.left(), most.left() + most.width() - window.width()));
+    window.moveTop(std::clamp(window.top(), most.top(), most.top() + most.height() - window.height()));
+    return window;
+}
+
+} // namespace edgescan::ui

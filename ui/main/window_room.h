@@ -1,0 +1,13 @@
+// Where a window may stand.
+#pragma once
+
+#include <QMargins>
+#include <QRect>
+
+namespace edgescan::ui {
+
+/// `window` (without its frame) made smaller and moved until it and its frame lie in `room`, as little as that takes. Pixels of the
+/// desktop.
+[[nodiscard]] QRect insideScreen(QRect window, const QMargins& frame, const QRect& room);
+
+} // namespace edgescan::ui
