@@ -871,6 +871,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
 <message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
+<message><source>From the boom</source><translation>Al brazo</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Hasta la recta del pivote del brazo a la cabeza, donde estaban al medir; 0°: el brazo apunta de frente a la superficie</translation></message>
 <message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>

@@ -871,6 +871,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
 <message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
+<message><source>From the boom</source><translation>Au bras</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Jusqu'à la droite du pivot du bras à la tête, là où ils étaient lors de la mesure ; 0° : le bras pointe droit sur la surface</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>

@@ -871,6 +871,9 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
 <message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
+<message><source>From the boom</source><translation>Ao braço</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Até a reta do pivô do braço à cabeça, onde estavam na medição; 0°: o braço aponta de frente para a superfície</translation></message>
 <message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
