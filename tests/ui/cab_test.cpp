@@ -89,6 +89,42 @@ private slots:
         on.window.cab().set(false);
     }
 
+    void theLargeNumbersFitTheirSide() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        auto* side = on.window.findChild<NumbersSide*>();
+        QVERIFY(side != nullptr);
+        for (const QSize size : {QSize(1280, 775), QSize(853, 533), QSize(1920, 1040)}) {
+            resizeTo(on.window, size);
+            LargeNumbers numbers{"Cible 12",
+                                 "sur 34",
+                                 "104.911 m",
+                                 "± 0.009",
+                                 "Rocher 104, partie visible",
+                                 "12.43 × 11.72 m",
+                                 "± 0.10 m · candidat – géométrie seule, un seul point de vue",
+                                 {{"E", "498,700.123"}, {"N", "6,203,700.123"}},
+                                 "▲ pas de pose",
+                                 {{"Surface", "37° ± 12 par rapport au faisceau"}, {"Pendage / direction", "aucun plan ne convient"}}};
+            side->showNumbers(numbers);
+            QApplication::processEvents();
+            int seen = 0;
+            for (const QLabel* each : side->findChildren<QLabel*>()) {
+                if (!each->isVisible() || each->text().isEmpty()) continue;
+                ++seen;
+                const QString told = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
+                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(told));
+                QVERIFY2(each->wordWrap() || each->text().contains('\n') ||
+                             each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width() + 1,
+                         qPrintable(told));
+            }
+            QVERIFY(seen >= 10);
+            const auto* number = side->findChild<QLabel*>("cab-size");
+            QVERIFY2(number->font().pixelSize() >= 24, qPrintable(QString::number(number->font().pixelSize())));
+        }
+    }
+
     void nothingIsTooSmallForAGlove() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));

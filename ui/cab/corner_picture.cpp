@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kFromEdge = 12; // px
 constexpr int kNarrowest = 150, kWidest = 300;
-constexpr int kWords = 48;
+constexpr int kMargin = 8;
+constexpr int kFewestForWords = 48;
 
 } // namespace
 
@@ -48,11 +49,17 @@ void CornerPicture::place() {
         const double shape = static_cast<double>(image_->height()) / image_->width();
         height = static_cast<int>(std::min(width * shape, room.height() * 0.4));
     }
-    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + kWords);
+    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + wordsHeight(width));
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
     setGeometry(at);
     if (reach() != before) emit reachChanged(reach());
+}
+
+/// As many lines as the words take.
+int CornerPicture::wordsHeight(int width) const {
+    const QRect lines = fontMetrics().boundingRect(0, 0, width - 2 * kMargin, 1 << 14, Qt::AlignLeft | Qt::TextWordWrap, text());
+    return std::max(kFewestForWords, lines.height() + kMargin);
 }
 
 int CornerPicture::reach() const { return width() + kFromEdge; }
@@ -66,7 +73,7 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), QColor(0x1b, 0x1d, 0x1f));
-    const QRect above = rect().adjusted(0, 0, 0, -kWords);
+    const QRect above = rect().adjusted(0, 0, 0, -wordsHeight(width()));
     if (image_ && !image_->isNull() && above.height() > 0) {
         if (scaled_.isNull()) {
             const QSize pixels = image_->size().scaled(above.size() * devicePixelRatioF(), Qt::KeepAspectRatio);
@@ -83,7 +90,7 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
         }
     }
     painter.setPen(QColor(0xe8, 0xe8, 0xe8));
-    painter.drawText(rect().adjusted(8, above.height(), -8, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
+    painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
     painter.setPen(QPen(hasFocus() ? QColor(0x6c, 0xb2, 0xff) : QColor(0x63, 0x68, 0x6e), hasFocus() ? 2.0 : 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

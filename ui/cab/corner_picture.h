@@ -34,6 +34,7 @@ protected:
 
 private:
     void place();
+    [[nodiscard]] int wordsHeight(int width) const;
 
     std::shared_ptr<const QImage> image_;
     std::optional<QPoint> marked_;

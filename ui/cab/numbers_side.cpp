@@ -3,6 +3,7 @@
 
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
+#include "ui/cab/fitted_label.h"
 #include "ui/cab/stepper.h"
 
 #include <QGridLayout>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace edgescan::ui {
 namespace {
@@ -28,6 +30,12 @@ QLabel* label(const char* name, int px, bool bold) {
     letters.setBold(bold);
     made->setFont(letters);
     made->setTextFormat(Qt::PlainText);
+    return made;
+}
+
+FittedLabel* fitted(const char* name, int px) {
+    auto* made = new FittedLabel(px, kTextPx);
+    made->setObjectName(name);
     return made;
 }
 
@@ -59,14 +67,12 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 NumbersSide::NumbersSide(QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target"))),
       next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
-      hint_(label("cab-hint", kTextPx, false)), told_(new QWidget), distance_(label("cab-distance", kNumberPx, true)),
-      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)),
-      size_(label("cab-size", kNumberPx, true)), sizeRemark_(label("cab-size-remark", kNotePx, false)),
-      pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout), rows_(new QGridLayout), main_(new Stepper(QString())),
-      foot_(new QGridLayout) {
+      hint_(label("cab-hint", kTextPx, false)), told_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
+      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
+      sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
+      rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
     hint_->setText(tr("Touch a rock in the cloud: its distance and its size stand here."));
-    hint_->setWordWrap(true);
-    sizeRemark_->setWordWrap(true);
+    for (QLabel* each : {hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
     auto* head = new QHBoxLayout;
@@ -102,7 +108,7 @@ QWidget* NumbersSide::makeNumbers() {
     auto* name = label("cab-distance-name", kNotePx, false);
     distanceName_ = name;
     name->setText(tr("Distance"));
-    for (QLabel* each : {name, distance_, tolerance_, rock_, size_, sizeRemark_}) column->addWidget(each);
+    for (QLabel* each : std::initializer_list<QLabel*>{name, distance_, tolerance_, rock_, size_, sizeRemark_}) column->addWidget(each);
     column->addSpacing(8);
     column->addLayout(coordinates_);
     column->addWidget(pose_);
@@ -131,13 +137,13 @@ QWidget* NumbersSide::makeSettings() {
 void NumbersSide::showNumbers(const LargeNumbers& numbers) {
     const bool some = !numbers.title.isEmpty();
     hint_->setVisible(!some);
-    for (QLabel* each : {distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
+    for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(some);
     title_->setText(some ? numbers.title + '\n' + numbers.place : tr("No target"));
-    distance_->setText(numbers.distance);
+    distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
-    size_->setText(numbers.size);
+    size_->showText(numbers.size);
     sizeRemark_->setText(numbers.sizeRemark);
     sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
     pose_->setText(numbers.pose);
@@ -150,8 +156,9 @@ void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLa
                            const std::vector<std::pair<QString, QString>>& rows, bool large) {
     while (labels.size() < rows.size()) {
         const int row = static_cast<int>(labels.size());
-        labels.emplace_back(label(nullptr, kNotePx, large), label(nullptr, large ? kCoordinatePx : kNotePx, large));
-        labels.back().second->setWordWrap(!large);
+        QLabel* const value = large ? fitted(nullptr, kCoordinatePx) : label(nullptr, kNotePx, false);
+        labels.emplace_back(label(nullptr, kNotePx, large), value);
+        value->setWordWrap(!large);
         labels.back().second->setAlignment((large ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         grid.addWidget(labels.back().first, row, 0);
         grid.addWidget(labels.back().second, row, 1);
@@ -160,7 +167,10 @@ void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLa
         const bool some = n < rows.size();
         if (some) {
             labels[n].first->setText(rows[n].first);
-            labels[n].second->setText(rows[n].second);
+            if (auto* const number = dynamic_cast<FittedLabel*>(labels[n].second))
+                number->showText(rows[n].second);
+            else
+                labels[n].second->setText(rows[n].second);
         }
         labels[n].first->setVisible(some);
         labels[n].second->setVisible(some);

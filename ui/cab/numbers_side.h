@@ -15,6 +15,7 @@ class QVBoxLayout;
 
 namespace edgescan::ui {
 
+class FittedLabel;
 class Stepper;
 
 /// What is said of a target. Without a title there is none.
@@ -71,10 +72,10 @@ private:
     QLabel* hint_;
     QWidget* told_;
     QLabel* distanceName_ = nullptr;
-    QLabel* distance_;
+    FittedLabel* distance_;
     QLabel* tolerance_;
     QLabel* rock_;
-    QLabel* size_;
+    FittedLabel* size_;
     QLabel* sizeRemark_;
     QLabel* pose_;
     QGridLayout* coordinates_;
