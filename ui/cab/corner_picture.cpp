@@ -69,6 +69,11 @@ bool CornerPicture::eventFilter(QObject* watched, QEvent* event) {
     return QAbstractButton::eventFilter(watched, event);
 }
 
+void CornerPicture::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::FontChange) place();
+}
+
 void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

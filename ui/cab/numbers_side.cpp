@@ -158,6 +158,7 @@ void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLa
         const int row = static_cast<int>(labels.size());
         QLabel* const value = large ? fitted(nullptr, kCoordinatePx) : label(nullptr, kNotePx, false);
         labels.emplace_back(label(nullptr, kNotePx, large), value);
+        labels.back().first->setWordWrap(!large);
         value->setWordWrap(!large);
         labels.back().second->setAlignment((large ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         grid.addWidget(labels.back().first, row, 0);
