@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -172,6 +173,8 @@ private slots:
         QVERIFY(on.ready);
         on.click("calibration-start");
         QVERIFY(on.found());
+        const QRect room = on.card->screen()->availableGeometry();
+        QTRY_VERIFY2(room.contains(on.card->geometry()), "the card has grown beyond the screen");
         const LinkedPictures& pictures = on.card->pictures();
         const auto white = [](const QImage& image) {
             return countPixels(image, [](QRgb pixel) { return (pixel & 0xffffffU) == 0xffffffU; });

@@ -3,6 +3,7 @@
 
 #include "ui/base/linked_pictures.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/window_room.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -163,6 +164,7 @@ void CalibrationCard::fit() {
     const QSize wanted = some ? QSize(1180, 690) : QSize(kQuestionWidth + 30, 400);
     const QScreen* at = screen();
     resize(at != nullptr ? wanted.boundedTo(at->availableSize() - QSize(20, 60)) : wanted);
+    keepInsideScreen(*this);
 }
 
 void CalibrationCard::setWorking(bool on) {

@@ -2,10 +2,10 @@
 #include "ui/main/main_window.h"
 
 #include "ui/base/pane.h"
+#include "ui/base/window_room.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
 #include "ui/main/cab_mode.h"
-#include "ui/main/window_room.h"
 #include "ui/panel/range_window.h"
 #include "ui/session/memory.h"
 
@@ -117,11 +117,7 @@ void MainWindow::restoreLayout() {
     if (at == nullptr) move(room.topLeft());
 }
 
-void MainWindow::fitScreen() {
-    if (!isVisible() || isMaximized() || isFullScreen() || windowHandle() == nullptr) return;
-    const QRect fits = insideScreen(geometry(), windowHandle()->frameMargins(), screen()->availableGeometry());
-    if (fits != geometry()) setGeometry(fits);
-}
+void MainWindow::fitScreen() { keepInsideScreen(*this); }
 
 /// How wide the frame is the desktop says only after it has put the window somewhere.
 void MainWindow::followFrame() {

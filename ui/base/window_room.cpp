@@ -1,5 +1,9 @@
 // A window and its frame in the room of a screen.
-#include "ui/main/window_room.h"
+#include "ui/base/window_room.h"
+
+#include <QScreen>
+#include <QWidget>
+#include <QWindow>
 
 #include <algorithm>
 
@@ -11,6 +15,12 @@ QRect insideScreen(QRect window, const QMargins& frame, const QRect& room) {
     window.moveLeft(std::clamp(window.left(), most.left(), most.left() + most.width() - window.width()));
     window.moveTop(std::clamp(window.top(), most.top(), most.top() + most.height() - window.height()));
     return window;
+}
+
+void keepInsideScreen(QWidget& window) {
+    if (!window.isVisible() || window.isMaximized() || window.isFullScreen() || window.windowHandle() == nullptr) return;
+    const QRect fits = insideScreen(window.geometry(), window.windowHandle()->frameMargins(), window.screen()->availableGeometry());
+    if (fits != window.geometry()) window.setGeometry(fits);
 }
 
 } // namespace edgescan::ui
