@@ -44,9 +44,8 @@ constexpr std::size_t kMostWholeFirst = 4;
 /// Without names: how many columns of whole numbers, four at most, stand before three with decimals. They are an intensity, a class, a
 /// time, colours, or row and column of a grid (FARO), and not x.
 std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
-    constexpr std::size_t kMost = kMostWholeFirst;
     if (layout.columns < 4 || !layout.names.empty()) return 0;
-    std::array<PrintedDigits, kMost + 3> digits;
+    std::array<PrintedDigits, kMostWholeFirst + 3> digits;
     const std::size_t first = layout.labels ? 1 : 0;
     std::size_t looked = std::min(digits.size(), layout.columns);
     std::size_t at = layout.firstByte;
@@ -61,7 +60,7 @@ std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
     }
     const auto isWhole = [](const PrintedDigits& d) { return d.decimals == 0 && !d.powers; };
     const auto hasDecimals = [](const PrintedDigits& d) { return d.decimals >= 2; };
-    for (std::size_t whole = 1; whole <= kMost && whole + 3 <= looked && isWhole(digits[whole - 1]); ++whole) {
+    for (std::size_t whole = 1; whole <= kMostWholeFirst && whole + 3 <= looked && isWhole(digits[whole - 1]); ++whole) {
         if (std::ranges::all_of(std::span(digits).subspan(whole, 3), hasDecimals)) return whole;
     }
     return 0;

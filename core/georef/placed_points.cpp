@@ -86,14 +86,16 @@ Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Ve
     return stepperTurn(placement.mount, lineDeg) * inMover;
 }
 
+Eigen::Vector3d inMineLocal(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
+    const RigidTransform& pose = poseOfLine(*scan.placement, line);
+    return pose.translationM + scaleOf(*scan.placement).cwiseProduct(pose.rotation * inAxisBase(scan, line, beam, scannerPointM));
+}
+
 MinePoint minePoint(const Scan& scan, std::size_t k) {
     const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
     const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
-    const Placement& placement = *scan.placement;
-    const RigidTransform& pose = poseOfLine(placement, line);
-    const Eigen::Vector3d inPose = pose.rotation * inAxisBase(scan, line, beam, pointOfCell(scan, k));
-    const Eigen::Vector3d local = pose.translationM + scaleOf(placement).cwiseProduct(inPose);
-    return {placement.originEnhM + local, local};
+    const Eigen::Vector3d local = inMineLocal(scan, line, beam, pointOfCell(scan, k));
+    return {scan.placement->originEnhM + local, local};
 }
 
 const char* frameTail(CoordinateFrame frame) {

@@ -46,6 +46,9 @@ struct MinePoint {
 /// One point without tables: for a probe, not for a loop. NaN where the cell is not valid. The scan must have a placement.
 [[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
 
+/// Scanner frame -> metres east, north, up from the placement's origin, without tables. The scan must have a placement.
+[[nodiscard]] Eigen::Vector3d inMineLocal(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
+
 /// Scanner frame -> axis base A, metres. The scan must have a placement.
 [[nodiscard]] Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
 

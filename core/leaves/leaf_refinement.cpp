@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
+#include "core/leaves/equal_runs.h"
 #include "core/leaves/leaf_planes.h"
 #include "core/scan/beam_width.h"
 
@@ -234,21 +235,10 @@ private:
     Grid<std::uint8_t> weighed_;               // marks of what that choice depended on
 };
 
-// Calls for each run of cells of one leaf, in the order of cells, with the leaf, the first cell and the one after the last.
-template <class Say>
-void eachRun(const std::vector<std::uint32_t>& leaf, const Say& say) {
-    for (std::size_t begin = 0; begin < leaf.size();) {
-        std::size_t end = begin + 1;
-        while (end < leaf.size() && leaf[end] == leaf[begin]) ++end;
-        say(leaf[begin], begin, end);
-        begin = end;
-    }
-}
-
 void openSmallLeaves(Grid<std::uint32_t>& leaf, std::uint32_t count) {
     std::vector<std::size_t> cells(static_cast<std::size_t>(count) + 1);
-    eachRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
-    eachRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
+    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
         if (cells[of] < kSmallestLeaf) std::fill(&leaf.cells[begin], &leaf.cells[begin] + (end - begin), kOpen);
     });
 }

@@ -1,6 +1,7 @@
 // Leaves with their borders and sums, from the inputs on.
 #include "core/leaves/rock_leaves.h"
 
+#include "core/leaves/equal_runs.h"
 #include "core/leaves/leaf_basins.h"
 #include "core/leaves/leaf_borders.h"
 #include "core/leaves/leaf_cuts.h"
@@ -79,15 +80,12 @@ std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafR
 
 std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
     std::vector<LeafRun> runs;
-    const auto beams = static_cast<std::uint32_t>(leaf.beams);
+    const auto beams = static_cast<std::size_t>(leaf.beams);
     for (int i = 0; i < leaf.lines; ++i) {
-        const std::uint32_t* const cells = leaf.line(i);
-        for (std::uint32_t begin = 0; begin < beams;) {
-            std::uint32_t end = begin + 1;
-            while (end < beams && cells[end] == cells[begin]) ++end;
-            if (cells[begin] != kOpen) runs.push_back({cells[begin], static_cast<std::uint32_t>(i), begin, end});
-            begin = end;
-        }
+        eachEqualRun({leaf.line(i), beams}, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+            if (of != kOpen)
+                runs.push_back({of, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+        });
     }
     return runs;
 }

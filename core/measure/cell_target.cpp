@@ -12,9 +12,8 @@ namespace {
 /// Without a placement nothing is known of the horizon.
 std::optional<Dip> dipAt(const Scan& scan, const Probe& probe, const Eigen::Vector3d& normal) {
     if (!scan.placement) return std::nullopt;
-    const PlacedPoints placed(scan);
-    const Eigen::Vector3d tip = placed.local(probe.line, probe.beam, probe.pointM + normal);
-    return dipOf(tip - placed.local(probe.line, probe.beam, probe.pointM));
+    const Eigen::Vector3d tip = inMineLocal(scan, probe.line, probe.beam, probe.pointM + normal);
+    return dipOf(tip - inMineLocal(scan, probe.line, probe.beam, probe.pointM));
 }
 
 std::optional<double> strengthAt(const Detection& detection, const Probe& probe) {

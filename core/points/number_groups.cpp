@@ -34,14 +34,9 @@ std::string_view markAt(std::string_view text) {
 bool isPointOrComma(std::string_view mark) { return mark == "." || mark == ","; }
 
 std::vector<std::string_view> cutAt(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    for (std::size_t at = 0; at <= line.size();) {
-        const std::size_t end = std::min(line.find(separator, at), line.size());
-        const std::string_view cell = trimmed(line.substr(at, end - at));
-        if (separator != ' ' || !cell.empty()) cells.push_back(cell);
-        at = end + 1;
-    }
-    return cells;
+    TextLayout layout;
+    layout.separator = separator;
+    return cellsIn(line, layout);
 }
 
 /// Commas within quotes are none of the separators.

@@ -1,6 +1,7 @@
 // Finds out how a text of numbers is laid out from its first lines.
 #include "core/points/column_names.h"
 #include "core/points/number_groups.h"
+#include "core/points/row_below_names.h"
 #include "core/points/text_refusals.h"
 #include "core/points/text_words.h"
 
@@ -12,7 +13,6 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kSampleRows = 20;
 constexpr std::size_t kMostHeading = 120; ///< bytes of a heading that are told
 constexpr std::size_t kWide = 16;         ///< columns that are no point's
 
@@ -146,21 +146,6 @@ bool endsInEmptyColumn(std::string_view text, std::string_view header, std::stri
     return names.size() == cellsIn(row, layout).size() && !names.back().empty();
 }
 
-std::vector<std::string> namesIn(std::string_view header, const TextLayout& layout) {
-    std::vector<std::string> names;
-    for (const std::string_view cell : cellsIn(header, layout)) {
-        const bool unit = layout.separator == ' ' && (cell.starts_with('(') || cell.starts_with('[')) && !names.empty(); // "x (m)"
-        if (unit) {
-            names.back() += cell;
-            continue;
-        }
-        std::string name(cell);
-        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-        names.push_back(std::move(name));
-    }
-    return names;
-}
-
 /// Names of `cells` columns, a label included; none where a line about something else stands there.
 std::vector<std::string> namesOf(std::string_view header, std::size_t cells, const TextLayout& layout) {
     if (trimmed(header).empty()) return {};
@@ -214,38 +199,20 @@ std::vector<bool> unreadColumns(const std::vector<std::string>& names) {
 
 /// The first row behind a header that names x, y and z among other columns, some of which are words.
 struct RowAmongWords {
-    std::vector<std::string> names;
-    std::size_t firstByte = 0, firstLine = 0;
+    RowBelowNames row;
     bool decimalComma = false;
 };
 std::optional<RowAmongWords> rowAmongWords(std::string_view text, char separator) {
-    TextLayout layout;
-    layout.separator = separator;
-    RowAmongWords found;
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size() && number < kSampleRows;) {
-        const TextLine line = textLineAt(text, at);
-        const std::size_t from = std::exchange(at, line.next);
-        ++number;
-        if (trimmed(line.text).empty()) continue;
-        const NamedColumns named = columnsNamed(found.names);
-        if (!named.hasPoint()) {
-            found.names = namesIn(line.text.substr(line.text.starts_with("\xEF\xBB\xBF") ? 3 : 0), layout);
-            continue;
-        }
-        const auto cells = cellsIn(line.text, layout);
-        if (cells.size() < found.names.size()) return std::nullopt;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::string cell(cells[*named.of[axis]]);
-            found.decimalComma = found.decimalComma || cell.find(',') != cell.npos;
-            std::ranges::replace(cell, ',', '.');
-            if (!isNumber(cell)) return std::nullopt;
-        }
-        found.firstByte = from;
-        found.firstLine = number;
-        return found;
+    auto row = rowBelowNames(text, separator);
+    if (!row || row->cells.size() < row->names.size()) return std::nullopt;
+    bool decimalComma = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::string cell(row->cells[*row->named.of[axis]]);
+        decimalComma = decimalComma || cell.find(',') != cell.npos;
+        std::ranges::replace(cell, ',', '.');
+        if (!isNumber(cell)) return std::nullopt;
     }
-    return std::nullopt;
+    return RowAmongWords{std::move(*row), decimalComma};
 }
 
 std::optional<TextLayout> layoutAmongWords(std::string_view text) {
@@ -253,12 +220,12 @@ std::optional<TextLayout> layoutAmongWords(std::string_view text) {
         auto found = rowAmongWords(text, separator);
         if (!found) continue;
         TextLayout layout;
-        layout.firstByte = found->firstByte;
-        layout.firstLine = found->firstLine;
+        layout.firstByte = found->row.firstByte;
+        layout.firstLine = found->row.firstLine;
         layout.separator = separator;
         layout.decimalComma = found->decimalComma;
-        layout.columns = found->names.size();
-        layout.names = std::move(found->names);
+        layout.columns = found->row.names.size();
+        layout.names = std::move(found->row.names);
         layout.mayBeWords = unreadColumns(layout.names);
         return layout;
     }

@@ -1,7 +1,7 @@
 // The causes, the likeliest first.
 #include "core/points/text_refusals.h"
 
-#include "core/points/column_names.h"
+#include "core/points/row_below_names.h"
 #include "core/points/text_words.h"
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kRowsRead = 20;
 constexpr std::size_t kMostQuoted = 40; ///< bytes of a cell that are told
 constexpr const char* kPlainNumbers = "save the file with plain numbers, without separators of thousands";
 
@@ -47,28 +46,11 @@ struct WrongCell {
 };
 std::optional<WrongCell> wrongCellBelowNames(std::string_view text) {
     for (const char separator : {',', ';', '\t', ' '}) {
-        TextLayout layout;
-        layout.separator = separator;
-        NamedColumns named;
-        std::size_t number = 0;
-        for (std::size_t at = 0; at < text.size() && number < kRowsRead;) {
-            const TextLine line = textLineAt(text, at);
-            at = line.next;
-            ++number;
-            if (line.text.size() > kLongestRowLookedAt || trimmed(line.text).empty()) continue;
-            const auto cells = cellsIn(line.text, layout);
-            if (!named.hasPoint()) {
-                std::vector<std::string> names(cells.begin(), cells.end());
-                for (std::string& name : names)
-                    std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-                named = columnsNamed(names);
-                continue;
-            }
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const std::size_t column = *named.of[axis];
-                if (column < cells.size() && !isNumber(cells[column])) return WrongCell{std::string(cells[column]), number};
-            }
-            break;
+        const auto row = rowBelowNames(text, separator);
+        for (std::size_t axis = 0; row && axis < 3; ++axis) {
+            const std::size_t column = *row->named.of[axis];
+            if (column < row->cells.size() && !isNumber(row->cells[column]))
+                return WrongCell{std::string(row->cells[column]), row->firstLine};
         }
     }
     return std::nullopt;
@@ -106,7 +88,7 @@ Error textWithoutNumbers(const Source& source) {
         return source.refusedAtLine(wrong->line, inQuotes(wrong->cell) + " stands below x, y or z and is no number",
                                     "save the file with plain numbers in these columns, without units or marks");
     std::size_t at = 0;
-    for (std::size_t number = 1; at < text.size() && number <= kRowsRead; ++number) {
+    for (std::size_t number = 1; at < text.size() && number <= kSampleRows; ++number) {
         const TextLine line = textLineAt(text, at);
         at = line.next;
         if (line.text.size() > kLongestRowLookedAt) continue;

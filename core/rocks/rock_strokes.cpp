@@ -1,6 +1,8 @@
 // Strokes and ancestors as edits.
 #include "core/rocks/rock_strokes.h"
 
+#include "core/leaves/equal_runs.h"
+
 #include <algorithm>
 
 namespace edgescan {
@@ -23,16 +25,14 @@ std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, 
         std::size_t begin, end;
     };
     std::vector<Run> longest; // of each region, in the order in which they are met
-    for (std::size_t begin = 0; begin < cells.size();) {
-        std::size_t end = begin;
-        while (end < cells.size() && regions[end] == regions[begin]) ++end;
-        const auto met = std::ranges::find(longest, regions[begin], &Run::region);
-        if (regions[begin] != 0 && met == longest.end())
-            longest.push_back({regions[begin], begin, end});
-        else if (regions[begin] != 0 && end - begin > met->end - met->begin)
-            *met = {regions[begin], begin, end};
-        begin = end;
-    }
+    eachEqualRun(regions, [&](std::uint32_t region, std::size_t begin, std::size_t end) {
+        if (region == 0) return;
+        const auto met = std::ranges::find(longest, region, &Run::region);
+        if (met == longest.end())
+            longest.push_back({region, begin, end});
+        else if (end - begin > met->end - met->begin)
+            *met = {region, begin, end};
+    });
     if (longest.size() < 2) return std::nullopt;
     RockEdit join{RockEditKind::Join, {}};
     for (const Run& run : longest) join.cells.push_back(cells[(run.begin + run.end) / 2]);

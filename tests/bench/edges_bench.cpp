@@ -23,9 +23,10 @@ using namespace edgescan::bench;
 
 namespace {
 
-// Among the stages of main().
-constexpr std::size_t kResponses = 1;
-constexpr std::size_t kDecision = 7;
+// Stages that others are told as multiples of.
+constexpr const char* kThesis = "thesis: gray levels, Gaussian, Canny";
+constexpr const char* kResponses = "EdgeScan+ responses, from the scan on";
+constexpr const char* kDecision = "EdgeScan+ decision";
 
 Scan scanOf(int argc, char** argv) {
     auto scan = argc > 1 ? openScan(argv[1]) : Result<Scan>(Scan{});
@@ -62,14 +63,14 @@ int main(int argc, char** argv) {
         return settings;
     };
     std::vector<Candidate> stages{
-        {"thesis: gray levels, Gaussian, Canny", [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
-        {"EdgeScan+ responses, from the scan on", [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
+        {kThesis, [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
+        {kResponses, [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
         {"- cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
         {"- slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
         {"- noise", [&] { (void)rangeNoise(surface.inverse); }},
         {"- mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth, nullptr, 1); }},
         {"- the same, this thread's half", [&] { (void)depthResponses(surface, depth, nullptr, 2); }},
-        {"EdgeScan+ decision", [&] { (void)decideDepthEdges(responses, depth); }},
+        {kDecision, [&] { (void)decideDepthEdges(responses, depth); }},
         {"rocks from finished edges, rows included", [&] { (void)studyRocks(inputs, {}); }},
         {"- leaves and their borders", [&] { (void)rockLeaves(inputs); }},
         {"- tree of merges", [&] { (void)mergeTree(rocks.leaves->count(), rocks.leaves->borders); }},
@@ -78,8 +79,8 @@ int main(int argc, char** argv) {
         {"- map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
     };
     measureInTurn(stages, rounds);
-    const auto msOf = [&](std::size_t stage) { return medianOf(stages[stage].cpuMs); };
-    const double thesisMs = msOf(0);
+    const auto msOf = [&](const char* stage) { return medianOf(std::ranges::find(stages, stage, &Candidate::name)->cpuMs); };
+    const double thesisMs = msOf(kThesis);
     const double plusMs = msOf(kResponses) + msOf(kDecision);
     std::printf("Medians of %d rounds, %d x %d.\n\n| stage | thread CPU, ms | x thesis's recipe | x EdgeScan+ |\n|---|---|---|---|\n",
                 rounds, scan.lines(), scan.beams());

@@ -57,12 +57,9 @@ struct MenuRow {
     std::vector<const char*> lights; ///< commands that light it while they are on
 };
 
-const MenuRow kMeasures{
-    "tool-measure",
-    "measure",
-    QT_TRANSLATE_NOOP("QObject", "Measure"),
-    {"Measure/Distance", "Measure/Vertical", "Measure/Angle", "Measure/Spans a × b", "Measure/Along Surface", "Measure/Throat Width"},
-    {"Measure/Distance", "Measure/Vertical", "Measure/Angle", "Measure/Spans a × b", "Measure/Along Surface", "Measure/Throat Width"}};
+const std::vector<const char*> kWaysToMeasure{"Measure/Distance",    "Measure/Vertical",      "Measure/Angle",
+                                              "Measure/Spans a × b", "Measure/Along Surface", "Measure/Throat Width"};
+const MenuRow kMeasures{"tool-measure", "measure", QT_TRANSLATE_NOOP("QObject", "Measure"), kWaysToMeasure, kWaysToMeasure};
 const MenuRow kSelections{"tool-select",
                           "select",
                           QT_TRANSLATE_NOOP("QObject", "Select"),

@@ -68,6 +68,15 @@ std::vector<E57Column> e57Spherical(const std::vector<Eigen::Vector3d>& points, 
     return columns;
 }
 
+/// Read from a file whose rows are the scan's lines.
+Result<Scan> readWithLinesAsRows(const Scan& scan, const std::string& grouping) {
+    const E57Cells cells = e57CellsOf(scan, 9);
+    E57Part part{e57Cartesian(cells.points), grouping};
+    part.columns.push_back(e57Whole("rowIndex", cells.lines));
+    part.columns.push_back(e57Whole("columnIndex", cells.beams));
+    return readBytes(e57Bytes({part}), ".e57");
+}
+
 std::string sharedE57(const std::string& name) { return readText(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/e57" / name); }
 
 } // namespace
@@ -141,13 +150,9 @@ TEST(E57, GridsComeBackAsTheGridsTheyAre) {
 
 TEST(E57, LinesAreRowsWhereTheFileSaysSo) {
     const Scan expected = makeScan(ScanShape{});
-    const E57Cells cells = e57CellsOf(expected, 9);
-    E57Part part{e57Cartesian(cells.points),
-                 "<pointGroupingSchemes type=\"Structure\"><groupingByLine type=\"Structure\"><idElementName "
-                 "type=\"String\"><![CDATA[rowIndex]]></idElementName></groupingByLine></pointGroupingSchemes>"};
-    part.columns.push_back(e57Whole("rowIndex", cells.lines));
-    part.columns.push_back(e57Whole("columnIndex", cells.beams));
-    const auto scan = readBytes(e57Bytes({part}), ".e57");
+    const auto scan =
+        readWithLinesAsRows(expected, "<pointGroupingSchemes type=\"Structure\"><groupingByLine type=\"Structure\"><idElementName "
+                                      "type=\"String\"><![CDATA[rowIndex]]></idElementName></groupingByLine></pointGroupingSchemes>");
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
     EXPECT_EQ(scan->state, expected.state);
@@ -156,11 +161,7 @@ TEST(E57, LinesAreRowsWhereTheFileSaysSo) {
 
 TEST(E57, LinesAreRowsWhereOnlyThatMakesFans) {
     const Scan expected = makeScan({.beamStart = 20, .noReturns = 0.2});
-    const E57Cells cells = e57CellsOf(expected, 9);
-    E57Part part{e57Cartesian(cells.points), ""}; // neither bounds nor grouping
-    part.columns.push_back(e57Whole("rowIndex", cells.lines));
-    part.columns.push_back(e57Whole("columnIndex", cells.beams));
-    const auto scan = readBytes(e57Bytes({part}), ".e57");
+    const auto scan = readWithLinesAsRows(expected, ""); // neither bounds nor grouping
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
     EXPECT_EQ(scan->state, expected.state);

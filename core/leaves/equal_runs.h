@@ -1,0 +1,21 @@
+// Runs of equal numbers, one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace edgescan {
+
+/// Calls say(number, first place, one after the last) for each run of equal numbers, in their order.
+template <class Say>
+void eachEqualRun(std::span<const std::uint32_t> numbers, const Say& say) {
+    for (std::size_t begin = 0; begin < numbers.size();) {
+        std::size_t end = begin + 1;
+        while (end < numbers.size() && numbers[end] == numbers[begin]) ++end;
+        say(numbers[begin], begin, end);
+        begin = end;
+    }
+}
+
+} // namespace edgescan

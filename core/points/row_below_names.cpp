@@ -1,0 +1,49 @@
+// The heading is the first row that names x, y and z.
+#include "core/points/row_below_names.h"
+
+#include "core/points/number_groups.h"
+#include "core/points/text_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgescan {
+
+std::vector<std::string> namesIn(std::string_view header, const TextLayout& layout) {
+    std::vector<std::string> names;
+    for (const std::string_view cell : cellsIn(header, layout)) {
+        const bool unit = layout.separator == ' ' && (cell.starts_with('(') || cell.starts_with('[')) && !names.empty(); // "x (m)"
+        if (unit) {
+            names.back() += cell;
+            continue;
+        }
+        std::string name(cell);
+        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+std::optional<RowBelowNames> rowBelowNames(std::string_view text, char separator) {
+    TextLayout layout;
+    layout.separator = separator;
+    RowBelowNames found;
+    std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    for (std::size_t number = 1; at < text.size() && number <= kSampleRows; ++number) {
+        const TextLine line = textLineAt(text, at);
+        const std::size_t from = std::exchange(at, line.next);
+        if (line.text.size() > kLongestRowLookedAt || trimmed(line.text).empty()) continue;
+        if (!found.named.hasPoint()) {
+            found.names = namesIn(line.text, layout);
+            found.named = columnsNamed(found.names);
+            continue;
+        }
+        found.cells = cellsIn(line.text, layout);
+        found.firstByte = from;
+        found.firstLine = number;
+        return found;
+    }
+    return std::nullopt;
+}
+
+} // namespace edgescan
