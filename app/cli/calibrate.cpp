@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/inputs.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -15,6 +16,7 @@
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -96,7 +98,7 @@ Result<Done> checkTogether(const Calibrate& asked) {
         return Error{"backlash is told and goes into no calibration file", "--backlash",
                      "leave -o, --base, --picture and --seam out; --json writes it"};
     if (!asked.backlash && asked.out.empty()) return Error{"no name for the calibration file", "-o", "give -o CALIBRATION.json"};
-    return Done{};
+    return checkDistinct(std::array{asked.out, asked.picture, asked.seam, asked.json});
 }
 
 struct Opened {

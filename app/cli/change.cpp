@@ -2,12 +2,14 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/change/change_report.h"
 #include "core/method/pipeline.h"
 #include "core/method/work_memory.h"
 #include "core/pictures/png.h"
 #include "core/repeat/placed_scan.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -45,8 +47,7 @@ Result<LineUpWish> wishOf(const ChangeFlags& flags) {
 }
 
 Result<Done> change(const ChangeFlags& flags) {
-    if (!flags.json.empty() && flags.json == flags.picture)
-        return Error{"two results cannot have one file", flags.json, "give each a name of its own"};
+    if (auto distinct = checkDistinct(std::array{flags.json, flags.picture}); !distinct) return distinct;
     const auto wish = wishOf(flags);
     if (!wish) return wish.error();
     const auto before = detected(flags, flags.files[0]);

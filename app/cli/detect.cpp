@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
@@ -13,6 +14,7 @@
 #include "core/report/provenance.h"
 #include "core/report/report.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -108,6 +110,8 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     if (!settings) return settings.error();
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
+    if (auto distinct = checkDistinct(std::array{out.json, out.mask, out.gray, out.range, out.edges, out.cloud}); !distinct)
+        return distinct;
     if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
     const std::string places = placesWrittenTo(detect, out);
     const std::string found = printable(file) + ": " + summary(*detection);
@@ -132,13 +136,9 @@ Result<Done> checkUsage(const Detect& detect) {
         if (const Format* format = writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
             return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
     }
-    std::set<fs::path> outputs;
-    for (const std::string& path : {detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud}) {
-        std::error_code ignored;
-        if (path.empty() || goesToNoFile(path)) continue;
-        if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
-            return Error{"two results cannot have one file", path, "give each a name of its own"};
-    }
+    if (auto distinct = checkDistinct(std::array{detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud});
+        !distinct)
+        return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first of them has results

@@ -1,6 +1,7 @@
 // edgescan-cli: the method without a display.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
+#include "app/shared/interrupt.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", version());
     app.require_subcommand(1);
     int code = cli::kDone;
+    cli::surviveFileLimit();
     const BindInputs inputs; // nothing that is read is written over
     cli::addInfo(app, code);
     cli::addDetect(app, code);

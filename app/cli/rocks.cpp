@@ -3,6 +3,7 @@
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
@@ -23,7 +24,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace edgescan::cli {
 namespace {
@@ -140,6 +140,9 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
     options.rocks = study;
     std::optional<Error> failure; // the others are still written
     const std::vector<WantedFile> files = wantedFiles(flags, *detection.scan);
+    std::vector<std::string> paths{flags.writeEdits};
+    for (const WantedFile& file : files) paths.push_back(file.path);
+    if (auto distinct = checkDistinct(paths); !distinct) return distinct;
     for (const WantedFile& file : files) {
         if (file.output->content == ExportContent::RockReport && file.path == "-") {
             say(document("rocks", rocksReport(*study, options.frame)), true);
@@ -189,7 +192,6 @@ Result<Done> findRocks(const RocksFlags& flags) {
 
 // Wrong usage is found before anything is read.
 Result<Done> checkUsage(RocksFlags& flags) {
-    std::set<fs::path> outputs;
     std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
     paths.push_back(flags.writeEdits);
     for (std::size_t n = 0; n < paths.size(); ++n) {
@@ -205,11 +207,8 @@ Result<Done> checkUsage(RocksFlags& flags) {
             if (format == nullptr || format->write == nullptr)
                 return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
         }
-        std::error_code ignored;
-        if (goesToNoFile(path)) continue;
-        if (!outputs.insert(fs::weakly_canonical(path, ignored)).second)
-            return Error{"two results cannot have one file", path, "give each a name of its own"};
     }
+    if (auto distinct = checkDistinct(paths); !distinct) return distinct;
     claimInput(flags.file);
     if (const auto rocks = checkRocks(flags.rocks); !rocks) return rocks.error();
     return checkMethod(flags.method);

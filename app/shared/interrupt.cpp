@@ -12,6 +12,8 @@ void note(int /*signal*/) { caught = 1; }
 
 } // namespace
 
+void surviveFileLimit() { std::signal(SIGXFSZ, SIG_IGN); }
+
 void catchInterrupt() {
     std::signal(SIGINT, note);
     std::signal(SIGTERM, note);

@@ -1,5 +1,6 @@
 // edgescan: the viewer.
 #include "app/shared/host_port.h"
+#include "app/shared/interrupt.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
 #include "app/shared/pages.h"
@@ -207,6 +208,7 @@ int runViewer(QApplication& application, Wanted& wanted, const std::vector<Pinne
 
 int main(int argc, char** argv) {
     Wanted wanted;
+    cli::surviveFileLimit();
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     addFlags(app, wanted);
     // Before QApplication is made.

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <sys/resource.h>
 
 namespace edgescan {
 namespace {
@@ -54,6 +55,38 @@ TEST(CliOutputs, NoInputIsReplacedByWhateverNameOrLink) {
     EXPECT_FALSE(fs::exists(folder / "x.pcd"));
     EXPECT_EQ(runCli("detect " + path("a.pcd") + " --edges " + path("x.pcd")).code, 0);
     EXPECT_EQ(runCli("detect " + path("a.pcd") + " --edges " + path("x.pcd")).code, 0) << "an output may be written again";
+}
+
+TEST(CliOutputs, NoResultTakesThePlaceOfAnotherHoweverItIsSpelled) {
+    const test::TemporaryFolder folder;
+    const std::string scan = (folder / "a.pcd").string(), out = (folder / "x.pcd").string();
+    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 3), scan));
+    const std::string near = "nowhere-else.pcd"; // in the folder that the program runs in
+    for (const std::string& line : {"detect " + scan + " --edges " + near + " --cloud ./" + near, "detect " + scan + " --edges - --json -",
+                                    "detect " + scan + " --edges " + out + " --json " + out + ".provenance.json",
+                                    "rocks " + scan + " --json " + out + " --csv " + out,
+                                    "detect " + scan + " -o " + folder.path().string() + " --json " + (folder / "a_gray.png").string(),
+                                    "change " + scan + " " + scan + " --json " + near + " --picture ./" + near,
+                                    "calibrate " + scan + " -o " + near + " --json " + fs::absolute(near).string()}) {
+        EXPECT_NE(runCli(line).code, 0) << line;
+        EXPECT_FALSE(fs::exists(near)) << line;
+        EXPECT_FALSE(fs::exists(out)) << line;
+    }
+}
+
+TEST(CliOutputs, AFileBeyondItsLimitIsRefusedAndNotTheEndOfTheProgram) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3), folder / "a.json"));
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 8192;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto run = runCli("detect " + (folder / "a.json").string() + " --cloud " + (folder / "x.pcd").string());
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("larger than the limit set for it"), std::string::npos) << run.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2) << "the grid and its counts";
 }
 
 TEST(CliOutputs, XyzIsNumbersAndCsvAHeaderAndNumbers) {

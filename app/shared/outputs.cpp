@@ -1,0 +1,37 @@
+// Two results in one file would leave the last one without a word.
+#include "app/shared/outputs.h"
+
+#include "core/base/whole_file.h"
+#include "core/io/grid_beside.h"
+
+#include <filesystem>
+#include <set>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same for every spelling of a file, also of one that is not there yet.
+fs::path whole(const fs::path& path) {
+    std::error_code ignored;
+    if (isStandardOutput(path)) return "-";
+    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+}
+
+} // namespace
+
+Result<Done> checkDistinct(std::span<const std::string> outputs) {
+    std::set<fs::path> taken;
+    for (const std::string& path : outputs) {
+        if (path.empty() || (isDevice(path) && !isStandardOutput(path))) continue;
+        if (!taken.insert(whole(path)).second) return Error{"two results cannot have one file", path, "give each a name of its own"};
+    }
+    for (const std::string& path : outputs) {
+        if (!path.empty() && !isDevice(path) && taken.contains(whole(sidecarPath(path))))
+            return Error{"another result has the name of the record beside this file", path, "give it a name of its own"};
+    }
+    return Done{};
+}
+
+} // namespace edgescan::cli
