@@ -160,9 +160,9 @@ int run(const Record& record) {
         std::filesystem::remove(record.out, ignored);
     }
     if (status.lines == 0) {
-        const bool kept = status.statistics.stream.bytes > 0;
-        complain(Error{status.session.sentence.empty() ? "no line was received" : status.session.sentence, record.address,
-                       "check cable, address and port" + (kept ? "; what did arrive is in " + record.out : std::string())});
+        Error none = withoutLines(status.session, record.address);
+        if (status.statistics.stream.bytes > 0) none.hint += "; what did arrive is in " + record.out;
+        complain(none);
         return kRefused;
     }
     say(document("record", summary(record, *sweep, status, *closed)), false);

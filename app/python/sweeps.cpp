@@ -129,11 +129,7 @@ public:
         while (true) {
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
             if (stopped_) throw py::stop_iteration();
-            if (Clock::now() >= end) {
-                const SessionState state = feed_->status().session;
-                throw Refused{
-                    {state.sentence.empty() ? "no line was received" : state.sentence, address_, "check cable, address and port"}};
-            }
+            if (Clock::now() >= end) throw Refused{withoutLines(feed_->status().session, address_)};
             unlocked([&] { return wait(end); });
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         }

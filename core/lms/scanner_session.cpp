@@ -51,10 +51,16 @@ SessionStatistics ScannerSession::statistics() const {
     return {link_.counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
 }
 
-void ScannerSession::enter(SessionPhase phase, std::string sentence) {
-    const SessionState state{phase, std::move(sentence), hostNow()};
+Error withoutLines(const SessionState& state, const std::string& address) {
+    if (state.problem) return *state.problem;
+    return {"no line was received", address, "check cable, address and port"};
+}
+
+void ScannerSession::enter(SessionPhase phase, std::string sentence, std::optional<Error> problem) {
+    SessionState state{phase, std::move(sentence), hostNow(), std::move(problem)};
     {
         const std::lock_guard lock(mutex_);
+        if (!state.problem && phase != SessionPhase::Live) state.problem = state_.problem;
         state_ = state;
     }
     if (events_.stateChanged) events_.stateChanged(state);
@@ -72,7 +78,7 @@ void ScannerSession::run() {
         const auto& rests = settings_.timeouts.rests;
         const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
         ++failures;
-        enter(SessionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".");
+        enter(SessionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
         link_.pause(rest);
     }
 }

@@ -28,7 +28,11 @@ struct SessionState {
     SessionPhase phase = SessionPhase::Connecting;
     std::string sentence; ///< what happened and what to do, for the operator
     HostTime since;
+    std::optional<Error> problem{}; ///< why there is no scan: what ended the last connection, or the try for one; empty while scans come
 };
+
+/// What to say where no line has come from `address`.
+[[nodiscard]] Error withoutLines(const SessionState& state, const std::string& address);
 
 struct SessionSettings {
     std::string host; ///< name, IPv4 or IPv6 address
@@ -74,7 +78,7 @@ private:
     Result<Done> start(ScannerDialogue& dialogue);
     Error watch();
     void noticeScan(const ColaFrame& frame);
-    void enter(SessionPhase phase, std::string sentence);
+    void enter(SessionPhase phase, std::string sentence, std::optional<Error> problem = std::nullopt);
     [[nodiscard]] Clock::duration watchdog() const;
     [[nodiscard]] std::string where() const { return addressText(settings_.host, settings_.port); }
 

@@ -56,7 +56,7 @@ void assign(Member& member, double value) {
 #define EDGESCAN_NUMBER(member) EDGESCAN_SETTING(s.member, member)
 
 constexpr std::array<SimulationNumber, 33> kNumbers{{{"lines", {2, 100000}, EDGESCAN_NUMBER(lines)},
-                                                     {"beams", {2, 100000}, EDGESCAN_NUMBER(beams)},
+                                                     {"beams", {3, 100000}, EDGESCAN_NUMBER(beams)},
                                                      {"repeat", {0, 1000000}, EDGESCAN_NUMBER(repeat)},
                                                      {"rocks", {0, 3000}, EDGESCAN_NUMBER(rocks)},
                                                      {"rock-roughness", {0, 200}, EDGESCAN_NUMBER(rockRoughnessMm)},

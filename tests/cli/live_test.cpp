@@ -139,6 +139,15 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     EXPECT_EQ(robotSaid["mounting"]["line_step_deg"], 2);
 }
 
+TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
+    const std::string recording = (folder / "none.mcap").string();
+    const auto record = runCli("record 127.0.0.1:1 -o " + recording + " --seconds 1"); // nobody listens there
+    EXPECT_NE(record.code, 0);
+    EXPECT_EQ(record.err, "edgescan-cli: 127.0.0.1:1: the connection is refused; check the port (2111 or 2112) and that no other program "
+                          "holds the scanner.\n");
+    EXPECT_FALSE(std::filesystem::exists(recording));
+}
+
 // The whole way of a scan through the viewer's core: socket, assembly, edges while it grows, and the sweep as it ends.
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
