@@ -1,0 +1,117 @@
+// Flags, and what they mean together.
+#include "app/viewer/wanted.h"
+
+#include "app/shared/pages.h"
+#include "app/shared/usage.h"
+#include "core/base/number_text.h"
+#include "core/base/version.h"
+#include "ui/language/languages.h"
+
+#include <CLI/CLI.hpp>
+#include <QString>
+
+namespace edgescan::viewer {
+namespace {
+
+constexpr int kRefused = 1, kWrongUsage = 2;
+
+Result<SweepSettings> sweepOf(const Wanted& wanted) {
+    const ReadingOptions options = cli::readingOptions(wanted.read);
+    cli::Mounting mounting = wanted.mounting;
+    mounting.axis = options.axis;
+    mounting.lineStepDeg = options.lineStepDeg;
+    mounting.firstLineDeg = options.lineStartDeg;
+    mounting.calibration = options.calibration;
+    return cli::sweepOf(mounting);
+}
+
+Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
+    std::vector<PinnedPlace> places;
+    for (const std::string& text : typed) {
+        const std::size_t comma = text.find(',');
+        const double line = numberOf(text.substr(0, comma)).value_or(-1.0);
+        const double beam = comma == std::string::npos ? -1.0 : numberOf(text.substr(comma + 1)).value_or(-1.0);
+        const auto isIndex = [](double n) { return n >= 0 && n < 1e9 && n == static_cast<int>(n); };
+        if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is no cell", "--pin", "give LINE,BEAM such as 525,593"};
+        places.push_back({static_cast<int>(line), static_cast<int>(beam)});
+    }
+    return places;
+}
+
+// Qt holds names as Unicode: of any other bytes it would ask the system for another file.
+std::optional<Error> nameThatIsNone(const Wanted& wanted) {
+    std::vector<std::string> names = wanted.files;
+    names.push_back(wanted.screenshot);
+    names.push_back(wanted.compare);
+    names.push_back(wanted.session);
+    names.push_back(wanted.read.options.pose);
+    names.push_back(wanted.read.options.calibration);
+    for (const std::string& name : names) {
+        if (QString::fromStdString(name).toStdString() != name)
+            return Error{"the window cannot open a name that is no UTF-8", name, "rename the file, or use edgescan-cli"};
+    }
+    return std::nullopt;
+}
+
+/// What contradicts itself.
+std::optional<Error> contradiction(const Wanted& wanted) {
+    if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty() && wanted.session.empty() && !wanted.goOn)
+        return Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"};
+    if (wanted.demo && !wanted.files.empty())
+        return Error{"the demo is a scan of its own and takes no file or folder", wanted.files.front(),
+                     "leave out --demo to open it, or the name to open the demo"};
+    return std::nullopt;
+}
+
+std::optional<Refusal> understandScanner(const Wanted& wanted, Understood& understood) {
+    if (wanted.live.empty()) return std::nullopt;
+    const Result<cli::HostPort> scanner = cli::hostPort(wanted.live);
+    if (!scanner) return Refusal{scanner.error(), kWrongUsage};
+    understood.scanner = *scanner;
+    const Result<SweepSettings> sweep = sweepOf(wanted);
+    if (!sweep) return Refusal{sweep.error(), kRefused};
+    understood.sweep = *sweep;
+    return std::nullopt;
+}
+
+} // namespace
+
+void addFlags(CLI::App& app, Wanted& wanted) {
+    app.set_version_flag("--version", version());
+    app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
+    app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
+    app.add_option("--live", wanted.live, "Connect to a live scanner, HOST or HOST:PORT; nothing but reads and a subscription is sent");
+    cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
+    app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
+    std::vector<std::string> languages;
+    for (const ui::Language& language : ui::kLanguages) languages.emplace_back(language.code);
+    app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
+        ->check(CLI::IsMember(languages));
+    app.add_flag("--cab", wanted.cab, "Start in cab mode: large tools and numbers, for gloves; hold Locked to leave it");
+    app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
+    app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one");
+    app.add_option("--session", wanted.session, "Open this session, or the picture of the window that carries one");
+    app.add_flag("--continue", wanted.goOn, "Go on where the viewer was, after a crash too");
+    app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
+    cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
+    cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
+    cli::addMethodFlags(app, wanted.method);
+    cli::addReadFlags(app, wanted.read);
+    cli::addPages(app, {"edgescan", "shows the edges of rocks in a laser scan", {"edgescan --demo"}});
+}
+
+std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) {
+    if (const auto none = nameThatIsNone(wanted)) return Refusal{*none, kRefused};
+    if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, kWrongUsage};
+    if (auto refused = understandScanner(wanted, understood)) return refused;
+    const auto pins = pinsOf(wanted.pins);
+    if (!pins) return Refusal{pins.error(), kWrongUsage};
+    understood.pins = *pins;
+    if (!cli::anyTyped(wanted.method)) return std::nullopt;
+    const Result<Settings> settings = cli::settingsOf(wanted.method);
+    if (!settings) return Refusal{settings.error(), kWrongUsage};
+    understood.settings = *settings;
+    return std::nullopt;
+}
+
+} // namespace edgescan::viewer

@@ -1,0 +1,63 @@
+// Waits for the first picture by its signal.
+#include "app/viewer/when_shown.h"
+
+#include "app/shared/exits.h"
+#include "ui/main/main_window.h"
+
+#include <QApplication>
+#include <QTimer>
+
+#include <memory>
+
+namespace edgescan::viewer {
+
+void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places) {
+    auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, places, once] {
+        QObject::disconnect(*once);
+        for (const PinnedPlace& place : places) {
+            const Scan& scan = *window.session().picture()->detection->scan;
+            if (scan.rangeMm.contains(place.line, place.beam))
+                window.views().pin(window.views().cellAt(place.line, place.beam));
+            else
+                cli::complain(
+                    Error{"the scan has no line " + std::to_string(place.line) + ", beam " + std::to_string(place.beam), "--pin",
+                          "give a cell of its " + std::to_string(scan.lines()) + " lines and " + std::to_string(scan.beams()) + " beams"});
+        }
+    });
+}
+
+void compareWhenShown(ui::MainWindow& window, const QString& before) {
+    auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, before, once] {
+        QObject::disconnect(*once);
+        window.comparing().compareWith(before);
+    });
+}
+
+// Or at once when the scan was refused.
+void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines, bool live) {
+    constexpr int kRestMs = 700;
+    const auto write = [&window, path] {
+        while (!window.comparing().settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        const Result<Done> written = window.exports().saveScreenshot(window.screenshot(), QString::fromStdString(path));
+        if (!written) cli::complain(written.error());
+        QApplication::exit(written ? 0 : 1);
+    };
+    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, lines, live, path] {
+        const int shown = window.session().picture()->detection->scan->lines();
+        if (shown >= lines) {
+            QTimer::singleShot(kRestMs, &window, write);
+        } else if (!live) { // it will have no more
+            cli::complain(
+                Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", path, "give --screenshot-lines fewer"});
+            QApplication::exit(1);
+        }
+    });
+    QObject::connect(&window.session(), &ui::Session::failed, &window, [](const QString& sentence) {
+        cli::complain(sentence.toStdString());
+        QApplication::exit(1);
+    });
+}
+
+} // namespace edgescan::viewer
