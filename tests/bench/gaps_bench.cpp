@@ -4,7 +4,7 @@
 #include "core/eval/evaluation.h"
 #include "core/gaps/gap_filling.h"
 #include "core/method/pipeline.h"
-#include "core/sim/simulate.h"
+#include "tests/support/scored_scene.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/photo.hpp>
@@ -21,22 +21,13 @@
 #include <vector>
 
 using namespace edgescan;
+using edgescan::test::scoredScene;
 
 namespace {
 
 constexpr int kBlobs = 400;
 constexpr int kWidest = 8; // cells of --fill
 constexpr double kFarOffMm = 100;
-
-Simulation bell(const char* scene, std::uint64_t seed, int lines, int beams) {
-    SimulationSettings settings;
-    settings.scene = scene;
-    settings.seed = seed;
-    settings.lines = lines;
-    settings.beams = beams;
-    settings.truth = true;
-    return *simulate(settings);
-}
 
 // Round blobs of so many cells across lose their ranges; what each cell belongs to, 0 = none.
 Grid<int> dropBlobs(Scan& scan, int size, std::uint64_t seed) {
@@ -322,7 +313,7 @@ void printGains(const std::vector<EdgeScores>& scores) {
 }
 
 void time() {
-    Scan scan = bell("pile", 1, 1000, 1141).scan;
+    Scan scan = scoredScene("pile", 1, 1000, 1141).scan;
     dropBlobs(scan, 7, 1);
     const RangeNoise noise = rangeNoise(inverseRange(scan));
     double best = 1e9;
@@ -353,7 +344,7 @@ int main(int argc, char** argv) {
     std::uint64_t m = 0;
     for (const std::uint64_t seed : seeds) {
         for (const char* scene : {"hangup", "pile"}) {
-            const Simulation one = many ? bell(scene, seed, 250, 286) : bell(scene, seed, 500, 571);
+            const Simulation one = many ? scoredScene(scene, seed, 250, 286) : scoredScene(scene, seed, 500, 571);
             methods.add(one, m);
             sizes.add(one, m);
             voids.add(one);

@@ -1,4 +1,5 @@
 // The parts of the image view that need no display: pyramid and view port.
+#include "tests/ui/ramp_image.h"
 #include "ui/image/pyramid.h"
 #include "ui/image/viewport.h"
 
@@ -8,18 +9,6 @@
 #include <random>
 
 using namespace edgescan::ui;
-
-namespace {
-
-std::shared_ptr<const QImage> ramp(int beams, int lines) {
-    auto image = std::make_shared<QImage>(beams, lines, QImage::Format_Grayscale8);
-    for (int y = 0; y < lines; ++y) {
-        for (int x = 0; x < beams; ++x) image->scanLine(y)[x] = static_cast<uchar>((x * 7 + y * 13) % 200);
-    }
-    return image;
-}
-
-} // namespace
 
 class ImageRoomsTest : public QObject {
     Q_OBJECT

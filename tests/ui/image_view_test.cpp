@@ -1,4 +1,5 @@
 // The image view as a real widget with real mouse events.
+#include "tests/ui/ramp_image.h"
 #include "ui/image/image_view.h"
 
 #include <QApplication>
@@ -13,14 +14,6 @@
 using namespace edgescan::ui;
 
 namespace {
-
-std::shared_ptr<const QImage> ramp(int beams, int lines) {
-    auto image = std::make_shared<QImage>(beams, lines, QImage::Format_Grayscale8);
-    for (int y = 0; y < lines; ++y) {
-        for (int x = 0; x < beams; ++x) image->scanLine(y)[x] = static_cast<uchar>((x * 7 + y * 13) % 200);
-    }
-    return image;
-}
 
 /// Sparse white pixels and one thin line on black.
 std::shared_ptr<const QImage> edgeMap(int beams, int lines) {

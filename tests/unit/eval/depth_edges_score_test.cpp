@@ -4,6 +4,7 @@
 #include "core/straighten/interlace.h"
 #include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
+#include "tests/support/scored_scene.h"
 #include "tests/support/scores.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,7 @@ namespace edgescan {
 namespace {
 
 Simulation simulated(const char* scene, std::uint64_t seed, int lines = 250, int beams = 286) {
-    SimulationSettings settings;
-    settings.scene = scene;
-    settings.seed = seed;
-    settings.lines = lines;
-    settings.beams = beams;
-    settings.truth = true;
-    return *simulate(settings);
+    return test::scoredScene(scene, seed, lines, beams);
 }
 
 std::size_t countOf(const EdgeTruth& truth, EdgeClass wanted) {

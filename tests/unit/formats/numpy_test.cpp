@@ -2,6 +2,7 @@
 #include "tests/support/bytes.h"
 #include "tests/support/packed_files.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/typed_angles.h"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +13,6 @@ using namespace edgescan;
 using namespace edgescan::test;
 
 namespace {
-
-ReadingOptions numpyAngles(const Scan& scan) {
-    const auto& polar = std::get<PolarGeometry>(scan.geometry);
-    ReadingOptions options;
-    options.beamStartDeg = polar.beamDeg[0];
-    options.beamStepDeg = polar.beamDeg[1] - polar.beamDeg[0];
-    options.lineStartDeg = polar.lineDeg[0];
-    options.lineStepDeg = polar.lineDeg[1] - polar.lineDeg[0];
-    options.axis = polar.axis;
-    return options;
-}
 
 bool numpyTold(const Scan& scan, const std::string& part) {
     return std::ranges::any_of(scan.warnings, [&](const std::string& w) { return w.find(part) != std::string::npos; });
@@ -51,7 +41,7 @@ TEST(Numpy, RangesInEveryTypeAndOrder) {
                 const std::string bytes =
                     npyBytes(npyHeader("'" + name + "'", fortran, shapeOf(expected)),
                              npyData(rangesOf(expected, metres ? 0.001 : 1.0), name, fortran ? std::optional(sides) : std::nullopt));
-                const auto scan = readBytes(bytes, ".npy", numpyAngles(expected));
+                const auto scan = readBytes(bytes, ".npy", typedAngles(expected));
                 ASSERT_TRUE(scan) << scan.error().sentence();
                 EXPECT_EQ(scan->rangeMm, expected.rangeMm);
                 EXPECT_EQ(scan->state, expected.state);
@@ -70,7 +60,7 @@ TEST(Numpy, WhatIsNoRangeIsNoReturn) {
     values[5] = 0;
     values[6] = -1;
     values[7] = -1;
-    ReadingOptions options = numpyAngles(makeScan(ScanShape{}));
+    ReadingOptions options = typedAngles(makeScan(ScanShape{}));
     const auto made = [&](const std::vector<double>& numbers) {
         return npyBytes(npyHeader("'<f8'", false, "(2, 20)"), npyData(numbers, "<f8"));
     };
@@ -113,10 +103,10 @@ TEST(Numpy, ArchivesStoredAndPacked) {
     const std::string other = npyBytes(npyHeader("'<f8'", false, "(3,)"), npyData({1, 2, 3}, "<f8"));
     for (const bool packed : {false, true}) {
         const std::string alone = zipBytes({{"arr_0.npy", ranges}}, packed);
-        const auto scan = readBytes(alone, ".npz", numpyAngles(expected));
+        const auto scan = readBytes(alone, ".npz", typedAngles(expected));
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->rangeMm, expected.rangeMm);
-        const auto both = readBytes(zipBytes({{"time.npy", other}, {"ranges.npy", ranges}}, packed), ".npz", numpyAngles(expected));
+        const auto both = readBytes(zipBytes({{"time.npy", other}, {"ranges.npy", ranges}}, packed), ".npz", typedAngles(expected));
         ASSERT_TRUE(both) << both.error().sentence();
         EXPECT_EQ(both->rangeMm, expected.rangeMm);
         EXPECT_TRUE(numpyTold(*both, "The archive holds the arrays time, ranges; ranges was read."));
@@ -125,7 +115,7 @@ TEST(Numpy, ArchivesStoredAndPacked) {
                   std::string::npos);
         std::string broken = alone;
         broken[alone.size() / 3] ^= 0x10;
-        EXPECT_NE(refusalOf(broken, ".npz", numpyAngles(expected)), "");
+        EXPECT_NE(refusalOf(broken, ".npz", typedAngles(expected)), "");
         EXPECT_NE(refusalOf(alone.substr(0, alone.size() - 30), ".npz").find("no directory at its end"), std::string::npos);
     }
     EXPECT_NE(refusalOf(zipBytes({{"readme.txt", "hello"}}, true), ".zip").find("a ZIP archive"), std::string::npos);

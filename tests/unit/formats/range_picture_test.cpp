@@ -4,6 +4,7 @@
 #include "core/scan/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/typed_angles.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +18,6 @@ using namespace edgescan;
 using namespace edgescan::test;
 
 namespace {
-
-ReadingOptions anglesOf(const Scan& scan) {
-    const auto& polar = std::get<PolarGeometry>(scan.geometry);
-    ReadingOptions options;
-    options.beamStartDeg = polar.beamDeg[0];
-    options.beamStepDeg = polar.beamDeg[1] - polar.beamDeg[0];
-    options.lineStartDeg = polar.lineDeg[0];
-    options.lineStepDeg = polar.lineDeg[1] - polar.lineDeg[0];
-    options.axis = polar.axis;
-    return options;
-}
 
 void expectSameRanges(const Scan& expected, const Result<Scan>& scan) {
     ASSERT_TRUE(scan) << scan.error().sentence();
@@ -71,7 +61,7 @@ TEST(RangePng, SavedRangesComeBack) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Scan scan = makeScan({.noReturns = 0.2 * seed, .seed = seed});
         ASSERT_TRUE(savePng16(rangePicture(scan), folder / "range.png"));
-        expectSameRanges(scan, openScan(folder / "range.png", anglesOf(scan)));
+        expectSameRanges(scan, openScan(folder / "range.png", typedAngles(scan)));
     }
 }
 
@@ -114,7 +104,7 @@ TEST(RangeTiff, EveryUsualKindOpens) {
             for (const char* mode : {"wl", "wb", "wl8"}) {
                 SCOPED_TRACE(std::to_string(compression) + (floats ? " floats " : " whole ") + mode);
                 writeTiff(scan, folder / "range.tif", {compression, floats, mode});
-                const auto opened = openScan(folder / "range.tif", anglesOf(scan));
+                const auto opened = openScan(folder / "range.tif", typedAngles(scan));
                 expectSameRanges(scan, opened);
                 EXPECT_EQ(opened->format, "range TIFF");
             }
@@ -127,7 +117,7 @@ TEST(RangeTiff, DamageIsOneSentence) {
     const Scan scan = makeScan({});
     writeTiff(scan, folder / "range.tif", {COMPRESSION_LZW});
     const std::string tiff = readText(folder / "range.tif");
-    const ReadingOptions options = anglesOf(scan);
+    const ReadingOptions options = typedAngles(scan);
     for (std::size_t length = 5; length < tiff.size(); length += 97) {
         const std::string sentence = refusalOf(tiff.substr(0, length), ".tif", options);
         EXPECT_FALSE(sentence.empty()) << length;

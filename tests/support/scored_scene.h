@@ -1,0 +1,18 @@
+// A simulated scan with what it is scored against.
+#pragma once
+
+#include "core/sim/simulate.h"
+
+namespace edgescan::test {
+
+inline Simulation scoredScene(const char* scene, std::uint64_t seed, int lines, int beams) {
+    SimulationSettings settings;
+    settings.scene = scene;
+    settings.seed = seed;
+    settings.lines = lines;
+    settings.beams = beams;
+    settings.truth = true;
+    return *simulate(settings);
+}
+
+} // namespace edgescan::test
