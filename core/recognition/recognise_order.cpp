@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kRoughlyPlane = 0.02; // radians: rows of the right length are far flatter, others are not
 constexpr std::size_t kSampleLines = 16;
+// Steps, of the median point from its beam. Two beams taken for one lie a quarter of their step off, all of them, and coarse numbers let
+// that pass; points of one beam lie closer.
+constexpr double kMostResidual = 0.2;
 
 /// Sums up to each point: any run of points is judged in constant time.
 struct RunningSums {
@@ -184,7 +187,8 @@ std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& 
         if (!fit) return std::nullopt;
         fit->pointOf = inOrder(chosen, beams);
         const OnGrid judged = judge(*fit, points, precision);
-        if (judged.share < kShareOnGrid || !(judged.telling || known)) return std::nullopt;
+        const bool isOneBeamEach = judged.telling && judged.residual < kMostResidual;
+        if (judged.share < kShareOnGrid || !(isOneBeamEach || known)) return std::nullopt;
         fit->residual = judged.residual;
         fit->complete = true;
         return fit;

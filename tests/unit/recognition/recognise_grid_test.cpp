@@ -91,6 +91,34 @@ TEST(RecogniseGrid, CompleteListsKeepEveryCell) {
     }
 }
 
+// Neighbouring beams that are taken for one lie just where a beam may lie, and the rounding of the numbers lets them pass.
+TEST(RecogniseGrid, NeighbouringBeamsOfRoundedListsStayTwo) {
+    for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
+        for (const auto& [lines, beams] : {std::pair{90, 60}, {60, 90}, {64, 32}, {36, 72}, {45, 63}, {48, 16}}) {
+            for (const char* format : {"%.3f", "%.4f"}) {
+                for (const bool beamMajor : {false, true}) {
+                    SCOPED_TRACE(std::to_string(lines) + " x " + std::to_string(beams) + format + (beamMajor ? " beam major" : ""));
+                    const Scan expected = makeScan({.axis = axis,
+                                                    .lines = lines,
+                                                    .beams = beams,
+                                                    .beamStart = 60,
+                                                    .beamStep = 60.0 / (beams - 1),
+                                                    .lineStart = -60,
+                                                    .lineStep = 120.0 / (lines - 1),
+                                                    .noReturns = 0});
+                    const ListStyle style{.format = format, .beamMajor = beamMajor};
+                    const std::string text = textOf(listOf(expected, style), style);
+                    const auto found = readScanBytes(std::as_bytes(std::span(text)), ".xyz", {});
+                    ASSERT_TRUE(found) << found.error().sentence();
+                    EXPECT_EQ(found->lines(), lines);
+                    EXPECT_EQ(found->beams(), beams);
+                    EXPECT_LT(farthestFrom(expected, *found), 0.01);
+                }
+            }
+        }
+    }
+}
+
 TEST(RecogniseGrid, RangesOfWholeMillimetresComeBackExactly) {
     const Folder folder;
     for (const ListStyle& style :
