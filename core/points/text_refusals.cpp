@@ -70,6 +70,9 @@ Error thousandsApart(const Source& source, const GroupedNumber& number) {
 }
 
 Error noNumber(const Source& source, std::size_t line, std::string_view cell) {
+    if (cell.find('\0') != std::string_view::npos)
+        return source.refusedAtLine(line, "holds bytes of zero, as a file does that was not written to its end",
+                                    "copy the file or export it again");
     if (groupsOf(trimmed(cell)) == Grouped::Yes) return thousandsApart(source, {std::string(trimmed(cell)), line, false});
     std::string withPoint(trimmed(cell));
     std::ranges::replace(withPoint, ',', '.');

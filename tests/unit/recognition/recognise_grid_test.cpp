@@ -98,14 +98,15 @@ TEST(RecogniseGrid, NeighbouringBeamsOfRoundedListsStayTwo) {
             for (const char* format : {"%.3f", "%.4f"}) {
                 for (const bool beamMajor : {false, true}) {
                     SCOPED_TRACE(std::to_string(lines) + " x " + std::to_string(beams) + format + (beamMajor ? " beam major" : ""));
-                    const Scan expected = makeScan({.axis = axis,
-                                                    .lines = lines,
-                                                    .beams = beams,
-                                                    .beamStart = 60,
-                                                    .beamStep = 60.0 / (beams - 1),
-                                                    .lineStart = -60,
-                                                    .lineStep = 120.0 / (lines - 1),
-                                                    .noReturns = 0});
+                    Scan expected = makeScan({.axis = axis,
+                                              .lines = lines,
+                                              .beams = beams,
+                                              .beamStart = 60,
+                                              .beamStep = 60.0 / (beams - 1),
+                                              .lineStart = -60,
+                                              .lineStep = 120.0 / (lines - 1),
+                                              .noReturns = 0});
+                    for (std::size_t k = 0; k < expected.cells(); ++k) expected.rangeMm[k] = static_cast<float>(5000 + k % 7); // as a wall
                     const ListStyle style{.format = format, .beamMajor = beamMajor};
                     const std::string text = textOf(listOf(expected, style), style);
                     const auto found = readScanBytes(std::as_bytes(std::span(text)), ".xyz", {});
