@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/recognition/recognise_halves.h"
 #include "core/recognition/recognise_parts.h"
 #include "core/recognition/recognise_phases.h"
 
@@ -101,10 +102,11 @@ void describeLikeAScanner(Fit& fit, Axis axis) {
         turnOver(fit);
 }
 
-/// Shifted by whole turns so that the smallest beam angle lies in [-180, 180).
+/// Shifted by whole turns so that the smallest beam angle lies in [-180, 180), or one turn lower where the largest would lie beyond 360.
 void shiftBeams(std::vector<double>& degrees) {
-    const double least = *std::min_element(degrees.begin(), degrees.end());
-    const double turns = std::floor((least + 180.0 + 1e-6) / 360.0);
+    const auto [least, most] = std::minmax_element(degrees.begin(), degrees.end());
+    double turns = std::floor((*least + 180.0 + 1e-6) / 360.0);
+    if (*most - 360.0 * turns > 360.0) turns += 1.0;
     for (double& angle : degrees) angle -= 360.0 * turns;
 }
 void shiftLines(std::vector<double>& degrees) {
@@ -259,6 +261,7 @@ void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
 RecognisedGrid finished(Found found, const PointList& list) {
     RecognisedGrid grid;
     grid.copiedLines = found.fit.complete ? dropCopiedLines(found.fit, found.points) : 0;
+    if (!found.fit.complete) unfoldHalves(found.fit);
     const std::size_t putBack = found.fit.complete ? 0 : putBackMissing(found.fit);
     describeLikeAScanner(found.fit, found.hypothesis.axis);
     grid.geometry = geometryOf(found.fit, found.points, list.precision, found.hypothesis.axis);

@@ -188,6 +188,27 @@ TEST(RecogniseGrid, FanAcrossTheAxisWithDroppedPoints) {
     }
 }
 
+// Found as planes through the axis, whose beams look to both sides and would go beyond 360 degrees.
+TEST(RecogniseGrid, SpinningBeamsInAnyOrderAreLinesAllRound) {
+    for (const ScanShape& shape :
+         {ScanShape{.axis = Axis::Spin, .lines = 240, .beams = 16, .beamStart = -15, .beamStep = 2, .lineStart = 0, .lineStep = 1.5},
+          ScanShape{.axis = Axis::Spin, .lines = 120, .beams = 40, .beamStart = -25, .beamStep = 1, .lineStart = 0, .lineStep = 3}}) {
+        for (const double dropped : {0.0, 0.05}) {
+            const ListStyle style{.format = "%.4f", .shuffled = true, .dropped = dropped, .keepMissing = false};
+            const Scan expected = makeScan(shape);
+            const auto points = listOf(expected, style);
+            const std::string text = textOf(points, style);
+            const auto found = readScanBytes(std::as_bytes(std::span(text)), ".xyz", {});
+            ASSERT_TRUE(found) << found.error().sentence();
+            EXPECT_EQ(found->lines(), shape.lines);
+            EXPECT_EQ(found->beams(), shape.beams);
+            EXPECT_EQ(countCells(*found)[0], points.size());
+            const auto& beams = std::get<PolarGeometry>(found->geometry).beamDeg;
+            EXPECT_NEAR(std::min(beams.front(), beams.back()), shape.beamStart, 0.01);
+        }
+    }
+}
+
 TEST(RecogniseGrid, FullTurnsOfATerrestrialScannerStayFullTurns) {
     const Folder folder;
     ScanShape shape{.axis = Axis::Spin, .lines = 180, .beams = 50, .beamStart = -40, .beamStep = 2, .lineStart = 0, .lineStep = 2};
