@@ -66,7 +66,8 @@ int runViewer(QApplication& application, const Wanted& wanted, const Understood&
     window.show();
     if (!understood.pins.empty()) pinWhenShown(window, understood.pins);
     if (!wanted.compare.empty()) compareWhenShown(window, QString::fromStdString(wanted.compare));
-    if (!wanted.screenshot.empty()) screenshotWhenShown(window, wanted.screenshot, wanted.screenshotLines, !wanted.live.empty());
+    if (!wanted.screenshot.empty())
+        screenshotWhenShown(window, {wanted.screenshot, wanted.screenshotLines, !wanted.live.empty(), wanted.compare});
     if (wanted.quitAfter > 0)
         QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
     openWanted(window, memory, wanted, understood);

@@ -36,21 +36,23 @@ void compareWhenShown(ui::MainWindow& window, const QString& before) {
 }
 
 // Or at once when the scan was refused.
-void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines, bool live) {
+void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
     constexpr int kRestMs = 700;
-    const auto write = [&window, path] {
+    const auto write = [&window, wanted] {
         while (!window.comparing().settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const Result<Done> written = window.exports().saveScreenshot(window.screenshot(), QString::fromStdString(path));
+        const Result<Done> written = window.exports().saveScreenshot(window.screenshot(), QString::fromStdString(wanted.path));
         if (!written) cli::complain(written.error());
-        QApplication::exit(written ? 0 : 1);
+        const bool compared = wanted.before.empty() || window.comparing().kept();
+        if (!compared) cli::complain(Error{"the earlier scan could not be opened", wanted.before, "the picture says why"});
+        QApplication::exit(written && compared ? 0 : 1);
     };
-    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, lines, live, path] {
+    QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, wanted] {
         const int shown = window.session().picture()->detection->scan->lines();
-        if (shown >= lines) {
+        if (shown >= wanted.lines) {
             QTimer::singleShot(kRestMs, &window, write);
-        } else if (!live) { // it will have no more
-            cli::complain(
-                Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", path, "give --screenshot-lines fewer"});
+        } else if (!wanted.live) { // it will have no more
+            cli::complain(Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", wanted.path,
+                                "give --screenshot-lines fewer"});
             QApplication::exit(1);
         }
     });

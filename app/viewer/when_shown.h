@@ -20,7 +20,14 @@ void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places
 
 void compareWhenShown(ui::MainWindow& window, const QString& before);
 
-/// Once the first picture of so many lines is shown and the cloud has come to rest; the application ends then, with 1 where there is none.
-void screenshotWhenShown(ui::MainWindow& window, const std::string& path, int lines, bool live);
+struct WantedPicture {
+    std::string path;   ///< of the PNG
+    int lines = 1;      ///< of the scan, at least
+    bool live = false;  ///< more lines may come
+    std::string before; ///< the earlier scan that it is to be compared with; empty: none
+};
+/// Once so many lines are shown and the cloud has come to rest; the application ends then, with 1 where there is no picture or no
+/// comparison.
+void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted);
 
 } // namespace edgescan::viewer
