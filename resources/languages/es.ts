@@ -8,12 +8,16 @@
 <message><source>Open this panel</source><translation>Abrir este panel</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
+<message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que no se cerraron</translation></message>
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
+<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
+<message><source>All views again (double-click on the title)</source><translation>Todas las vistas de nuevo (doble clic en el título)</translation></message>
+<message><source>This view alone (double-click on the title)</source><translation>Solo esta vista (doble clic en el título)</translation></message>
 <message><source>Replace the file?</source><translation>¿Reemplazar el archivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Ya existe un archivo con este nombre:</translation></message>
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
@@ -85,6 +89,7 @@ mantenga \ para verla</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
+<message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
@@ -93,11 +98,12 @@ visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5,
 visible %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
+<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
+<message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
 <message><source>could not be worked out:
 %1</source><translation>no se pudo calcular:
 %1</translation></message>
-<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
-<message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
+<message><source>by confidence</source><translation>por confianza</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
@@ -306,7 +312,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>Float</source><translation>Separar</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
@@ -314,7 +319,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
@@ -529,6 +533,19 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
+<message><source>line %1</source><translation>línea %1</translation></message>
+<message><source>%1 edges</source><translation>%1 bordes</translation></message>
+<message><source>%1 of %2 edges</source><translation>%1 de %2 bordes</translation></message>
+<message><source>by class</source><translation>por clase</translation></message>
+<message><source>%1 points</source><translation>%1 puntos</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
+<message><source>growing</source><translation>creciendo</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
+<message><source>turntable</source><translation>plato giratorio</translation></message>
+<message><source>free rotation</source><translation>rotación libre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
@@ -546,7 +563,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
 <message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
-<message><source>%1 edges</source><translation>%1 bordes</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
@@ -616,7 +632,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
-<message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
 <message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
 <message><source>settings: %1</source><translation>ajustes: %1</translation></message>
@@ -882,10 +897,14 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
+<message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
 <message><source>Measured</source><translation>Mediciones</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>

@@ -8,12 +8,16 @@
 <message><source>Open this panel</source><translation>Ouvrir ce panneau</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
+<message><source>Notes that came before this one and were not closed</source><translation>Notes venues avant celle-ci et qui n'ont pas été fermées</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
+<message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
+<message><source>All views again (double-click on the title)</source><translation>Toutes les vues de nouveau (double-clic sur le titre)</translation></message>
+<message><source>This view alone (double-click on the title)</source><translation>Cette vue seule (double-clic sur le titre)</translation></message>
 <message><source>Replace the file?</source><translation>Remplacer le fichier ?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Il existe déjà un fichier de ce nom :</translation></message>
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
@@ -85,6 +89,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
+<message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
@@ -93,11 +98,12 @@ visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %
 visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus proche</translation></message>
+<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
+<message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
 <message><source>could not be worked out:
 %1</source><translation>n'a pas pu être calculée :
 %1</translation></message>
-<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
-<message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
+<message><source>by confidence</source><translation>par confiance</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
@@ -306,7 +312,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>Float</source><translation>Détacher</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
@@ -314,7 +319,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
@@ -529,6 +533,19 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
+<message><source>line %1</source><translation>ligne %1</translation></message>
+<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
+<message><source>%1 of %2 edges</source><translation>%1 arêtes sur %2</translation></message>
+<message><source>by class</source><translation>par classe</translation></message>
+<message><source>%1 points</source><translation>%1 points</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
+<message><source>growing</source><translation>en cours</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
+<message><source>turntable</source><translation>plateau tournant</translation></message>
+<message><source>free rotation</source><translation>rotation libre</translation></message>
+<message><source>orthographic</source><translation>orthographique</translation></message>
+<message><source>perspective</source><translation>perspective</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
@@ -546,7 +563,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
 <message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
-<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
@@ -616,7 +632,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
-<message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
 <message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
 <message><source>settings: %1</source><translation>réglages : %1</translation></message>
@@ -882,10 +897,14 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
+<message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
 <message><source>Measured</source><translation>Mesures</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>

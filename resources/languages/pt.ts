@@ -8,12 +8,16 @@
 <message><source>Open this panel</source><translation>Abrir este painel</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
+<message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que não foram fechadas</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
+<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
+<message><source>All views again (double-click on the title)</source><translation>Todas as vistas de novo (clique duplo no título)</translation></message>
+<message><source>This view alone (double-click on the title)</source><translation>Só esta vista (clique duplo no título)</translation></message>
 <message><source>Replace the file?</source><translation>Substituir o arquivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Já existe um arquivo com este nome:</translation></message>
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
@@ -85,6 +89,7 @@ segure \ para vê-la</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
+<message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
@@ -93,11 +98,12 @@ visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5,
 visível %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
+<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
+<message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
 <message><source>could not be worked out:
 %1</source><translation>não pôde ser calculada:
 %1</translation></message>
-<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
-<message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
+<message><source>by confidence</source><translation>por confiança</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
@@ -306,7 +312,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>Float</source><translation>Destacar</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
@@ -314,7 +319,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
@@ -529,6 +533,19 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
+<message><source>line %1</source><translation>linha %1</translation></message>
+<message><source>%1 edges</source><translation>%1 bordas</translation></message>
+<message><source>%1 of %2 edges</source><translation>%1 de %2 bordas</translation></message>
+<message><source>by class</source><translation>por classe</translation></message>
+<message><source>%1 points</source><translation>%1 pontos</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
+<message><source>growing</source><translation>a crescer</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
+<message><source>turntable</source><translation>mesa giratória</translation></message>
+<message><source>free rotation</source><translation>rotação livre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
@@ -546,7 +563,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 </translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
 <message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
-<message><source>%1 edges</source><translation>%1 bordas</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
@@ -616,7 +632,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
-<message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
 <message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
 <message><source>settings: %1</source><translation>ajustes: %1</translation></message>
@@ -882,10 +897,14 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
+<message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
 <message><source>Measured</source><translation>Medições</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>

@@ -4,11 +4,16 @@
 #include "ui/change/change_legend.h"
 #include "ui/confidence/confidence_legend.h"
 #include "ui/panel/edge_legend.h"
+#include "ui/targets/target_card.h"
+#include "ui/targets/targets_panel.h"
 
 #include <QAction>
 #include <QSlider>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 
 using namespace edgescan;
@@ -114,6 +119,70 @@ private slots:
         QCOMPARE(on.window.views().edgesInstead()->map, on.window.confidence().made()->images[0]);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
+    }
+
+    void theCardOfAnEdgeTellsItWithoutBeingAsked() {
+        const QString kept = QString::fromStdString((folder_ / "own" / "edgescan.ini").string());
+        std::string text;
+        {
+            WindowFixture on(kept);
+            on.window.resize(1280, 800);
+            QVERIFY(on.showWith(scan_) && on.activate());
+            const Detection first = *on.picture().detection;
+            const auto truth = edgeConfidence(first);
+            // An edge that a lower threshold finds as well, and that not every setting does.
+            const auto doubtful = std::ranges::find_if(*first.edges, [&](std::uint32_t k) { return truth->percent[k] < 90; });
+            QVERIFY(doubtful != first.edges->end());
+            const std::uint32_t cell = *doubtful;
+            const QPoint at = on.window.views().placeOf(cell);
+            ImageView& edges = on.window.views().edges();
+            edges.viewPort()->zoomAt(QPointF(at) + QPointF(0.5, 0.5), 8.0);
+            QTest::mouseClick(&edges, Qt::LeftButton, Qt::NoModifier,
+                              edges.viewPort()->toPixel(QPointF(at) + QPointF(0.5, 0.5), edges.size()).toPoint());
+            QVERIFY(on.window.targets().active() != nullptr);
+            QCOMPARE(on.window.targets().active()->cell, cell);
+            const auto card = [&] { return on.window.targetsPanel().card().text(); };
+            QTRY_VERIFY(card().contains("Edge: "));
+            QVERIFY2(card().contains(QString::fromUtf8("Confidence: …")), qPrintable(card()));
+            const auto figure = [](const EdgeConfidence& of, std::uint32_t k) {
+                return QString("%1 % of %2 settings").arg(of.percent[k]).arg(of.settings);
+            };
+            QTRY_VERIFY2_WITH_TIMEOUT(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()), 60000);
+            // The views show the plain edges: nobody asked for a picture.
+            QVERIFY(!on.window.views().edgesInstead() && !on.window.confidence().made());
+            // Shown by the key it is the same figure, and not worked out again.
+            QVERIFY(showByKey(on));
+            QCOMPARE(int(*on.window.confidence().at(cell)), int(truth->percent[cell]));
+            QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+            // Turned by a key of the slider: what it was stays on the card, first beside the dots, then beside the new figure.
+            QSlider* slider = on.slider("sensitivity");
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Left);
+            QVERIFY(on.settled());
+            const Detection second = *on.picture().detection;
+            QVERIFY(*second.mask != *first.mask && (*second.mask)[cell] != 0);
+            QTRY_VERIFY(card().contains(QString::fromUtf8("Confidence: …\nwas ") + figure(*truth, cell)));
+            const auto then = edgeConfidence(second);
+            const QString now = "Confidence: " + figure(*then, cell);
+            QTRY_VERIFY2_WITH_TIMEOUT(card().contains(now), qPrintable(card()), 60000);
+            QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));
+            // A cell without an edge has no such row.
+            const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
+            on.window.views().pinByClick(static_cast<std::size_t>(plain));
+            QTRY_VERIFY(on.window.targets().active()->cell != cell && card().contains("Edge: none"));
+            QVERIFY2(!card().contains("Confidence"), qPrintable(card()));
+            QTRY_VERIFY(on.window.targets().settled());
+            text = figure(*truth, cell).toStdString();
+        }
+        // The file of the targets keeps what the card said of the picture that the cell was pinned on.
+        const std::filesystem::path targets = folder_ / "own" / "targets";
+        std::string file;
+        for (const auto& entry : std::filesystem::directory_iterator(targets)) {
+            std::ifstream in(entry.path());
+            file.append(std::istreambuf_iterator<char>(in), {});
+        }
+        QVERIFY2(file.find("[\"Confidence\", \"" + text) != std::string::npos || file.find("\"Confidence\",\"" + text) != std::string::npos,
+                 file.c_str());
     }
 
     void theWorkIsGivenUpWhenTheWindowGoes() {

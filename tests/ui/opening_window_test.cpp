@@ -111,6 +111,41 @@ private slots:
         QVERIFY(!on.window.files().options().unitMm);
     }
 
+    // Something else went wrong before the note was read: it is a button away, with what it offers.
+    void aNoteThatWasReplacedIsNotLost() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(metres_) && on.activate());
+        QVERIFY(checked(on));
+        NoticeBar& notice = on.window.notice();
+        auto* offer = notice.findChild<QToolButton*>("notice-action");
+        auto* earlier = notice.findChild<QToolButton*>("notice-earlier");
+        QVERIFY(offer->isVisible() && !earlier->isVisible());
+        const QString first = notice.text();
+        for (const int again : {1, 2}) {
+            Q_UNUSED(again)
+            QTest::keyClick(&on.window, Qt::Key_I);
+            QVERIFY2(notice.text().startsWith("Nothing is selected"), qPrintable(notice.text()));
+            QVERIFY(!offer->isVisible() && earlier->isVisible());
+            QCOMPARE(earlier->text(), QString("1 earlier")); // the same told twice is one
+        }
+        QTest::mouseClick(earlier, Qt::LeftButton);
+        QCOMPARE(notice.text(), first);
+        QVERIFY(offer->isVisible());
+        QTest::mouseClick(earlier, Qt::LeftButton); // round and round
+        QVERIFY(notice.text().startsWith("Nothing is selected"));
+        QTest::mouseClick(earlier, Qt::LeftButton);
+        QTest::mouseClick(offer, Qt::LeftButton);
+        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card()));
+        on.window.opening().card()->reject();
+        // Closed is read.
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(!notice.isVisible());
+        QTest::keyClick(&on.window, Qt::Key_I);
+        QVERIFY(notice.isVisible() && !earlier->isVisible());
+    }
+
     void aFileThatSaysItselfAsksNothing() {
         WindowFixture on;
         const std::string path = (folder_ / "grid.json").string();

@@ -24,6 +24,7 @@ struct Sign {
 
 // Drawn for the project.
 constexpr Sign kSigns[] = {
+    {"alone", "M3.5 9V3.5H9M15 3.5h5.5V9M20.5 15v5.5H15M9 20.5H3.5V15"},
     {"ab", "M2.5 18L6 6l3.5 12M3.7 14h4.6M12 3v18M15.5 12V6h2.5a3 3 0 0 1 0 6h-2.5M15.5 12v6h3a3 3 0 0 0 0-6"},
     {"cab-mode", "M3 12a9 9 0 1 0 18 0a9 9 0 1 0 -18 0zM9.5 12a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0zM3.2 10.5h6.6M14.2 10.5h6.6"
                  "M12 14.5V21"},

@@ -9,13 +9,23 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QToolButton>
 #include <QUrl>
 
-namespace edgescan::ui {
+#include <algorithm>
+#include <utility>
 
-NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_(new QLabel), action_(new QToolButton) {
+namespace edgescan::ui {
+namespace {
+
+constexpr std::size_t kMostEarlier = 9;
+
+} // namespace
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QFrame(parent), sign_(new QLabel), text_(new QLabel), action_(new QToolButton), more_(new QToolButton) {
     setObjectName("notice-bar");
     action_->setObjectName("notice-action");
     auto* line = new QHBoxLayout(this);
@@ -37,6 +47,11 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), sign_(new QLabel), text_
     });
     line->addWidget(sign_, 0, Qt::AlignTop);
     line->addWidget(text_, 1);
+    more_->setObjectName("notice-earlier");
+    more_->setToolTip(tr("Notes that came before this one and were not closed"));
+    more_->hide();
+    connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
+    line->addWidget(more_, 0, Qt::AlignTop);
     line->addWidget(action_, 0, Qt::AlignTop);
     line->addWidget(copy, 0, Qt::AlignTop);
     line->addWidget(close, 0, Qt::AlignTop);
@@ -56,13 +71,50 @@ void NoticeBar::paintKind() {
 }
 
 void NoticeBar::showNotice(Kind kind, const QString& text) {
-    kind_ = kind;
-    sign_->setText(kind == Kind::Error ? "✕ " + tr("Error") : kind == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
-    paintKind();
-    text_->setText(shownText(text));
-    action_->hide();
-    onAction_ = {};
+    const Note note{kind, shownText(text), {}, {}};
+    keepShown();
+    std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
+    put(note);
     show();
+}
+
+/// What is only done needs not be read again, nor what the next notice says as well.
+void NoticeBar::keepShown() {
+    if (isHidden() || kind_ == Kind::Done || text_->text().isEmpty()) return;
+    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
+    if (earlier_.size() > kMostEarlier) earlier_.pop_front();
+}
+
+void NoticeBar::put(const Note& note) {
+    kind_ = note.kind;
+    sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
+    paintKind();
+    text_->setText(note.text);
+    action_->setText(note.label);
+    action_->setHidden(note.label.isEmpty());
+    onAction_ = note.action;
+    more_->setText(tr("%1 earlier").arg(earlier_.size()));
+    more_->setHidden(earlier_.empty());
+}
+
+/// The one before; what is shown becomes the first of those that are left, so that the button goes round.
+void NoticeBar::showEarlier() {
+    if (earlier_.empty()) return;
+    const Note before = earlier_.back();
+    earlier_.pop_back();
+    const std::size_t kept = earlier_.size();
+    keepShown();
+    if (earlier_.size() > kept) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
+    put(before);
+}
+
+/// Closed is read. A window that is minimised closes nothing.
+void NoticeBar::hideEvent(QHideEvent* event) {
+    if (!event->spontaneous() && isHidden()) {
+        earlier_.clear();
+        more_->hide();
+    }
+    QFrame::hideEvent(event);
 }
 
 void NoticeBar::tellSaved(const QString& path, const QString& content) {

@@ -1,4 +1,5 @@
-// The bar above the views: what went wrong or was assumed, where, what to do. Stays until it is closed or replaced.
+// The bar above the views: what went wrong or was assumed, where, what to do. Stays until it is closed; what another notice replaced is a
+// button away.
 #pragma once
 
 #include "core/base/result.h"
@@ -6,6 +7,7 @@
 
 #include <QFrame>
 
+#include <deque>
 #include <functional>
 
 class QLabel;
@@ -30,14 +32,29 @@ public:
     /// Without Copy, where every button is large.
     void setBrief(bool on);
     [[nodiscard]] Kind kind() const { return kind_; }
+    /// Notes and errors that others replaced before the bar was closed.
+    [[nodiscard]] std::size_t earlier() const { return earlier_.size(); }
+
+protected:
+    void hideEvent(QHideEvent* event) override;
 
 private:
+    struct Note {
+        Kind kind = Kind::Done;
+        QString text, label; // of the button; empty: none
+        std::function<void()> action;
+    };
     void paintKind();
+    void put(const Note& note);
+    void keepShown();
+    void showEarlier();
 
     Kind kind_ = Kind::Done;
+    std::deque<Note> earlier_; // the last one at the end
     QLabel* sign_;
     QLabel* text_;
     QToolButton* action_;
+    QToolButton* more_;
     QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
 };

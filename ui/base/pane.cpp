@@ -1,36 +1,114 @@
 // A view with its title.
 #include "ui/base/pane.h"
 
+#include "ui/base/icons.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr int kAloneIcon = 14; // px
+
+} // namespace
+
+/// Takes the room there is; what has none ends in "…".
+class PaneNote : public QWidget {
+public:
+    PaneNote() {
+        setForegroundRole(QPalette::PlaceholderText);
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
+    void setText(const QString& text) {
+        if (text == text_) return;
+        text_ = text;
+        setToolTip(text);
+        update();
+    }
+    [[nodiscard]] const QString& text() const { return text_; }
+    [[nodiscard]] QSize sizeHint() const override { return {fontMetrics().horizontalAdvance(text_), fontMetrics().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, fontMetrics().elidedText(text_, Qt::ElideRight, width()));
+    }
+
+private:
+    QString text_;
+};
 
 Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
-    : QFrame(parent), title_(new QLabel(title)), remark_(new QLabel), content_(content) {
-    auto* bar = new QWidget;
-    bar->installEventFilter(this);
-    bar->setToolTip(tr("Double-click: this view alone, and back"));
-    auto* line = new QHBoxLayout(bar);
-    line->setContentsMargins(6, 2, 6, 2);
+    : QFrame(parent), bar_(new QWidget), title_(new QLabel(title)), note_(new PaneNote), remark_(new QLabel), alone_(new QToolButton),
+      content_(content) {
+    bar_->installEventFilter(this);
+    bar_->setToolTip(tr("Double-click: this view alone, and back"));
+    alone_->setObjectName("pane-alone");
+    alone_->setAutoRaise(true);
+    alone_->setIcon(toolIcon("alone"));
+    alone_->setIconSize(QSize(kAloneIcon, kAloneIcon));
+    alone_->setCheckable(true);
+    alone_->setFocusPolicy(Qt::NoFocus);
+    showAlone(false);
+    connect(alone_, &QToolButton::clicked, this, &Pane::maximiseWanted);
+    auto* line = new QHBoxLayout(bar_);
+    line->setContentsMargins(6, 1, 4, 1);
+    line->setSpacing(8);
     line->addWidget(title_);
-    line->addStretch(1);
+    line->addWidget(note_, 1);
     line->addWidget(remark_);
+    line->addWidget(alone_);
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(bar);
+    column->addWidget(bar_);
     column->addWidget(content, 1);
 }
 
-void Pane::setRemark(const QString& text) { remark_->setText(text); }
+void Pane::setNote(const QString& text) {
+    note_->setText(text);
+    fit();
+}
+
+void Pane::setRemark(const QString& text) {
+    remark_->setText(text);
+    fit();
+}
+
+void Pane::showAlone(bool on) {
+    alone_->setChecked(on);
+    alone_->setToolTip(on ? tr("All views again (double-click on the title)") : tr("This view alone (double-click on the title)"));
+}
+
+void Pane::setTitled(bool on) { bar_->setVisible(on); }
 
 QString Pane::title() const { return title_->text(); }
+
+QString Pane::note() const { return note_->text(); }
+
+QString Pane::remark() const { return remark_->text(); }
+
+/// The note has precedence.
+void Pane::fit() {
+    const QLayout& line = *bar_->layout();
+    const int others = title_->sizeHint().width() + note_->sizeHint().width() + alone_->sizeHint().width() + 3 * line.spacing() +
+                       line.contentsMargins().left() + line.contentsMargins().right();
+    remark_->setVisible(!remark_->text().isEmpty() && others + remark_->sizeHint().width() <= width());
+}
+
+void Pane::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fit();
+}
 
 bool Pane::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonDblClick) {

@@ -1,6 +1,8 @@
 // The VTK side of the cloud view.
 #include "ui/cloud/cloud_scene.h"
 
+#include "ui/base/selected_colour.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -41,7 +43,7 @@ constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
 const QColor kGround(0x85, 0x8b, 0x92);
-const QColor kSelected(70, 124, 196); // the blue of rock faces: edges are told from it; its points are larger as well
+const QColor kSelected(kSelectedColour); // its points are larger as well
 
 // A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
 class HaloMapper : public vtkOpenGLPolyDataMapper {

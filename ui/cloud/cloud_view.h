@@ -184,6 +184,9 @@ signals:
     void frameDrawn(double ms);
     void pointSizeChanged(double pixels);
     void parallelChanged(bool on);
+    void turntableChanged(bool on);
+    /// Another cloud is drawn, or other points of it.
+    void pointsChanged();
     /// Edges that are on are not drawn, because faces cover them; or they are drawn again.
     void edgesCovered(bool on);
 

@@ -97,6 +97,9 @@ void CloudView::setParallel(bool on) {
     emit parallelChanged(on);
 }
 
-void CloudView::setTurntable(bool on) { turntable_ = on; }
+void CloudView::setTurntable(bool on) {
+    turntable_ = on;
+    emit turntableChanged(on);
+}
 
 } // namespace edgescan::ui

@@ -23,6 +23,7 @@ void CloudView::setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidde
     restTimer_.start(kRestMs);
     updateOverlay();
     requestFrame();
+    emit pointsChanged();
 }
 
 /// All that belongs to the cells of the cloud anew, as it was.

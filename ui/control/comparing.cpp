@@ -263,8 +263,13 @@ void Comparing::show() {
     std::shared_ptr<EdgesInstead> instead;
     if (comparison_ && shown_) {
         instead = std::make_shared<EdgesInstead>();
-        *instead = {comparison_->edges, changeColours(), comparison_->map, comparison_->overlay,
-                    rocks_.shown() ? nullptr : comparison_->points};
+        *instead = {comparison_->edges,
+                    changeColours(),
+                    comparison_->map,
+                    comparison_->overlay,
+                    rocks_.shown() ? nullptr : comparison_->points,
+                    false,
+                    tr("gained, lost and kept")};
     }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
     const bool on = instead != nullptr;

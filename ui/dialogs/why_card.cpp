@@ -16,7 +16,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
-constexpr double kRim = 12.0;                 // px
+constexpr int kRim = 12;                      // px
 constexpr double kMostStretched = 20.0;       // times that depth may be drawn larger than width
 
 QLabel* words() {
@@ -45,7 +45,11 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const auto [left, right] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::acrossM);
     const auto [near, far] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::awayM);
     const double wide = std::max(1e-3, right.acrossM - left.acrossM), deep = std::max(1e-3, far.awayM - near.awayM);
-    const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - 16);
+    const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
+    const QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
+    const QRect wrapped =
+        fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // in some languages two lines
+    const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
     const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
     // Near is below, as where the scanner stands.
     const double top = room.center().y() - perAway * deep / 2;
@@ -64,9 +68,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(at(point.acrossM, point.awayM), radius, radius);
     }
     painter.setPen(theme.quietText);
-    const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
-    painter.drawText(QRectF(kRim, height() - 18, width() - 2 * kRim, 16), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep)));
+    painter.drawText(QRect(kRim, height() - 2 - wrapped.height(), width() - 2 * kRim, wrapped.height()), Qt::TextWordWrap, below);
 }
 
 WhyCard::WhyCard(QWidget* parent)

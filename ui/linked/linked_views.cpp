@@ -50,9 +50,6 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
         showCellMenu(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
-    connect(&cloud_, &CloudView::drawnFractionChanged, this, [this](double fraction) {
-        emit cloudRemark(fraction >= 1.0 ? QString() : tr("%1 % of the points drawn").arg(std::lround(fraction * 100)));
-    });
 }
 
 // The same in every view: what can be done with a cell does not depend on where it is seen.
@@ -187,9 +184,12 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
 
 void LinkedViews::showEdgeMap() {
     if (!shown_) return;
-    if (insteadNow() != nullptr) return edges().setImage(instead_->map, Shrink::KeepBrightest);
     const bool coloured = byClass_ && shown_->detection->classes;
-    edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, colours_)) : shown_->edges, Shrink::KeepBrightest);
+    if (insteadNow() != nullptr)
+        edges().setImage(instead_->map, Shrink::KeepBrightest);
+    else
+        edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, colours_)) : shown_->edges, Shrink::KeepBrightest);
+    emit picturesChanged();
 }
 
 void LinkedViews::showNewScan() {
@@ -348,7 +348,6 @@ void LinkedViews::setRangeWindow(const std::optional<RangeSpan>& window) {
     if (window_ == window) return;
     window_ = window;
     showRanges();
-    emit grayRemark(window_ ? tr("%1 to %2 m").arg(window_->nearM, 0, 'f', 2).arg(window_->farM, 0, 'f', 2) : QString());
     emit rangeWindowChanged();
 }
 
@@ -362,6 +361,7 @@ void LinkedViews::showRanges() {
     if (!shown_) return;
     gray().setImage(window_ ? std::make_shared<const QImage>(grayPicture(*shown_->detection, window_, shown_->gray->height()))
                             : shown_->gray);
+    emit picturesChanged();
 }
 
 void LinkedViews::applyAspect() {

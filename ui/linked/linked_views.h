@@ -31,6 +31,7 @@ struct EdgesInstead {
     std::shared_ptr<const QImage> map, overlay;               ///< of the edge map; over the range image
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: as they are
     bool overlayAsAsked = false;                              ///< over the range image only where edges are shown there
+    QString words{};                                          ///< what their colours tell, beside the title of the edge map
 };
 
 /// GUI thread only. Session and views must outlive it.
@@ -69,6 +70,7 @@ public:
     void setStale(const QString& why);
     void setOverlay(bool on);
     void setEdgesByClass(bool on);
+    [[nodiscard]] bool edgesByClass() const { return byClass_; }
     /// Until null is set, or the picture has another size.
     void setEdgesInstead(std::shared_ptr<const EdgesInstead> instead);
     [[nodiscard]] const std::shared_ptr<const EdgesInstead>& edgesInstead() const { return instead_; }
@@ -108,9 +110,8 @@ signals:
     /// Another file, scanner or recording is shown: no cell of before means anything.
     void newScanShown();
     void rangeWindowChanged();
-    /// Small text beside a view's title.
-    void grayRemark(const QString& text);
-    void cloudRemark(const QString& text);
+    /// An image shows something else: other ranges or edges, or these in other colours.
+    void picturesChanged();
     /// The menu of a cell is about to be shown, in whichever view: room for what belongs to others.
     void cellMenuOpens(QMenu& menu, std::size_t cell);
     /// What lies inside the box that was dragged over an image, in words.

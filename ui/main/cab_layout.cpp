@@ -16,6 +16,7 @@ namespace edgescan::ui {
 void MainWindow::useCab(bool on) {
     tools_->setVisible(!on);
     showAlone(on ? cloud_ : nullptr);
+    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own words
 }
 
 /// None is there while it is locked: its switches rest, and nothing else opens one.

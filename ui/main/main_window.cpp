@@ -22,6 +22,7 @@
 #include "ui/main/compare_menu.h"
 #include "ui/main/legend_place.h"
 #include "ui/main/menus.h"
+#include "ui/main/pane_notes.h"
 #include "ui/main/rock_docks.h"
 #include "ui/main/sitting_menu.h"
 #include "ui/main/target_dock.h"
@@ -76,7 +77,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
       selection_(session_, views_, rocks_, *notice_, undo_),
       comparing_(session_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
-      confidence_(session_, views_, *confidenceLegend_, memory), markedEdges_(session_, views_, targets_, undo_, *notice_),
+      confidence_(session_, views_, targets_, *confidenceLegend_, memory), markedEdges_(session_, views_, targets_, undo_, *notice_),
       report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), session_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
@@ -133,12 +134,11 @@ void MainWindow::layOutViews() {
     auto* edgePane = new Pane(tr("Edge map"), edges_);
     auto* cloudPane = new Pane(tr("Cloud"), cloud_);
     panes_ = {grayPane, edgePane, cloudPane};
+    keepPaneNotes(*this, *grayPane, *edgePane, *cloudPane);
     for (Pane* pane : panes_)
         connect(pane, &Pane::maximiseWanted, this, [this, pane] {
             if (!cab_->on()) maximise(pane);
         });
-    connect(&views_, &LinkedViews::grayRemark, grayPane, &Pane::setRemark);
-    connect(&views_, &LinkedViews::cloudRemark, cloudPane, &Pane::setRemark);
 
     images_ = new QSplitter(Qt::Vertical);
     images_->addWidget(grayPane);
@@ -262,7 +262,7 @@ void MainWindow::showWarnings() {
 /// Panels and images as wide as suits the window, the rest for the cloud. What the operator folded, opened or dragged stays.
 QImage MainWindow::screenshot() {
     const QImage cloud = cloud_->grabFrame(CloudView::Points::All);
-    panes_.back()->setRemark(QString()); // true of this picture; the next frame says again what it draws
+    panes_.back()->setRemark(QString()); // what it says of the frame is not true of this picture
     QImage image = grab().toImage();
     // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
     QPainter painter(&image);

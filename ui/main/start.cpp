@@ -52,6 +52,7 @@ private:
         const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.statusLine().mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
+        page_.update(); // what lay there while the docks moved under it would stay
     }
 
     MainWindow& window_;

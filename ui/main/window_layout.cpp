@@ -75,7 +75,10 @@ void MainWindow::setImagesWidth(int width) {
 
 void MainWindow::maximise(Pane* pane) {
     maximised_ = maximised_ == pane ? nullptr : pane;
-    for (Pane* each : panes_) each->setVisible(maximised_ == nullptr || maximised_ == each);
+    for (Pane* each : panes_) {
+        each->setVisible(maximised_ == nullptr || maximised_ == each);
+        each->showAlone(maximised_ == each);
+    }
     pictures_->setVisible(maximised_ == nullptr || maximised_->content() != cloud_);
     showRangeWindow();
 }

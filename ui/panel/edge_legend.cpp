@@ -45,7 +45,9 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::tellClasses);
     }
-    byClass_ = addRow(*grid, tr("Colours by class"), "legend-by-class").box;
+    const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
+    byClass.count->hide(); // takes no row where the switch is not shown
+    byClass_ = byClass.box;
     byClass_->setToolTip(tr("Each class in its own colour, or all edges in one: C"));
     connect(byClass_, &QCheckBox::toggled, this, [this](bool on) {
         paintSwatches();

@@ -51,6 +51,7 @@ RockTable::RockTable(QWidget* parent)
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 2, 8, 2);
+    bar->setSpacing(8);
     bar->addWidget(count_, 1);
     bar->addWidget(new QLabel(tr("b at least")));
     bar->addWidget(smallest_);

@@ -24,7 +24,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMostThumbnails = 100;
-constexpr int kButtonHigh = 66;          // px; a row of the same height each
+constexpr int kButtonHigh = 56;          // px; a row of the same height each
 constexpr int kSign = 28, kAppSign = 72; // px
 constexpr int kThere = Qt::UserRole + 1;
 
@@ -97,7 +97,7 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     all->addWidget(makeFoot());
     setFocusProxy(open_);
     followColours(*this, [this](const Theme& theme) {
-        setStyleSheet(QString("QCommandLinkButton { background: %1; color: %2; border: 1px solid %3; border-radius: 4px; padding: 6px; }"
+        setStyleSheet(QString("QCommandLinkButton { background: %1; color: %2; border: 1px solid %3; border-radius: 4px; padding: 0px; }"
                               "QCommandLinkButton:hover { background: %4; }"
                               "QCommandLinkButton:disabled { background: %5; color: %6; }")
                           .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.panel.name(), theme.window.name(),

@@ -1,7 +1,9 @@
 // Selecting, hiding, isolating.
 #include "ui/target_control/selection.h"
 
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/selected_colour.h"
 #include "ui/base/step_name.h"
 #include "ui/cloud/cloud_view.h"
 #include "ui/image/image_view.h"
@@ -10,7 +12,6 @@
 #include "ui/rock_control/rocks.h"
 #include "ui/session/session.h"
 
-#include <QLocale>
 #include <QMenu>
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -20,8 +21,6 @@
 
 namespace edgescan::ui {
 namespace {
-
-QString counted(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 // Over the images: the selection hatched in the colour that it has in the cloud, what is hidden under a dark veil.
 std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const CellSet& hidden, int beams, int rows) {
@@ -37,7 +36,7 @@ std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const Ce
         if (k < cells) pixel(k) = qPremultiply(qRgba(30, 30, 30, 225));
     }
     for (const std::uint32_t k : selected) {
-        if (k < cells) pixel(k) = qPremultiply(qRgba(70, 124, 196, (k / width + k % width) % 4 == 0 ? 230 : 130));
+        if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | ((k / width + k % width) % 4 == 0 ? 230U : 130U) << 24U);
     }
     return image;
 }
@@ -215,9 +214,9 @@ QString Selection::words() const {
             points += detection.scan->state[k] == CellState::Valid ? 1 : 0;
             edges += (*detection.mask)[k] != 0 ? 1 : 0;
         }
-        words = tr("%1 cells selected, %2 points, %3 edges").arg(counted(state_.selected.size()), counted(points), counted(edges));
+        words = tr("%1 cells selected, %2 points, %3 edges").arg(countText(state_.selected.size()), countText(points), countText(edges));
     }
-    if (!state_.hidden.empty()) words += (words.isEmpty() ? "" : " · ") + tr("▲ %1 cells hidden").arg(counted(state_.hidden.size()));
+    if (!state_.hidden.empty()) words += (words.isEmpty() ? "" : " · ") + tr("▲ %1 cells hidden").arg(countText(state_.hidden.size()));
     return words;
 }
 

@@ -279,10 +279,36 @@ void Targets::take(KnownTargets known) {
         const CellTarget* now = knownOf(target.cell);
         if (!target.asPinned.empty() || now == nullptr || known_.picture != session_.picture()) continue;
         target.asPinned = rowsToKeep(*now, around(target.cell));
+        pinnedOn_[{target.number, target.cell}] = known_.picture;
         more = true;
     }
     if (more) keep();
     show();
+}
+
+void Targets::setConfidence(const KnownConfidence& confidence) {
+    if (confidence_ == confidence) return;
+    confidence_ = confidence;
+    keepConfidence();
+    showCard();
+}
+
+/// It comes later than the rest of a card: what was kept of the card gets it, if it is of the same picture.
+void Targets::keepConfidence() {
+    bool more = false;
+    for (PinnedTarget& target : notebook_.targets) {
+        const auto on = pinnedOn_.find({target.number, target.cell});
+        const CellTarget* now = knownOf(target.cell);
+        if (!confidence_.made || on == pinnedOn_.end() || on->second.lock() != confidence_.of || now == nullptr) continue;
+        if (known_.picture != confidence_.of) continue;
+        const auto isIt = [](const auto& row) { return row.first == kConfidenceRow; };
+        const auto rows = rowsToKeep(*now, around(target.cell));
+        const auto row = std::ranges::find_if(rows, isIt);
+        if (row == rows.end() || std::ranges::any_of(target.asPinned, isIt)) continue;
+        target.asPinned.push_back(*row);
+        more = true;
+    }
+    if (more) keep();
 }
 
 } // namespace edgescan::ui

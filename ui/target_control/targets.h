@@ -1,6 +1,7 @@
 // Cells that are pinned on a scan and what is measured between them: the card, the marks in all views, the file that keeps them.
 #pragma once
 
+#include "core/advice/edge_confidence.h"
 #include "core/measure/notebook.h"
 #include "ui/base/cell_marks.h"
 #include "ui/session/newest.h"
@@ -31,6 +32,15 @@ struct KnownTargets {
     std::shared_ptr<const Picture> picture;
     std::map<std::uint32_t, CellTarget> targets; ///< by cell
     std::vector<std::pair<KeptMeasure, std::optional<MeasuredCells>>> measures;
+};
+
+/// How sure the edges of a picture are.
+struct KnownConfidence {
+    std::shared_ptr<const Picture> of;
+    std::shared_ptr<const EdgeConfidence> made; ///< null: not known
+    ToldConfidence::State otherwise = ToldConfidence::State::NotAsked;
+
+    bool operator==(const KnownConfidence&) const = default;
 };
 
 /// GUI thread only. What it is given must outlive it.
@@ -67,6 +77,8 @@ public:
     void showDraft(const MeasureMark& draft);
     /// Where the picture comes from, in words, for the cards.
     void setSource(const QString& source);
+    /// For the cards, and as it first is for what is kept of them.
+    void setConfidence(const KnownConfidence& confidence);
     /// The card as text, to the clipboard.
     void copyCard();
 
@@ -100,6 +112,7 @@ private:
     void take(KnownTargets known);
     void show();
     void showCard();
+    void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] bool moveRockPin(std::size_t cell);
     [[nodiscard]] PinnedTarget* numbered(Notebook& notebook, int number) const;
@@ -123,6 +136,8 @@ private:
     MeasureMark draft_;
     QString source_;
     KnownTargets known_;
+    KnownConfidence confidence_;
+    std::map<std::pair<int, std::uint32_t>, std::weak_ptr<const Picture>> pinnedOn_; // number and cell: what is kept of its card is of it
     bool using_ = false; // a step is being taken: what the views tell of it is known
 
     // Worker's thread only.

@@ -29,6 +29,9 @@ TargetSurroundings Targets::around(std::size_t cell) const {
     around.rocksShown = rocks_.shown();
     around.rock = rocks_.picture() ? rocks_.picture()->rockAt(cell) : nullptr;
     around.source = source_;
+    around.confidence.state = confidence_.otherwise;
+    if (confidence_.made && cell < confidence_.made->percent.size() && confidence_.made->percent[cell] > 0)
+        around.confidence = {ToldConfidence::State::Known, confidence_.made->percent[cell], confidence_.made->settings};
     return around;
 }
 

@@ -30,6 +30,16 @@ QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::stri
     return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
 }
 
+/// What a slider may change, as it is kept; `all`: also what is still to come.
+std::vector<std::pair<std::string, std::string>> measuredRows(const CellTarget& target, const TargetSurroundings& around, bool all) {
+    const SourceTexts words; // a file is read by people of other languages
+    std::vector<std::pair<std::string, std::string>> rows{{kDistanceRow, distanceWords(target).toStdString()}};
+    for (const TargetRow& row : targetRows(target, around)) {
+        if (row.measured && (all || row.known)) rows.emplace_back(row.name.toStdString(), row.value.toStdString());
+    }
+    return rows;
+}
+
 } // namespace
 
 TargetCard::TargetCard(QWidget* parent)
@@ -103,14 +113,14 @@ void TargetCard::show(const PinnedTarget& target, const CellTarget* known, const
     lock_->setText(target.locked ? tr("Locked") : tr("Lock"));
     close_->setEnabled(!target.locked);
     if (known == nullptr) return;
-    const auto kept = rowsToKeep(*known, around);
-    auto keptRow = kept.begin();
-    const QString was = wasOf(target, *keptRow++);
+    const auto compared = measuredRows(*known, around, true);
+    auto row = compared.begin();
+    const QString was = wasOf(target, *row++);
     distance_->setText(distanceText(*known));
     tolerance_->setText(toleranceText(*known) + (was.isEmpty() ? QString() : "\n" + was));
     const std::vector<TargetRow> rows = targetRows(*known, around);
     for (std::size_t n = 0; n < std::max(rows.size(), rows_.size()); ++n) {
-        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, *keptRow++) : QString());
+        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, *row++) : QString());
         if (n >= rows.size()) {
             rows_[n].first->hide();
             rows_[n].second->hide();
@@ -150,12 +160,7 @@ QString TargetCard::text() const {
 }
 
 std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around) {
-    const SourceTexts words; // a file is read by people of other languages
-    std::vector<std::pair<std::string, std::string>> kept{{kDistanceRow, distanceWords(target).toStdString()}};
-    for (const TargetRow& row : targetRows(target, around)) {
-        if (row.measured) kept.emplace_back(row.name.toStdString(), row.value.toStdString());
-    }
-    return kept;
+    return measuredRows(target, around, false);
 }
 
 } // namespace edgescan::ui

@@ -88,6 +88,20 @@ TargetRow edgeRow(const CellTarget& target) {
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
 
+/// Of an edge alone: the figure of the confidence picture.
+TargetRow confidenceRow(const ToldConfidence& told) {
+    using State = ToldConfidence::State;
+    TargetRow row{
+        QObject::tr(kConfidenceRow), QStringLiteral("…"),
+        QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
+                    "It tells how much the edge depends on the settings, not whether a rock is there")};
+    row.known = told.state == State::Known;
+    if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(told.percent).arg(told.settings);
+    if (told.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
+    if (told.state == State::Large) row.value = QObject::tr("large scan: show Edge Confidence");
+    return row;
+}
+
 } // namespace
 
 QString distanceText(const CellTarget& target) {
@@ -114,6 +128,7 @@ std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurround
     }
     rows.push_back(cellRow(target));
     rows.push_back(edgeRow(target));
+    if (target.probe.edge && around.confidence.state != ToldConfidence::State::NotAsked) rows.push_back(confidenceRow(around.confidence));
     rows.push_back({QObject::tr("Picture"), around.source, QString(), false});
     return rows;
 }

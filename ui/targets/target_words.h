@@ -10,17 +10,29 @@
 
 namespace edgescan::ui {
 
+/// How sure an edge is, as far as that is known.
+struct ToldConfidence {
+    enum class State { NotAsked, Coming, Growing, Large, Known };
+    State state = State::NotAsked;
+    int percent = 0;  ///< of the settings, those that find this edge too
+    int settings = 0; ///< how many were tried
+};
+
 /// What a card says besides what was measured at the cell.
 struct TargetSurroundings {
     bool rocksShown = false;
     const Rock* rock = nullptr; ///< that the cell lies on; null: none, or rocks are not shown
     QString source;             ///< of the picture, with its time
+    ToldConfidence confidence{};
 };
+
+inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row, where it is kept
 
 struct TargetRow {
     QString name, value;
     QString tip{};
     bool measured = true; ///< it can be otherwise after a slider moved: then the card says what it was
+    bool known = true;    ///< false: it is still to come, and nothing to keep
 };
 
 /// "4.911 m", "no return".

@@ -1,0 +1,173 @@
+// What must be read is read whole, at every width and in every language: status line, tools, cards.
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/language/languages.h"
+#include "ui/main/theme.h"
+#include "ui/main/tool_bar.h"
+#include "ui/panel/status_line.h"
+#include "ui/rocks/rocks_panel.h"
+#include "ui/targets/targets_panel.h"
+
+#include <QLabel>
+#include <QRegularExpression>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class LegibleTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bare_, placed_;
+
+    static void resizeTo(MainWindow& window, QSize size) {
+        window.resize(size);
+        QTRY_COMPARE(window.size(), size);
+        QApplication::processEvents();
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        Scan scan = test::boxesScan(300, 340, 3, 0.05);
+        bare_ = (folder_ / "bare.json").string();
+        QVERIFY(bool(saveScan(scan, bare_)));
+        Placement placement = *test::randomPlacement(3, 1, true);
+        placement.outOfSpec = true;
+        scan.placement = std::make_shared<const Placement>(placement);
+        placed_ = (folder_ / "placed.json").string();
+        QVERIFY(bool(saveScan(scan, placed_)));
+    }
+
+    void theStatusLineCoversNothingThatMustBeRead() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        auto* probe = on.window.findChild<QLabel*>("probe");
+        const Scan& scan = *on.picture().detection->scan;
+        const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
+        const QPoint cell = on.window.views().placeOf(static_cast<std::size_t>(valid));
+        for (const int width : {853, 1280, 1366, 1600, 1920}) {
+            resizeTo(on.window, {width, 800});
+            on.window.views().letGo();
+            emit on.window.views().gray().clicked(cell.y(), cell.x());
+            QApplication::processEvents();
+            const QString text = probe->text();
+            QVERIFY2(
+                QRegularExpression("N [0-9.]+  E [0-9.]+  El -?[0-9.]+  x -?[0-9.]+  y -?[0-9.]+  z -?[0-9.]+ m").match(text).hasMatch(),
+                qPrintable(QString::number(width) + ": " + text));
+            QVERIFY2(text.contains("EDGE") || text.contains("not an edge"), qPrintable(text));
+            QVERIFY2(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(text), qPrintable(text));
+            // Whole, and beside it: nothing lies over anything else.
+            QList<QRect> places{QRect(probe->mapTo(&on.window, QPoint()), probe->size())};
+            bool spec = false;
+            for (const QLabel* label : on.window.statusLine().findChildren<QLabel*>()) {
+                if (label == probe || !label->isVisible()) continue;
+                spec = spec || label->text().contains("OUT OF SPEC");
+                const QRect place(label->mapTo(&on.window, QPoint()), label->size());
+                QVERIFY2(on.window.rect().contains(place), qPrintable(label->text()));
+                QVERIFY2(label->width() >= QFontMetrics(label->font()).horizontalAdvance(label->text()), qPrintable(label->text()));
+                for (const QRect& before : places) QVERIFY2(!place.intersects(before), qPrintable(label->text()));
+                places << place;
+            }
+            QVERIFY2(spec, "OUT OF SPEC never goes");
+        }
+        resizeTo(on.window, {1900, 800});
+        QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
+    }
+
+    // Without a pose the cell, its line and beam too, is told whole at 1280, in every language: what tells least gives way.
+    void theCellIsToldWholeOnASmallScreenInEveryLanguage() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            const Scan& scan = *on.picture().detection->scan;
+            const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
+            const QPoint cell = on.window.views().placeOf(static_cast<std::size_t>(valid));
+            auto* probe = on.window.findChild<QLabel*>("probe");
+            for (const int width : {1280, 1366, 1920}) {
+                resizeTo(on.window, {width, 800});
+                on.window.views().letGo();
+                emit on.window.views().gray().clicked(cell.y(), cell.x());
+                QApplication::processEvents();
+                QVERIFY2(!probe->text().contains("…"), qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(probe->text())));
+                QCOMPARE(probe->toolTip(), on.window.statusLine().probeShown());
+                QVERIFY(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(probe->text()));
+                QVERIFY2(on.window.findChild<QLabel*>("counts")->isVisible(), code);
+            }
+        }
+        useLanguage("en");
+    }
+
+    void everyToolHasItsButtonInEveryLanguage() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            int withWords = 0;
+            for (const int width : {853, 1280, 1920, 2560}) {
+                resizeTo(on.window, {width, 800});
+                withWords = 0;
+                for (const auto* button : on.window.tools().findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+                    if (button->objectName() == "qt_toolbar_ext_button") {
+                        QVERIFY2(!button->isVisible(), qPrintable(QString("%1: there is no room at %2").arg(code).arg(width)));
+                        continue;
+                    }
+                    QVERIFY2(button->isVisible() && button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+                    QVERIFY2(!button->icon().isNull() && !button->toolTip().isEmpty(), qPrintable(button->text()));
+                    withWords += button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon ? 1 : 0;
+                }
+                QVERIFY2(withWords >= 2, "Open and Connect are read at every width");
+            }
+            QVERIFY2(withWords > 10, "where there is room all are read");
+        }
+        useLanguage("en");
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        const auto pressed = [&](const char* text) {
+            for (auto* button : on.window.tools().findChildren<QToolButton*>()) {
+                if (button->text() == text) QTest::mouseClick(button, Qt::LeftButton);
+            }
+        };
+        pressed("Rocks");
+        QVERIFY(on.window.rocks().shown());
+        auto* measure = on.window.findChild<QToolButton*>("tool-measure");
+        QVERIFY(!measure->isChecked());
+        on.window.measures().start(MeasureKind::Distance);
+        QVERIFY(measure->isChecked());
+        pressed("Pin");
+        QVERIFY(!measure->isChecked() && on.window.views().tool() == Tool::Pin);
+    }
+
+    // Three panels above each other, a rock and a target with their cards: what does not fit scrolls, nothing is squeezed or cut off.
+    void cardsAreWholeWhateverRoomTheyHave() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        on.window.views().pin(on.window.views().cellAt(60, 80));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) {
+            resizeTo(on.window, size);
+            for (const QWidget* panel :
+                 {static_cast<QWidget*>(&on.window.rocksPanel()), static_cast<QWidget*>(&on.window.targetsPanel())}) {
+                if (!panel->isVisible()) continue;
+                int labels = 0;
+                for (const QLabel* label : panel->findChildren<QLabel*>()) {
+                    if (!label->isVisible() || label->text().isEmpty() || !label->pixmap(Qt::ReturnByValue).isNull()) continue;
+                    ++labels;
+                    QVERIFY2(label->height() >= label->fontMetrics().height(), qPrintable(label->text()));
+                }
+                QVERIFY(labels > 2);
+                QVERIFY2(panel->width() <= panel->parentWidget()->width(), "cut off at the right");
+            }
+        }
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<LegibleTest>(argc, argv); }
+
+#include "legible_test.moc"

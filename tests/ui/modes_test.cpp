@@ -1,0 +1,216 @@
+// Every mode of the window at every size and in the language of the longest words: nothing is cut off, squeezed or covered. With
+// EDGESCAN_LOOK=FOLDER the pictures are kept for somebody to look at.
+#include "tests/support/placements.h"
+#include "tests/ui/whole_widgets.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/file_control/calibrating.h"
+#include "ui/language/languages.h"
+#include "ui/main/cab_mode.h"
+#include "ui/main/theme.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDialog>
+#include <QPainter>
+#include <QScreen>
+#include <QTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <vector>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class ModesTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bell_, after_;
+
+    struct Mode {
+        const char* name;
+        std::function<bool(WindowFixture&)> enter, leave;
+    };
+
+    static bool pressed(WindowFixture& on, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::keyClick(&on.window, static_cast<Qt::Key>(key), modifiers);
+        return on.settled();
+    }
+    static bool nothing(WindowFixture&) { return true; }
+    static QDialog* dialogOf(WindowFixture& on) {
+        for (auto* dialog : on.window.findChildren<QDialog*>()) {
+            if (dialog->isVisible()) return dialog;
+        }
+        return nullptr;
+    }
+    static bool closeDialogs(WindowFixture& on) {
+        while (QDialog* dialog = dialogOf(on)) dialog->reject();
+        return on.activate();
+    }
+    static bool trigger(WindowFixture& on, const char* name) {
+        auto* action = on.window.findChild<QAction*>(name);
+        if (action == nullptr) return false;
+        action->trigger();
+        return on.settled();
+    }
+
+    static std::vector<Mode> modes(const std::string& after) {
+        return {
+            {"plain", nothing, nothing},
+            {"pin",
+             [](WindowFixture& on) {
+                 on.window.views().pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+                 return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000) &&
+                        QTest::qWaitFor(
+                            [&] {
+                                return on.window.targets().around(on.window.targets().active()->cell).confidence.state ==
+                                       ToldConfidence::State::Known;
+                            },
+                            60000);
+             },
+             nothing},
+            {"why",
+             [](WindowFixture& on) { return pressed(on, Qt::Key_W) && QTest::qWaitFor([&] { return dialogOf(on) != nullptr; }, 10000); },
+             closeDialogs},
+            {"confidence",
+             [](WindowFixture& on) {
+                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) &&
+                        QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000);
+             },
+             [](WindowFixture& on) { return pressed(on, Qt::Key_W, Qt::ShiftModifier); }},
+            {"rocks",
+             [](WindowFixture& on) {
+                 return pressed(on, Qt::Key_K) &&
+                        QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000) &&
+                        (on.window.views().pinByClick(on.window.rocks().picture()->study.rocks.front().cell), true) &&
+                        QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+             },
+             [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},
+            {"compare",
+             [after](WindowFixture& on) {
+                 return pressed(on, Qt::Key_A, Qt::ShiftModifier) && on.open(after) &&
+                        QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 60000);
+             },
+             nothing},
+        };
+    }
+
+    static QImage pictureOf(WindowFixture& on) {
+        QImage picture = on.window.screenshot().convertToFormat(QImage::Format_RGB32);
+        QPainter painter(&picture);
+        if (QDialog* dialog = dialogOf(on))
+            painter.drawPixmap(dialog->mapToGlobal(QPoint()) - on.window.mapToGlobal(QPoint()), dialog->grab());
+        return picture;
+    }
+    /// Faults, each with where it was seen.
+    static QStringList look(WindowFixture& on, const QString& where) {
+        for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+        QStringList found;
+        for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
+        if (const QDialog* dialog = dialogOf(on)) {
+            for (const QString& fault : faultsIn(*dialog)) found << where + ", dialog: " + fault;
+        }
+        const QString folder = qEnvironmentVariable("EDGESCAN_LOOK");
+        if (!folder.isEmpty()) pictureOf(on).save(folder + "/" + where + ".png");
+        return found;
+    }
+    static bool resizedTo(WindowFixture& on, QSize size) {
+        on.window.resize(size);
+        return QTest::qWaitFor([&] { return on.window.size() == size; }, 2000);
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        SimulationSettings settings;
+        settings.seed = 101;
+        settings.lines = 300;
+        settings.beams = 343;
+        bell_ = (folder_ / "bell.json").string();
+        Scan scan = simulate(settings)->scan;
+        QVERIFY(bool(saveScan(scan, bell_)));
+        settings.afterBlast = true;
+        after_ = (folder_ / "after.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, after_)));
+    }
+    void cleanup() { useLanguage("en"); }
+
+    void nothingIsCutInAnyMode_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* code : {"en", "fr"}) QTest::newRow(code) << QString(code);
+    }
+    void nothingIsCutInAnyMode() {
+        QFETCH(QString, language);
+        QVERIFY(useLanguage(language, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_) && on.activate());
+        on.window.notice().hide();
+        QStringList faults;
+        for (const Mode& mode : modes(after_)) {
+            QVERIFY2(mode.enter(on), mode.name);
+            for (const QSize size :
+                 {QSize(853, 533), QSize(1280, 800), QSize(1366, 768), QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)}) {
+                if (!resizedTo(on, size)) { // where the screen is high, panels stand above each other and need its height
+                    QVERIFY2(size.height() < 800, qPrintable(QString("%1: %2 x %3").arg(mode.name).arg(size.width()).arg(size.height())));
+                    continue;
+                }
+                faults << look(on, QString("%1-%2x%3-%4").arg(language).arg(size.width()).arg(size.height()).arg(mode.name));
+            }
+            QVERIFY2(mode.leave(on), mode.name);
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    // What is on the screen itself: no strip of the page is left unpainted while the window takes its size.
+    void theStartPageHasNoHoles() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        auto* page = on.window.findChild<QWidget*>("start-page");
+        QVERIFY(page != nullptr && page->isVisible());
+        for (const QSize size : {QSize(1280, 800), QSize(1600, 900), QSize(1366, 768), QSize(1900, 1000)}) {
+            QVERIFY(resizedTo(on, size));
+            const QPoint corner = page->mapToGlobal(QPoint());
+            int worst = 0;
+            const auto painted = [&] {
+                const QImage seen = on.window.screen()->grabWindow(0, corner.x(), corner.y(), page->width(), page->height()).toImage();
+                worst = 0;
+                for (int x = 0; x < seen.width(); ++x) {
+                    int black = 0;
+                    for (int y = 0; y < seen.height(); ++y) black += (seen.pixel(x, y) & RGB_MASK) == 0 ? 1 : 0;
+                    worst = std::max(worst, black);
+                }
+                return worst < 20;
+            };
+            QTRY_VERIFY2(painted(), qPrintable(QString("%1 black pixels in a column at %2").arg(worst).arg(size.width())));
+        }
+    }
+
+    void nothingIsCutInACab_data() { nothingIsCutInAnyMode_data(); }
+    void nothingIsCutInACab() {
+        QFETCH(QString, language);
+        QVERIFY(useLanguage(language, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        on.window.cab().set(true);
+        on.window.views().pin(on.picture().detection->edges->front());
+        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        QStringList faults;
+        for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
+            QVERIFY(resizedTo(on, size));
+            // No row stands empty below the switches that are left.
+            int lowest = 0;
+            for (const auto* box : on.window.legend().findChildren<QCheckBox*>())
+                lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
+            QVERIFY2(on.window.legend().height() - lowest < 36, qPrintable(QString::number(on.window.legend().height() - lowest)));
+            faults << look(on, QString("%1-%2x%3-cab").arg(language).arg(size.width()).arg(size.height()));
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<ModesTest>(argc, argv); }
+
+#include "modes_test.moc"

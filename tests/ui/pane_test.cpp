@@ -1,0 +1,140 @@
+// The panes of the views: their titles tell how much of the scan is shown, a button or a double-click shows one alone.
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
+#include "ui/confidence/confidence_legend.h"
+#include "ui/main/theme.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class PaneTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bare_;
+
+    static void resizeTo(MainWindow& window, QSize size) {
+        window.resize(size);
+        QTRY_COMPARE(window.size(), size);
+        QApplication::processEvents();
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        bare_ = (folder_ / "bare.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(300, 340, 3, 0.05), bare_)));
+    }
+
+    void aMaximisedPaneIsFilled() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {1280, 800});
+        for (ImageView* view : {&on.window.views().gray(), &on.window.views().edges()}) {
+            const double before = view->viewPort()->zoom();
+            auto* pane = qobject_cast<Pane*>(view->parentWidget());
+            QVERIFY(pane != nullptr);
+            QTest::mouseDClick(pane->findChild<QLabel*>()->parentWidget(), Qt::LeftButton);
+            QTRY_VERIFY(view->width() > 900);
+            QTRY_VERIFY2(view->viewPort()->zoom() > 1.8 * before, qPrintable(QString::number(view->viewPort()->zoom() / before)));
+            const double fits = std::min(view->width() / 340.0, view->height() / 300.0);
+            QVERIFY(std::abs(view->viewPort()->zoom() - fits) < 0.02 * fits);
+            QVERIFY(on.activate());
+            on.window.notice().hide();
+            QTest::keyClick(&on.window, Qt::Key_Escape);
+            QTRY_VERIFY(std::abs(view->viewPort()->zoom() - before) < 0.02 * before);
+        }
+    }
+
+    static Pane& paneOf(QWidget& view) { return *qobject_cast<Pane*>(view.parentWidget()); }
+    static QString counted(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(qulonglong(n)); }
+
+    void theTitlesTellHowMuchIsShown() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        Pane& cloud = paneOf(on.window.views().cloud());
+        Pane& edges = paneOf(on.window.views().edges());
+        Pane& range = paneOf(on.window.views().gray());
+        const Scan& scan = *on.picture().detection->scan;
+        const auto valid = static_cast<std::size_t>(std::ranges::count(scan.state.cells, CellState::Valid));
+        QCOMPARE(cloud.note(), counted(valid) + " points");
+        QTRY_VERIFY(on.window.views().cloud().atRest());
+        QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · perspective"));
+        QTest::keyClick(&on.window, Qt::Key_5);
+        QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · orthographic"));
+        QTest::keyClick(&on.window, Qt::Key_5);
+        const QString all = counted(on.picture().detection->edges->size()) + " edges";
+        QCOMPARE(edges.note(), all);
+        QTest::keyClick(&on.window, Qt::Key_C);
+        QCOMPARE(edges.note(), all + QString::fromUtf8(" · by class"));
+        QTest::keyClick(&on.window, Qt::Key_C);
+        // The ranges of the image, also when its window is changed.
+        const RangeSpan usual = on.window.views().rangesShown();
+        QCOMPARE(range.note(), QString("%1 to %2 m").arg(usual.nearM, 0, 'f', 2).arg(usual.farM, 0, 'f', 2));
+        on.window.views().setRangeWindow(RangeSpan{1.0, 2.5});
+        QCOMPARE(range.note(), QString("1.00 to 2.50 m"));
+        // What is hidden is not shown: as many points as are left.
+        on.window.selection().hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
+        const std::size_t hidden = on.window.selection().hidden().size();
+        QVERIFY(hidden > 0 && hidden < valid);
+        QCOMPARE(cloud.note(), counted(valid - hidden) + " of " + counted(valid) + " points");
+        QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
+        QCOMPARE(cloud.note(), counted(valid) + " points");
+        // Another number of edges with the settings; what fewer settings find is left out of the confidence picture and told.
+        QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000));
+        QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
+        on.window.confidence().setLeast(95);
+        QTRY_COMPARE(on.window.confidence().made()->leastPercent, 95);
+        QCOMPARE(edges.note(), counted(on.window.confidence().made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
+        QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
+        Settings fewer = on.window.session().settings();
+        fewer.method = Method::Canny;
+        QVERIFY(on.use(fewer));
+        QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");
+    }
+
+    void aButtonShowsAViewAlone() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_));
+        for (QWidget* view : {static_cast<QWidget*>(&on.window.views().edges()), static_cast<QWidget*>(&on.window.views().cloud())}) {
+            Pane& pane = paneOf(*view);
+            const QSize before = view->size();
+            QTest::mouseClick(pane.aloneButton(), Qt::LeftButton);
+            QTRY_VERIFY(view->width() > before.width() && pane.aloneButton()->isChecked());
+            QVERIFY(pane.aloneButton()->toolTip().startsWith("All views"));
+            QTest::mouseClick(pane.aloneButton(), Qt::LeftButton);
+            QTRY_COMPARE(view->size(), before);
+            QVERIFY(!pane.aloneButton()->isChecked());
+        }
+    }
+
+    // A title never makes its pane wider: what has no room ends in "…" and the remark goes first.
+    void aLongNoteMakesNoPaneWider() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        for (const int width : {853, 1280, 1920}) {
+            resizeTo(on.window, {width, 800});
+            Pane& cloud = paneOf(on.window.views().cloud());
+            const int least = cloud.minimumSizeHint().width();
+            cloud.setNote(QString(400, 'x'));
+            QApplication::processEvents();
+            QVERIFY(cloud.minimumSizeHint().width() <= least);
+            QVERIFY(cloud.aloneButton()->geometry().right() < cloud.width());
+            for (const QLabel* label : cloud.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+                QVERIFY2(label->isHidden() || label->text() != cloud.remark(), "the remark stands over the note");
+        }
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<PaneTest>(argc, argv); }
+
+#include "pane_test.moc"

@@ -1,0 +1,203 @@
+// Switches, lists and colours of the real window: what the wheel turns, what the legend tells, what can be told apart.
+#include "core/rock_shapes/rock_faces.h"
+#include "core/settings/presets.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/selected_colour.h"
+#include "ui/live/live_panel.h"
+#include "ui/main/theme.h"
+#include "ui/panel/edge_legend.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QMenu>
+#include <QSpinBox>
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+// As the window system sends it: Qt may give the focus before the widget gets the wheel.
+void wheelOver(QWidget& widget, int notches) {
+    const QPointF at(widget.width() / 2.0, widget.height() / 2.0);
+    QWheelEvent event(at, widget.mapToGlobal(at.toPoint()), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(&widget, &event);
+}
+
+double contrast(QColor a, QColor b) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    const auto luminance = [&](const QColor& c) {
+        return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+    };
+    const double x = luminance(a) + 0.05;
+    const double y = luminance(b) + 0.05;
+    return std::max(x, y) / std::min(x, y);
+}
+
+// Machado, Oliveira and Fernandes 2009, severity 1: what is left of linear red, green and blue.
+struct Sight {
+    const char* name;
+    std::array<double, 9> matrix;
+};
+constexpr std::array<Sight, 4> kSights{
+    {{"usual", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+     {"without red", {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998}},
+     {"without green", {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881}},
+     {"without blue", {1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900}}}};
+using Triple = std::array<double, 3>;
+
+Triple times(const std::array<double, 9>& m, const Triple& v) {
+    return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2], m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+}
+
+// CIE L*a*b* of what such an eye sees.
+Triple asSeen(const QColor& colour, const Sight& sight) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    Triple seen = times(sight.matrix, {linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF())});
+    for (double& c : seen) c = std::clamp(c, 0.0, 1.0);
+    const Triple xyz = times({0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505}, seen);
+    const auto root = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+    const double x = root(xyz[0] / 0.9505), y = root(xyz[1]), z = root(xyz[2] / 1.089);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+double distance(const Triple& a, const Triple& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+} // namespace
+
+class SwitchesTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bare_;
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        bare_ = (folder_ / "bare.json").string();
+        QVERIFY(bool(saveScan(test::boxesScan(300, 340, 3, 0.05), bare_)));
+    }
+
+    void theWheelTurnsNothingThatHasNoFocus() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        QVERIFY(on.use(cannySettings()));
+        QVERIFY(on.activate());
+        MainWindow& window = on.window;
+        window.live().panel().show();
+        window.views().cloud().setFocus();
+        int tried = 0;
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !widget->isEnabled()) continue;
+            QVariant before;
+            if (auto* list = qobject_cast<QComboBox*>(widget)) before = list->currentIndex();
+            if (auto* box = qobject_cast<QAbstractSpinBox*>(widget)) before = box->text();
+            if (auto* slider = qobject_cast<QSlider*>(widget)) before = slider->value();
+            if (!before.isValid()) continue;
+            ++tried;
+            wheelOver(*widget, 1);
+            wheelOver(*widget, -2);
+            QVariant after;
+            if (auto* list = qobject_cast<QComboBox*>(widget)) after = list->currentIndex();
+            if (auto* box = qobject_cast<QAbstractSpinBox*>(widget)) after = box->text();
+            if (auto* slider = qobject_cast<QSlider*>(widget)) after = slider->value();
+            QVERIFY2(before == after, qPrintable(widget->objectName()));
+            QVERIFY2(!widget->hasFocus(), qPrintable(widget->objectName()));
+        }
+        QVERIFY2(tried > 8, qPrintable(QString::number(tried)));
+        QVERIFY(window.session().settings() == cannySettings());
+        // With the focus it does.
+        QDoubleSpinBox* number = window.panel().row("lower")->number();
+        number->setFocus();
+        QTRY_VERIFY(number->hasFocus());
+        wheelOver(*number, 1);
+        QVERIFY(window.session().settings().lower > cannySettings().lower);
+    }
+
+    void theLegendTellsAndSwitches() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        EdgeLegend& legend = on.window.legend();
+        QVERIFY(legend.isVisible());
+        const auto press = [&](QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2}); };
+        press(legend.classSwitch(1));
+        QVERIFY(on.settled());
+        QCOMPARE(on.window.session().settings().classes, static_cast<int>(kClassJump | kClassConcave | kClassSilhouette));
+        QVERIFY(!legend.classSwitch(1)->isChecked());
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(on.settled());
+        QVERIFY(legend.classSwitch(1)->isChecked());
+        press(legend.byClass());
+        QVERIFY(on.window.views().cloud().edgesByClass());
+        QTest::keyClick(&on.window, Qt::Key_C);
+        QVERIFY(!legend.byClass()->isChecked() && !on.window.views().cloud().edgesByClass());
+        press(legend.edges());
+        QVERIFY(!on.window.views().cloud().edgesVisible());
+        QTest::keyClick(&on.window, Qt::Key_E);
+        QVERIFY(legend.edges()->isChecked() && on.window.views().cloud().edgesVisible());
+        QVERIFY(on.use(cannySettings())); // tells no classes apart
+        QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
+    }
+
+    void everyEdgeColourIsSeenOnTheCloud() {
+        for (const EdgeColours& colours : {kUsualColours, kColourBlindColours}) {
+            for (const QColor& colour : colours) QVERIFY2(contrast(colour, QColor(121, 121, 121)) >= 3.0, qPrintable(colour.name()));
+        }
+    }
+
+    // The colour of what is selected is no rock's, to whatever eye, and edges over it are seen as over the cloud.
+    void whatIsSelectedIsNoRockAndHidesNoEdge() {
+        const QColor selected(kSelectedColour);
+        for (const EdgeColours& colours : {kUsualColours, kColourBlindColours}) {
+            for (const QColor& colour : colours) QVERIFY2(contrast(colour, selected) >= 3.0, qPrintable(colour.name()));
+        }
+        QVERIFY(contrast(selected, QColor(48, 48, 48)) >= 3.0); // the ground of the views
+        for (const Sight& sight : kSights) {
+            for (const Rgb& rock : kRockFaceColours) {
+                const double apart = distance(asSeen(selected, sight), asSeen(QColor(rock.red, rock.green, rock.blue), sight));
+                QVERIFY2(apart >= 20.0, qPrintable(QString("%1: %2").arg(sight.name).arg(apart)));
+            }
+        }
+    }
+
+    // Greyed words are thinner than usable ones, not bolder: no shadow is drawn beside them.
+    void whatCannotBeUsedLooksLess() {
+        QMenu menu;
+        menu.addAction("Reload the file")->setEnabled(true);
+        menu.addAction("Reload the file")->setEnabled(false);
+        menu.popup({50, 50});
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        const auto ink = [&](int n) {
+            const QImage seen = menu.grab(menu.actionGeometry(menu.actions().at(n))).toImage();
+            const QRgb ground = seen.pixel(2, seen.height() / 2);
+            qint64 sum = 0;
+            int pixels = 0;
+            for (int y = 2; y < seen.height() - 2; ++y) {
+                for (int x = 2; x < seen.width() - 2; ++x) {
+                    const int off = std::abs(qGray(seen.pixel(x, y)) - qGray(ground));
+                    sum += off;
+                    pixels += off > 12 ? 1 : 0;
+                }
+            }
+            return std::pair{sum, pixels};
+        };
+        menu.setActiveAction(nullptr);
+        const auto usable = ink(0), greyed = ink(1);
+        menu.close();
+        QVERIFY2(4 * greyed.first < 3 * usable.first && 20 * greyed.second <= 21 * usable.second,
+                 qPrintable(QString("%1 %2 against %3 %4").arg(greyed.first).arg(greyed.second).arg(usable.first).arg(usable.second)));
+    }
+};
+
+int main(int argc, char** argv) { return runWindowTest<SwitchesTest>(argc, argv); }
+
+#include "switches_test.moc"

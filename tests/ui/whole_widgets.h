@@ -1,0 +1,82 @@
+// Looks through a window for what is cut off, squeezed or covered.
+#pragma once
+
+#include "ui/base/view_plate.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStringList>
+#include <QStyle>
+#include <QToolButton>
+#include <QWidget>
+
+namespace edgescan::ui {
+
+/// Inside what scrolls a widget may lie out of sight up or down, never to the right.
+[[nodiscard]] inline const QAbstractScrollArea* scrollerOf(const QWidget* widget) {
+    for (const QWidget* at = widget->parentWidget(); at != nullptr && !at->isWindow(); at = at->parentWidget()) {
+        if (const auto* area = qobject_cast<const QAbstractScrollArea*>(at)) return area;
+    }
+    return nullptr;
+}
+
+[[nodiscard]] inline QString wordsOf(const QWidget& widget) {
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+    return {};
+}
+
+/// One sentence for each fault.
+[[nodiscard]] inline QStringList faultsIn(const QWidget& window) {
+    QStringList faults;
+    const auto told = [&](const QWidget& widget, const QString& what) {
+        faults << QString("%1 \"%2\": %3 (%4 x %5)")
+                      .arg(widget.objectName().isEmpty() ? widget.metaObject()->className() : widget.objectName(), wordsOf(widget).left(60),
+                           what)
+                      .arg(widget.width())
+                      .arg(widget.height());
+    };
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible() || widget->window() != &window || wordsOf(*widget).isEmpty()) continue;
+        const QRect place(widget->mapTo(&window, QPoint()), widget->size());
+        const QAbstractScrollArea* scroller = scrollerOf(widget);
+        if (scroller != nullptr) {
+            const QRect seen(scroller->viewport()->mapTo(&window, QPoint()), scroller->viewport()->size());
+            const bool goesRight = scroller->horizontalScrollBar() != nullptr && scroller->horizontalScrollBar()->maximum() > 0;
+            if (!goesRight && (place.left() < seen.left() - 1 || place.right() > seen.right() + 1))
+                told(*widget, "stands over the side of its panel");
+        } else if (!window.rect().adjusted(-1, -1, 1, 1).contains(place)) {
+            told(*widget, "stands over the edge of its window");
+        }
+        if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+            const bool mayShrink = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // shortened by itself
+            if (label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1
+                                  : label->sizeHint().height() > label->height() + 1)
+                told(*label, QString("%1 high are needed")
+                                 .arg(label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height()));
+            if (!label->wordWrap() && !mayShrink && label->sizeHint().width() > label->width() + 1)
+                told(*label, QString("%1 wide are needed").arg(label->sizeHint().width()));
+        } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+            const auto* tool = qobject_cast<const QToolButton*>(button);
+            if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
+            const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
+            if (button->width() < words) told(*button, QString("%1 wide are needed").arg(words));
+        }
+    }
+    const auto plates = window.findChildren<ViewPlate*>();
+    for (const ViewPlate* plate : plates) {
+        if (!plate->isVisible()) continue;
+        if (!plate->parentWidget()->rect().contains(plate->geometry())) told(*plate, "stands over the edge of its view");
+        for (const ViewPlate* other : plates) {
+            if (other < plate && other->isVisible() && other->parentWidget() == plate->parentWidget() &&
+                other->geometry().intersects(plate->geometry()))
+                told(*plate, "lies over " + other->objectName());
+        }
+    }
+    return faults;
+}
+
+} // namespace edgescan::ui
