@@ -769,8 +769,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>
 <message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>

@@ -769,8 +769,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>Save session</source><translation>Enregistrer la session</translation></message>
 <message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Open session</source><translation>Ouvrir une session</translation></message>

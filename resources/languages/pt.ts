@@ -769,8 +769,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>Save session</source><translation>Salvar sessão</translation></message>
 <message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
 <message><source>Open session</source><translation>Abrir sessão</translation></message>

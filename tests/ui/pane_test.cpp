@@ -17,7 +17,7 @@ using namespace edgescan::ui;
 class PaneTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
-    std::string bare_;
+    std::string bare_, bell_;
 
     static void resizeTo(MainWindow& window, QSize size) {
         window.resize(size);
@@ -30,6 +30,11 @@ private slots:
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
         QVERIFY(bool(saveScan(test::boxesScan(300, 340, 3, 0.05), bare_)));
+        SimulationSettings settings;
+        settings.lines = 120;
+        settings.beams = 160;
+        bell_ = (folder_ / "bell.json").string();
+        QVERIFY(bool(saveScan(simulate(settings)->scan, bell_)));
     }
 
     void aMaximisedPaneIsFilled() {
@@ -58,7 +63,7 @@ private slots:
     void theTitlesTellHowMuchIsShown() {
         WindowFixture on;
         on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bare_) && on.activate());
+        QVERIFY(on.showWith(bell_) && on.activate());
         Pane& cloud = paneOf(on.window.views().cloud());
         Pane& edges = paneOf(on.window.views().edges());
         Pane& range = paneOf(on.window.views().gray());

@@ -23,6 +23,7 @@
 #include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QToolButton>
 
 #include <csignal>
@@ -123,6 +124,9 @@ private slots:
             on.window.resize(1300, 850);
             QVERIFY(on.showWith(boxes_) && on.activate());
             on.window.sittings().saveAs(file);
+            // Told once it is on the disk, with its size.
+            QTRY_VERIFY2(QRegularExpression("day.*changes, [1-9][0-9]* kB").match(on.window.notice().text()).hasMatch(),
+                         qPrintable(on.window.notice().text()));
             work(on);
             before = state(on);
             // It is saved as it changes.

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -17,7 +18,7 @@ constexpr int kAloneIcon = 14; // px
 
 } // namespace
 
-/// Takes the room there is; what has none ends in "…".
+/// Takes the room there is. Numbers are never cut: of facts with a "·" between them the last ones go first.
 class PaneNote : public QWidget {
 public:
     PaneNote() {
@@ -37,10 +38,16 @@ protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, fontMetrics().elidedText(text_, Qt::ElideRight, width()));
+        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, shown());
     }
 
 private:
+    [[nodiscard]] QString shown() const {
+        QStringList facts = text_.split(" · ");
+        while (!facts.isEmpty() && fontMetrics().horizontalAdvance(facts.join(" · ")) > width()) facts.removeLast();
+        return facts.join(" · ");
+    }
+
     QString text_;
 };
 

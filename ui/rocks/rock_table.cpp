@@ -39,8 +39,11 @@ RockTable::RockTable(QWidget* parent)
     table_->setAlternatingRowColors(false);
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table_->horizontalHeader()->setMinimumSectionSize(40);
+    QHeaderView* heads = table_->horizontalHeader();
+    heads->setSectionResizeMode(QHeaderView::Stretch);
+    heads->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap)); // a unit may stand below its word
+    heads->setMinimumHeight(2 * heads->fontMetrics().height() + 6);
+    heads->setMinimumSectionSize(40);
 
     smallest_->setRange(0.0, 10.0);
     smallest_->setSingleStep(0.1);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -159,6 +160,7 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
     const std::array<Mark, 4> marks{
         {{"P20", curve_.p20M, 0.2}, {"P50", curve_.p50M, 0.5}, {"P80", curve_.p80M, 0.8}, {"largest", curve_.topM, 1.0}}};
     const QColor accent = palette().color(QPalette::Link);
+    std::vector<QRectF> written;
     for (const Mark& mark : marks) {
         const QPointF at = placeOf(mark.wideM, mark.share);
         painter.setPen(QPen(accent, 1.0, Qt::DotLine));
@@ -171,7 +173,11 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
         const bool atTop = mark.share >= 1.0;
         const double wide = painter.fontMetrics().horizontalAdvance(text);
         const double x = std::min(at.x() + 6, width() - wide - 4);
-        painter.drawText(QRectF(x, atTop ? at.y() + 3 : at.y() + 1, wide + 2, kText + 3), Qt::AlignLeft | Qt::AlignVCenter, text);
+        const QRectF place(x, atTop ? at.y() + 3 : at.y() + 1, wide + 2, kText + 3);
+        const auto crosses = [&](const QRectF& other) { return other.intersects(place); };
+        if (std::ranges::any_of(written, crosses)) continue; // the panel tells it as well
+        written.push_back(place);
+        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text);
     }
     painter.setPen(QPen(palette().color(QPalette::Base), 1.0));
     painter.setBrush(palette().color(QPalette::BrightText));

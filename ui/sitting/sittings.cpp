@@ -152,6 +152,9 @@ void Sittings::take(const Written& written) {
     if (!written.trouble.isEmpty() && !failing_)
         desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(written.trouble));
     failing_ = !written.trouble.isEmpty();
+    if (!toTell_ || answered_ < *toTell_) return;
+    toTell_.reset();
+    if (!failing_ && !file_.isEmpty()) desk_.notice.tellSaved(file_, tr("from now on saved as it changes"));
 }
 
 void Sittings::saveAs(const QString& path) {
@@ -164,7 +167,7 @@ void Sittings::saveAs(const QString& path) {
     file_ = QFileInfo(path).absoluteFilePath();
     filed_ = sitting->scan.identity;
     save();
-    desk_.notice.tellSaved(file_, tr("from now on saved as it changes"));
+    toTell_ = posted_;
     emit nameChanged();
 }
 

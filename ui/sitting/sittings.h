@@ -80,6 +80,7 @@ private:
     std::uint64_t readings_ = 0; // number of the newest
     QTimer soon_;
     std::uint64_t posted_ = 0, answered_ = 0;
+    std::optional<std::uint64_t> toTell_; // the job that writes a file somebody named: that it is saved is told then
     bool failing_ = false;
     std::map<QString, std::string> lastTexts_;            // worker's thread: by path
     std::map<std::filesystem::path, std::string> hashes_; // the same: of recordings

@@ -87,7 +87,7 @@ TargetCard::TargetCard(QWidget* parent)
     lines_->setSpacing(2);
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {why_, measure_, copy_}) {
-        button->setMinimumWidth(48);
+        button->setMinimumWidth(std::max(48, button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + 14));
         buttons->addWidget(button);
     }
     auto* column = new QVBoxLayout(this);
