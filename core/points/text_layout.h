@@ -86,6 +86,7 @@ public:
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
 
 private:
+    bool readPlainRow(std::vector<double>& numbers);
     bool readRow(std::vector<double>& numbers);
     bool skipLabel();
     bool passRestOf(const char* cell, std::vector<double>& numbers);
@@ -105,6 +106,8 @@ private:
     std::size_t mostNumbers_ = std::numeric_limits<std::size_t>::max();
     std::size_t line_;
     std::size_t nextLine_;
+    bool mayBePlain_;
+    std::array<double, 32> plain_{};
     std::size_t measuredNumbers_ = 0;
     std::optional<std::array<std::size_t, 3>> measured_{{0, 1, 2}};
     std::string_view label_;
