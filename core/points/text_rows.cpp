@@ -101,9 +101,23 @@ RowReader::RowReader(const Source& source, const TextLayout& layout)
 
 double RowReader::fraction() const { return begin_ == end_ ? 1.0 : static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_); }
 
+bool RowReader::next(std::span<const double>& numbers) {
+    if (readPlainRow(numbers)) return true;
+    const bool read = readNextRow(cells_);
+    numbers = cells_;
+    return read;
+}
+
 bool RowReader::next(std::vector<double>& numbers) {
+    std::span<const double> row;
+    if (!readPlainRow(row)) return readNextRow(numbers);
+    numbers.assign(row.begin(), row.end());
+    return true;
+}
+
+/// Cell by cell, past rows without any number.
+bool RowReader::readNextRow(std::vector<double>& numbers) {
     while (at_ < end_) {
-        if (readPlainRow(numbers)) return true;
         const char* const rowEnd = endOfRow();
         rowEnd_ = rowEnd;
         line_ = nextLine_++;
@@ -118,14 +132,14 @@ bool RowReader::next(std::vector<double>& numbers) {
 }
 
 /// Once it is known how numbers are printed; false, and nothing is read, where the row is to be looked at cell by cell.
-bool RowReader::readPlainRow(std::vector<double>& numbers) {
+bool RowReader::readPlainRow(std::span<const double>& numbers) {
     static const PlainRowReader reader = plainRowReader();
     if (reader == nullptr || !mayBePlain_ || measuredNumbers_ < kNumbersWithDigits || static_cast<std::size_t>(end_ - at_) < kPlainRowReach)
         return false;
     const PlainRow row = reader(at_, end_, layout_->separator, std::span(plain_).first(std::min(plain_.size(), mostNumbers_)));
     // A row with as many as there is room for may hold more.
     if (row.next == nullptr || (row.numbers == plain_.size() && mostNumbers_ > plain_.size())) return false;
-    numbers.assign(plain_.begin(), plain_.begin() + static_cast<std::ptrdiff_t>(row.numbers));
+    numbers = std::span(plain_).first(row.numbers);
     line_ = nextLine_++;
     at_ = row.next;
     return true;
