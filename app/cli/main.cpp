@@ -7,32 +7,60 @@
 #include "core/base/inputs.h"
 #include "core/base/version.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+using namespace edgescan;
+
+namespace {
+
+struct Command {
+    std::string_view name;
+    void (*add)(CLI::App& app, int& code);
+};
+constexpr std::array kCommands = std::to_array<Command>({
+    {"info", cli::addInfo},
+    {"detect", cli::addDetect},
+    {"batch", cli::addBatch},
+    {"report", cli::addReport},
+    {"convert", cli::addConvert},
+    {"simulate", cli::addSimulate},
+    {"evaluate", cli::addEvaluate},
+    {"verify", cli::addVerify},
+    {"audit", cli::addAudit},
+    {"serve", cli::addServe},
+    {"record", cli::addRecord},
+    {"replay", cli::addReplay},
+    {"why", cli::addWhy},
+    {"rocks", cli::addRocks},
+    {"compare", cli::addCompare},
+    {"change", cli::addChange},
+    {"calibrate", cli::addCalibrate},
+    {"thumbnail", cli::addThumbnail},
+});
+
+/// All commands with all their flags take longer to set up than many a command to run: only those that can be meant.
+std::span<const Command> commandsFor(int argc, char** argv) {
+    const std::span all(kCommands);
+    const auto named = [](const char* word) { return std::ranges::find(kCommands, std::string_view(word), &Command::name); };
+    if (argc == 2 && std::string_view(argv[1]) == "--version") return {};
+    if (argc < 2 || named(argv[1]) == kCommands.end()) return all;
+    const bool another = std::any_of(argv + 2, argv + argc, [&](const char* word) { return named(word) != kCommands.end(); });
+    return another ? all : all.subspan(static_cast<std::size_t>(named(argv[1]) - kCommands.begin()), 1);
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
-    using namespace edgescan;
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     app.set_version_flag("--version", version());
     app.require_subcommand(1);
     int code = cli::kDone;
     cli::surviveFileLimit();
     const BindInputs inputs; // nothing that is read is written over
-    cli::addInfo(app, code);
-    cli::addDetect(app, code);
-    cli::addBatch(app, code);
-    cli::addReport(app, code);
-    cli::addConvert(app, code);
-    cli::addSimulate(app, code);
-    cli::addEvaluate(app, code);
-    cli::addVerify(app, code);
-    cli::addAudit(app, code);
-    cli::addServe(app, code);
-    cli::addRecord(app, code);
-    cli::addReplay(app, code);
-    cli::addWhy(app, code);
-    cli::addRocks(app, code);
-    cli::addCompare(app, code);
-    cli::addChange(app, code);
-    cli::addCalibrate(app, code);
-    cli::addThumbnail(app, code);
+    for (const Command& command : commandsFor(argc, argv)) command.add(app, code);
     cli::addPages(app,
                   {"edgescan-cli",
                    "edges of rocks in laser range scans",

@@ -187,7 +187,7 @@ bool looksLikePackets(const Source& source) { return isPacketFile(bytesOf(source
 bool looksLikeColaStream(const Source& source) {
     constexpr std::size_t kFirstPart = 4 * kLongestFrame;
     const ByteView bytes = bytesOf(source);
-    if (bytes.empty() || source.text().find('\x02') == std::string_view::npos) return false;
+    if (bytes.empty() || source.text().substr(0, kFirstPart).find('\x02') == std::string_view::npos) return false;
     ColaStream stream;
     return !stream.push(bytes.first(std::min(bytes.size(), kFirstPart))).empty();
 }

@@ -36,6 +36,7 @@ struct Format {
     Keeps keeps = Keeps::States;
     bool keepsIntensity = false; ///< writes the column of that name
     bool keepsPlace = false;     ///< a whole scan in the scanner's frame opens again with its place in the mine
+    bool writesByLines = false;  ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
     bool placesItself = false;   ///< pose and calibration are taken into account by `read`
 };
 

@@ -192,7 +192,9 @@ Result<Done> readBinary(PointTable& table, const PcdHeader& header, const PcdLay
     const auto held = source.bytes.subspan(header.firstByte);
     if (held.size() / layout.recordBytes < layout.points) return tooShort(source, layout, held.size());
     if (auto whole = checkRest(table, layout.points, layout.recordBytes, held.size(), source); !whole) return whole;
-    if (!readRecords(table, layout.fields, layout.points, held, false, source)) return source.cancelled();
+    const bool givenAway = source.placesOnly && source.takePlaces && !header.originM;
+    const auto read = givenAway ? givePlaces : readRecords;
+    if (!read(table, layout.fields, layout.points, held, false, source)) return source.cancelled();
     return Done{};
 }
 
@@ -278,7 +280,8 @@ Format pcdFormat() {
             .points = readPcdPoints,
             .write = pcdBytes,
             .keepsIntensity = true,
-            .keepsPlace = true};
+            .keepsPlace = true,
+            .writesByLines = true};
 }
 
 } // namespace edgescan

@@ -188,7 +188,8 @@ Format plyFormat() {
             .points = readPlyPoints,
             .write = plyBytes,
             .keepsIntensity = true,
-            .keepsPlace = true};
+            .keepsPlace = true,
+            .writesByLines = true};
 }
 
 } // namespace edgescan

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 namespace edgescan {
 namespace {
@@ -122,11 +123,20 @@ std::optional<std::string> guessedColumns(const Columns& columns, const TextLayo
     return std::nullopt;
 }
 
-/// Room for as many rows as the text has line ends, but for no more than its bytes suffice for.
+/// As many as the text has line ends, and a little more; of long texts by looking at pieces of it.
+std::size_t expectedRows(std::string_view text) {
+    constexpr std::size_t kPiece = std::size_t{1} << 14U, kPieces = 64;
+    const auto lineEnds = [](std::string_view part) { return static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n')); };
+    if (text.size() <= 2 * kPiece * kPieces) return lineEnds(text) + 1;
+    std::size_t seen = 0;
+    for (std::size_t n = 0; n < kPieces; ++n) seen += lineEnds(text.substr((text.size() - kPiece) / (kPieces - 1) * n, kPiece));
+    return static_cast<std::size_t>(1.03 * static_cast<double>(seen) * static_cast<double>(text.size()) / (kPiece * kPieces)) + 1;
+}
+
+/// Room for the rows expected, but for no more than the text's bytes suffice for.
 void reserveRows(PointTable& table, const Source& source, const TextLayout& layout, const NamedColumns& named, bool rangesOnly) {
     const std::string_view text = source.text();
-    const auto lineEnds = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    const std::size_t rows = std::min(lineEnds + 1, text.size() / (2 * layout.columns) + 1);
+    const std::size_t rows = std::min(expectedRows(text), text.size() / (2 * layout.columns) + 1);
     if (!rangesOnly) table.points.reserve(rows);
     if (named[ColumnRole::RangeMm]) table.rangeMm.reserve(rows);
     if (named[ColumnRole::State]) table.state.reserve(rows);
@@ -160,13 +170,19 @@ Result<PointTable> readTextPoints(const Source& source) {
     }
     const bool rangesOnly =
         named[ColumnRole::RangeMm] && named[ColumnRole::State] && !named[ColumnRole::FilledSdMm] && takesRangesOnly(layout.description);
-    reserveRows(table, source, layout, named, rangesOnly);
+    constexpr std::size_t kGivenAtOnce = 4096;
+    const bool givenAway = source.placesOnly && source.takePlaces && !columns->unnamedCells;
+    if (!givenAway) reserveRows(table, source, layout, named, rangesOnly);
+    const auto giveAway = [&] {
+        source.takePlaces(table.points);
+        table.points.clear();
+    };
     RowReader rows(source, layout);
     rows.measure(columns->xyz);
     const std::size_t ofPlace = std::max({columns->xyz[0], columns->xyz[1], columns->xyz[2]}) + 1;
     const std::size_t needed = source.placesOnly ? ofPlace : columns->needed;
     if (source.placesOnly) rows.takeOnly(needed);
-    std::vector<double> row;
+    std::span<const double> row;
     std::size_t rowsRead = 0;
     while (rows.next(row)) {
         if (row.size() < needed) {
@@ -181,6 +197,7 @@ Result<PointTable> readTextPoints(const Source& source) {
         }
         ++rowsRead;
         if (!rangesOnly) table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
+        if (givenAway && table.points.size() == kGivenAtOnce) giveAway();
         const auto value = [&](ColumnRole role) { return row[*named[role]]; };
         if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
         if (named[ColumnRole::State]) {
@@ -206,6 +223,7 @@ Result<PointTable> readTextPoints(const Source& source) {
         return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " + std::to_string(rowsRead),
                               "copy the file again");
     }
+    if (givenAway) giveAway();
     table.width = rowsRead;
     table.precision = precisionOf(rows.digits());
     table.unitMm = named.unitMm;
@@ -279,6 +297,7 @@ Result<std::string> xyzBytes(CloudColumns cloud, const std::string& where, bool)
         text += "# ";
         appendNames(text, cloud, ' ');
     } else {
+        makeAll(cloud);
         dropEmptyRows(cloud);
         cloud.columns.erase(cloud.columns.begin() + 3, cloud.columns.end());
     }
@@ -294,6 +313,7 @@ Result<std::string> csvBytes(CloudColumns cloud, const std::string& where, bool)
     if (cloud.choices.comments) {
         appendListComments(text, cloud, true);
     } else {
+        makeAll(cloud);
         dropEmptyRows(cloud);
         dropColumns(cloud, [](std::string_view name) { return name == "state"; });
     }
@@ -310,7 +330,8 @@ Format pointListFormat() {
             .writes = {".xyz", ".txt", ".asc"},
             .points = readTextPoints,
             .write = xyzBytes,
-            .keeps = Keeps::Beside};
+            .keeps = Keeps::Beside,
+            .writesByLines = true};
 }
 
 Format pointTableFormat() {
@@ -319,7 +340,8 @@ Format pointTableFormat() {
             .points = readTextPoints,
             .write = csvBytes,
             .keeps = Keeps::Beside,
-            .keepsIntensity = true};
+            .keepsIntensity = true,
+            .writesByLines = true};
 }
 
 Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }

@@ -15,7 +15,7 @@ Result<Scan> openAsAsked(const std::filesystem::path& path, const ReadingOptions
             return straight;
         }
         if (auto warning = displacementWarning(*scan)) scan->warnings.push_back(std::move(*warning));
-        return scan;
+        return std::move(scan); // it is not this function's own: else all cells were copied
     });
 }
 

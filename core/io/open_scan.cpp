@@ -1,10 +1,10 @@
 // Finds out what a file is and hands it to its reader.
 #include "core/io/open_scan.h"
 
+#include "core/base/held_file.h"
 #include "core/base/inputs.h"
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
-#include "core/base/whole_file.h"
 #include "core/formats/formats.h"
 #include "core/georef/poses.h"
 #include "core/io/grid_beside.h"
@@ -96,9 +96,11 @@ Result<Scan> readWhole(const Source& source) {
 }
 
 /// The bytes of a file, or all that comes out of a pipe.
-Result<std::vector<std::byte>> bytesAt(const fs::path& path, const ReadingOptions& options) {
-    if (!isPipe(path)) return readWholeFile(path);
-    return readPipe(path, [&] { return !options.progress || options.progress("reading", 0.0); });
+Result<HeldFile> bytesAt(const fs::path& path, const ReadingOptions& options) {
+    if (!isPipe(path)) return holdFile(path);
+    auto bytes = readPipe(path, [&] { return !options.progress || options.progress("reading", 0.0); });
+    if (!bytes) return bytes.error();
+    return HeldFile(std::move(*bytes));
 }
 
 } // namespace
@@ -125,7 +127,7 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         claimInput(path);
         const auto bytes = bytesAt(path, options);
         if (!bytes) return bytes.error();
-        auto scan = readWhole({path, *bytes, &options, isPipe(path), played});
+        auto scan = readWhole({path, bytes->bytes(), &options, isPipe(path), played});
         if (scan) scan->path = path.string();
         return scan;
     });

@@ -59,7 +59,9 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
                      "save it without a frame, or as " + writtenExtensions(false)};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     const bool allPoints = options.includeAttached && !scan.attached.empty();
-    CloudColumns columns = allPoints ? validPoints(scan, nullptr, options.frame, true) : everyCell(scan, options.frame);
+    CloudColumns columns = allPoints               ? validPoints(scan, nullptr, options.frame, true)
+                           : format->writesByLines ? everyCellByLines(scan, options.frame)
+                                                   : everyCell(scan, options.frame);
     return oneFile(path, bytesOf(std::move(columns), *format, path, options));
 }
 

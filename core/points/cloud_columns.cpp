@@ -5,6 +5,7 @@
 #include "core/georef/placed_points.h"
 #include "core/points/description.h"
 #include "core/points/edge_colours.h"
+#include "core/points/every_cell.h"
 #include "core/points/text_layout.h"
 #include "core/scan/acquisition.h"
 #include "core/scan/cartesian.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -21,7 +23,6 @@ namespace edgescan {
 namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
-constexpr double kLargestInFloat = 1e4; // metres; beyond it a 4-byte float steps by a millimetre and more
 
 /// Polar points are computed and lie within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
 /// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
@@ -103,10 +104,9 @@ std::vector<float> rangesOfChosen(const Scan& scan, const Chosen& chosen, const 
 /// x y z of polar cells in the scanner's frame as 4-byte floats, line by line; false where that is not all there is.
 bool addComputedPoints(CloudColumns& cloud, const Scan& scan, const Chosen& chosen, const CartesianTables& tables,
                        const std::vector<float>& ranges) {
-    constexpr auto kLargestMm = static_cast<float>(0.99 * kLargestInFloat * 1000.0); // no coordinate is larger than its range
     if (!std::holds_alternative<PolarGeometry>(scan.geometry) || cloud.frame != CoordinateFrame::Scanner || !chosen.attached.empty())
         return false;
-    if (std::ranges::any_of(ranges, [](float range) { return !(std::abs(range) < kLargestMm); })) return false;
+    if (!areWithinFloats(ranges)) return false;
     const std::vector<CellOfPoint>& cells = chosen.cells;
     const auto beams = static_cast<std::size_t>(scan.beams());
     std::array<std::vector<float>, 3> line, values;
@@ -215,12 +215,27 @@ void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, c
     addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
 }
 
-constexpr int kAtOnce = 32; // cells
+constexpr std::size_t kAtOnce = 8; // cells
 
-bool areAllZero(const std::uint8_t* values) {
-    std::array<std::uint64_t, kAtOnce / 8> eights;
-    std::memcpy(eights.data(), values, kAtOnce);
-    return (eights[0] | eights[1] | eights[2] | eights[3]) == 0;
+/// A bit in the highest place of each byte that is not 0, the first in the lowest byte.
+std::uint64_t bytesNotZero(const std::uint8_t* values) {
+    static_assert(std::endian::native == std::endian::little);
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, values, kAtOnce);
+    return (((eight & 0x7F7F7F7F7F7F7F7FU) + 0x7F7F7F7F7F7F7F7FU) | eight) & 0x8080808080808080U;
+}
+
+/// Calls found(j) for each cell of a line whose mask is not 0: few are.
+template <class Found>
+void forEachOfLine(const std::uint8_t* mask, std::size_t beams, Found found) {
+    std::size_t j = 0;
+    for (; j + kAtOnce <= beams; j += kAtOnce) {
+        for (std::uint64_t left = bytesNotZero(mask + j); left != 0; left &= left - 1)
+            found(j + static_cast<std::size_t>(std::countr_zero(left)) / 8);
+    }
+    for (; j < beams; ++j) {
+        if (mask[j] != 0) found(j);
+    }
 }
 
 /// `mask`: none is wanted where it is 0; null: any may be.
@@ -230,14 +245,14 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>*
     if (mask == nullptr) chosen.cells.reserve(scan.cells());
     for (int i = 0; i < scan.lines(); ++i) {
         const std::size_t first = scan.rangeMm.index(i, 0);
-        for (int j = 0; j < scan.beams(); ++j) {
-            if (mask != nullptr && j + kAtOnce <= scan.beams() && areAllZero(mask->line(i) + j)) {
-                j += kAtOnce - 1;
-                continue;
-            }
-            if (wanted(first + static_cast<std::size_t>(j)))
-                chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+        const auto look = [&](std::size_t j) {
+            if (wanted(first + j)) chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+        };
+        if (mask != nullptr) {
+            forEachOfLine(mask->line(i), static_cast<std::size_t>(scan.beams()), look);
+            continue;
         }
+        for (std::size_t j = 0; j < static_cast<std::size_t>(scan.beams()); ++j) look(j);
     }
     if (!withAttached) return chosen;
     const auto beams = static_cast<std::uint32_t>(scan.beams());
@@ -259,13 +274,25 @@ Chosen edgeCellsOf(const Scan& scan, const Grid<std::uint8_t>& edgeMask, bool wi
 
 } // namespace
 
-CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
-    const Chosen every = cellsWhere(scan, false, nullptr, [](std::size_t) { return true; });
-    CloudColumns cloud = columnsFor(scan, every, true, frame);
-    addColumn<std::uint8_t>(cloud, "state", every.cells, [&](const CellOfPoint& cell) { return valueAt(scan.state, cell); });
-    cloud.width = static_cast<std::size_t>(scan.beams());
-    cloud.height = static_cast<std::size_t>(scan.lines());
+CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame) {
+    auto byLines = cellsByLines(scan, frame);
+    CloudColumns cloud;
+    if (byLines) {
+        cloud = std::move(*byLines);
+    } else {
+        const Chosen every = cellsWhere(scan, false, nullptr, [](std::size_t) { return true; });
+        cloud = columnsFor(scan, every, true, frame);
+        addColumn<std::uint8_t>(cloud, "state", every.cells, [&](const CellOfPoint& cell) { return valueAt(scan.state, cell); });
+        cloud.width = static_cast<std::size_t>(scan.beams());
+        cloud.height = static_cast<std::size_t>(scan.lines());
+    }
     cloud.description = descriptionText(scan, "", -1);
+    return cloud;
+}
+
+CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
+    CloudColumns cloud = everyCellByLines(scan, frame);
+    makeAll(cloud);
     return cloud;
 }
 

@@ -8,6 +8,7 @@
 #include "core/scan/scan.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,12 +38,21 @@ struct CloudColumns {
     std::string grid;                                   ///< name of the mine grid as the pose gives it; may be empty
     std::vector<double> lineTimesS;                     ///< per line, seconds since 1970 UTC; empty where not known
     WritingChoices choices;
+    /// Where it is set, the columns have names and types only: it makes those of lines first <= line < last, from any thread. All writers
+    /// but those of everyCellByLines() need makeAll() first.
+    std::function<void(std::size_t first, std::size_t last, std::vector<CloudColumn>& columns)> linesLater = {};
 };
+
+/// The columns of all lines, where they were to be made later.
+void makeAll(CloudColumns& cloud);
 
 /// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, intensity where the scan has it, state, and the
 /// description. A frame other than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as
 /// well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
+
+/// The same, where possible with columns that are made as they are written (linesLater). The scan must outlive it.
+[[nodiscard]] CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
 /// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, class where `classes` is given, rock where `rocks` is,
 /// filled_sd_mm where `filledSdMm` is (0 = measured), confidence where it is given, and red green blue. `edgeMask` may be null. With

@@ -4,6 +4,7 @@
 #include "core/base/bands.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/points/float_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace edgescan {
@@ -25,21 +27,24 @@ constexpr std::size_t kMostOfNumber = 400;  // bytes of text: the largest double
 constexpr std::size_t kUsualNumber = 8;     // bytes of text with its separator; more is found when it is needed
 constexpr int kMineDecimals = 4;            // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
-// A float of few digits before the point and none behind it, as ranges in mm are, is a whole number to the library sooner.
 template <class Number>
 char* writeShortest(char* to, char* end, Number value) {
-    constexpr float kMostWhole = 99999; // from here on an exponent may be shorter
-    if (value != value) {               // whatever its sign
+    if (value != value) { // whatever its sign
         for (const char c : {'n', 'a', 'n'}) *to++ = c;
         return to;
     }
     if constexpr (std::is_same_v<Number, float>) {
-        if (value > 0 && value <= kMostWhole) {
-            const auto whole = static_cast<std::int32_t>(value);
-            if (static_cast<float>(whole) == value) return std::to_chars(to, end, whole).ptr;
-        }
+        constexpr float kMostWhole = 99999; // from here on an exponent may be shorter
+        if (!(value > 0 && value <= kMostWhole)) return writeFloat(to, end, value);
+        const auto whole = static_cast<std::int32_t>(value); // as ranges in mm are
+        return static_cast<float>(whole) == value ? std::to_chars(to, end, whole).ptr : writeFloat(to, end, value);
+    } else if constexpr (std::is_integral_v<Number>) {
+        if (value >= 10) return std::to_chars(to, end, value).ptr;
+        *to++ = static_cast<char>('0' + value);
+        return to;
+    } else {
+        return std::to_chars(to, end, value).ptr;
     }
-    return std::to_chars(to, end, value).ptr;
 }
 
 // The text of some rows, in a piece that is used again and again and stays in the cache. How much of it is written is returned.
@@ -101,19 +106,40 @@ void subtractOrigin(CloudColumns& cloud) {
     cloud.frame = CoordinateFrame::MineLocal;
 }
 
+namespace {
+
+/// The rows first <= row < last of a cloud, made in `made` where they are to be made later: then these are whole lines.
+const CloudColumns& rowsFrom(const CloudColumns& cloud, CloudColumns& made, std::size_t& first, std::size_t& last) {
+    if (!cloud.linesLater) return cloud;
+    cloud.linesLater(first / cloud.width, last / cloud.width, made.columns);
+    made.frame = cloud.frame;
+    last -= std::exchange(first, 0);
+    return made;
+}
+
+/// Rows at once: about as many as are wanted, and whole lines where they are made line by line.
+std::size_t rowsAtOnce(const CloudColumns& cloud, std::size_t wanted) {
+    return cloud.linesLater ? std::max<std::size_t>(1, wanted / cloud.width) * cloud.width : wanted;
+}
+
+} // namespace
+
 void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     const std::size_t rows = rowsOf(cloud);
     const auto bands = static_cast<std::size_t>(bandsFor(rows, 0));
     text.reserve(text.size() + kUsualNumber * cloud.columns.size() * rows);
     // Each thread writes the next piece, and in turn they go into the text.
-    const std::size_t rowsOfPiece = bands > 1 ? kRowsOfPiece : kRowsAtOnce;
+    const std::size_t rowsOfPiece = rowsAtOnce(cloud, bands > 1 ? kRowsOfPiece : kRowsAtOnce);
     std::vector<std::vector<char>> pieces(bands);
+    std::vector<CloudColumns> made(bands);
     std::vector<std::size_t> written(bands);
     for (std::size_t first = 0; first < rows; first += bands * rowsOfPiece) {
         const auto rowOf = [&](std::size_t band) { return std::min(rows, first + band * rowsOfPiece); };
         inBands(static_cast<int>(bands), static_cast<int>(bands), [&](int one, int) {
             const auto band = static_cast<std::size_t>(one);
-            written[band] = writeRows(pieces[band], cloud, rowOf(band), rowOf(band + 1), separator);
+            std::size_t from = rowOf(band), to = rowOf(band + 1);
+            const CloudColumns& rowsOfBand = rowsFrom(cloud, made[band], from, to);
+            written[band] = writeRows(pieces[band], rowsOfBand, from, to, separator);
         });
         for (std::size_t band = 0; band < bands; ++band) text.append(pieces[band].data(), written[band]);
     }
@@ -126,15 +152,19 @@ void appendComments(std::string& text, const CloudColumns& cloud, const std::str
 
 void appendRecords(std::string& bytes, const CloudColumns& cloud) {
     std::size_t record = 0;
-    for (const CloudColumn& column : cloud.columns) std::visit([&](const auto& values) { record += sizeof(values[0]); }, column.values);
+    for (const CloudColumn& column : cloud.columns) std::visit([&](const auto& values) { record += sizeof *values.data(); }, column.values);
     const std::size_t rows = rowsOf(cloud);
     bytes.reserve(bytes.size() + record * rows);
     // Some rows at a time, column by column: so the records stay in the cache until they are whole.
-    std::vector<char> piece(record * std::min(rows, kRowsAtOnce));
-    for (std::size_t first = 0; first < rows; first += kRowsAtOnce) {
-        const std::size_t count = std::min(kRowsAtOnce, rows - first);
+    const std::size_t atOnce = rowsAtOnce(cloud, kRowsAtOnce);
+    std::vector<char> piece(record * std::min(rows, atOnce));
+    CloudColumns made;
+    for (std::size_t next = 0; next < rows; next += atOnce) {
+        std::size_t first = next, last = std::min(rows, next + atOnce);
+        const CloudColumns& part = rowsFrom(cloud, made, first, last);
+        const std::size_t count = last - first;
         std::size_t offset = 0;
-        for (const CloudColumn& column : cloud.columns) {
+        for (const CloudColumn& column : part.columns) {
             std::visit(
                 [&](const auto& values) {
                     char* at = piece.data() + offset;

@@ -10,7 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 
 namespace edgescan {
@@ -223,20 +226,24 @@ namespace {
 // Whether ranges alone do not say it.
 bool isTold(CellState state) { return state == CellState::Lost || state == CellState::Masked || state == CellState::OutOfWindow; }
 
-bool isAnyTold(const CellState* states, std::size_t cells) {
-    bool any = false;
-    for (std::size_t k = 0; k < cells; ++k) any |= isTold(states[k]);
-    return any;
+constexpr std::size_t kBlock = 256; // cells, of which most blocks have none that is told
+
+bool isAnyTold(const CellState* states) {
+    static_assert(static_cast<int>(CellState::Valid) == 0 && sizeof(CellState) == 1);
+    std::array<std::uint64_t, kBlock / 8> eights;
+    std::memcpy(eights.data(), states, kBlock);
+    std::uint64_t other = 0;
+    for (const std::uint64_t eight : eights) other |= eight;
+    return other != 0 && std::any_of(states, states + kBlock, isTold);
 }
 
 } // namespace
 
 std::vector<StateRun> stateRunsOf(const Scan& scan) {
-    constexpr std::size_t kBlock = 256; // cells, of which most blocks have none that is told
     std::vector<StateRun> runs;
     const std::vector<CellState>& states = scan.state.cells;
     for (std::size_t k = 0; k < states.size(); ++k) {
-        if (k % kBlock == 0 && k + kBlock <= states.size() && !isAnyTold(states.data() + k, kBlock)) {
+        if (k % kBlock == 0 && k + kBlock <= states.size() && !isAnyTold(states.data() + k)) {
             k += kBlock - 1;
             continue;
         }

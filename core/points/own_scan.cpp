@@ -11,13 +11,14 @@ namespace edgescan {
 namespace {
 
 Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
-    std::vector<CellState> states;
-    states.reserve(table.state.size());
-    for (const std::uint8_t state : table.state) {
-        if (state >= kCellStates)
-            return source.refused("a cell has the state " + std::to_string(state) + ", which does not exist", "save the scan again");
-        states.push_back(static_cast<CellState>(state));
+    bool known = true; // without a way out of the loop it takes many at once
+    for (const std::uint8_t state : table.state) known &= state < kCellStates;
+    if (!known) {
+        const auto unknown = std::ranges::find_if(table.state, [](std::uint8_t state) { return state >= kCellStates; });
+        return source.refused("a cell has the state " + std::to_string(*unknown) + ", which does not exist", "save the scan again");
     }
+    std::vector<CellState> states(table.state.size());
+    std::ranges::transform(table.state, states.begin(), [](std::uint8_t state) { return static_cast<CellState>(state); });
     return states;
 }
 

@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 namespace edgescan {
 namespace {
+
+constexpr std::size_t kRecordsAtOnce = 4096; // stay in the cache while their fields are read one after the other
 
 std::uint8_t stateByte(double value) { return value >= 0 && value < 256 ? static_cast<std::uint8_t>(value) : std::uint8_t{255}; }
 
@@ -44,6 +47,25 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     return picked;
 }
 
+bool givePlaces(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
+                const Source& source) {
+    table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
+    std::vector<Eigen::Vector3d> piece(std::min(kRecordsAtOnce, points));
+    for (std::size_t first = 0; first < points; first += kRecordsAtOnce) {
+        const std::size_t count = std::min(kRecordsAtOnce, points - first);
+        const auto read = [&](const RecordField& field, Eigen::Index axis) {
+            forEachScalar(field.scalar, bytes.data() + field.offset + first * field.stride, field.stride, count, bigEndian,
+                          [&](std::size_t n, double value) { piece[n][axis] = value; });
+        };
+        read(fields.x, 0);
+        read(fields.y, 1);
+        read(fields.z, 2);
+        source.takePlaces(std::span(piece).first(count));
+        if (!source.goOn("reading points", 0.5 * static_cast<double>(first) / static_cast<double>(points))) return false;
+    }
+    return true;
+}
+
 bool readRecords(PointTable& table, const PointFields& all, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source) {
     PointFields fields = all;
@@ -54,7 +76,6 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
         fields.beam.reset();
     }
     table.mayBeTurned = fields.rowsAndColumns;
-    constexpr std::size_t kAtOnce = 4096; // records stay in the cache while their fields are read one after the other
     table.unitMm = fields.unitMm ? fields.unitMm : table.unitMm;
     if (!rangesOnly) table.points.resize(points);
     if (fields.rangeMm) table.rangeMm.resize(points);
@@ -64,10 +85,10 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
     if (fields.line) table.line.resize(points);
     if (fields.beam) table.beam.resize(points);
     if (!fields.scanner.empty()) table.scannerPoints.resize(points);
-    for (std::size_t first = 0; first < points; first += kAtOnce) {
+    for (std::size_t first = 0; first < points; first += kRecordsAtOnce) {
         const auto read = [&](const RecordField& field, auto put) {
-            forEachScalar(field.scalar, bytes.data() + field.offset + first * field.stride, field.stride, std::min(kAtOnce, points - first),
-                          bigEndian, [&](std::size_t n, double value) { put(first + n, value); });
+            forEachScalar(field.scalar, bytes.data() + field.offset + first * field.stride, field.stride,
+                          std::min(kRecordsAtOnce, points - first), bigEndian, [&](std::size_t n, double value) { put(first + n, value); });
         };
         const auto readPoint = [&](std::vector<Eigen::Vector3d>& to, const RecordField& x, const RecordField& y, const RecordField& z) {
             read(x, [&](std::size_t n, double value) { to[n].x() = value; });
@@ -111,7 +132,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     layout.columns = columns;
     RowReader rows(source, layout);
     rows.measure({fields.x.column, fields.y.column, fields.z.column});
-    std::vector<double> row;
+    std::span<const double> row;
     while (table.points.size() < points && rows.next(row)) {
         if (row.size() != columns) {
             return source.refusedAtLine(

@@ -41,6 +41,10 @@ struct PointFields {
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source);
 
+/// The same where places alone are wanted and taken away (Source::takePlaces); the table keeps none.
+bool givePlaces(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
+                const Source& source);
+
 /// Rows of numbers as a header promises them.
 struct PromisedRows {
     std::size_t points = 0, columns = 0;

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/scan/reading_options.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -24,6 +26,8 @@ struct Source {
     bool inMemory = false;   ///< there is no file, and no other may be touched
     LinePlayed played = {};  ///< called behind every line of a recording
     bool placesOnly = false; ///< of points x y z alone are wanted: what else stands beside them may be left out
+    /// Of these points: where it is set, a reader may give them away some at a time, in order, instead of keeping them in its table.
+    std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     /// Named scan.pcd.gz: what is packed carries its own extension before the last one.

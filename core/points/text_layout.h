@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,7 +71,8 @@ class RowReader {
 public:
     RowReader(const Source& source, const TextLayout& layout);
 
-    /// The next row's numbers; false at the end or when something is wrong.
+    /// The next row's numbers, there until the next call; false at the end or when something is wrong.
+    bool next(std::span<const double>& numbers);
     bool next(std::vector<double>& numbers);
     [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
     [[nodiscard]] std::size_t lineNumber() const { return line_; } ///< of the row that next() gave
@@ -86,6 +88,8 @@ public:
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }
 
 private:
+    bool readPlainRow(std::span<const double>& numbers);
+    bool readNextRow(std::vector<double>& numbers);
     bool readRow(std::vector<double>& numbers);
     bool skipLabel();
     bool passRestOf(const char* cell, std::vector<double>& numbers);
@@ -105,6 +109,9 @@ private:
     std::size_t mostNumbers_ = std::numeric_limits<std::size_t>::max();
     std::size_t line_;
     std::size_t nextLine_;
+    bool mayBePlain_;
+    std::array<double, 32> plain_{};
+    std::vector<double> cells_;
     std::size_t measuredNumbers_ = 0;
     std::optional<std::array<std::size_t, 3>> measured_{{0, 1, 2}};
     std::string_view label_;

@@ -1,4 +1,5 @@
 // Reads rows of numbers with std::from_chars: the point is always '.', whatever the locale.
+#include "core/points/plain_rows.h"
 #include "core/points/text_layout.h"
 #include "core/points/text_refusals.h"
 #include "core/points/text_words.h"
@@ -96,11 +97,26 @@ inline const char* usualNumber(const char* from, const char* end, double& value)
 
 RowReader::RowReader(const Source& source, const TextLayout& layout)
     : source_(&source), begin_(source.text().data()), at_(begin_ + layout.firstByte), end_(begin_ + source.text().size()), layout_(&layout),
-      line_(layout.firstLine), nextLine_(layout.firstLine) {}
+      line_(layout.firstLine), nextLine_(layout.firstLine), mayBePlain_(!layout.decimalComma && !layout.labels) {}
 
 double RowReader::fraction() const { return begin_ == end_ ? 1.0 : static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_); }
 
+bool RowReader::next(std::span<const double>& numbers) {
+    if (readPlainRow(numbers)) return true;
+    const bool read = readNextRow(cells_);
+    numbers = cells_;
+    return read;
+}
+
 bool RowReader::next(std::vector<double>& numbers) {
+    std::span<const double> row;
+    if (!readPlainRow(row)) return readNextRow(numbers);
+    numbers.assign(row.begin(), row.end());
+    return true;
+}
+
+/// Cell by cell, past rows without any number.
+bool RowReader::readNextRow(std::vector<double>& numbers) {
     while (at_ < end_) {
         const char* const rowEnd = endOfRow();
         rowEnd_ = rowEnd;
@@ -113,6 +129,20 @@ bool RowReader::next(std::vector<double>& numbers) {
         if (!numbers.empty()) return true; // else blank or comment
     }
     return false;
+}
+
+/// Once it is known how numbers are printed; false, and nothing is read, where the row is to be looked at cell by cell.
+bool RowReader::readPlainRow(std::span<const double>& numbers) {
+    static const PlainRowReader reader = plainRowReader();
+    if (reader == nullptr || !mayBePlain_ || measuredNumbers_ < kNumbersWithDigits || static_cast<std::size_t>(end_ - at_) < kPlainRowReach)
+        return false;
+    const PlainRow row = reader(at_, end_, layout_->separator, std::span(plain_).first(std::min(plain_.size(), mostNumbers_)));
+    // A row with as many as there is room for may hold more.
+    if (row.next == nullptr || (row.numbers == plain_.size() && mostNumbers_ > plain_.size())) return false;
+    numbers = std::span(plain_).first(row.numbers);
+    line_ = nextLine_++;
+    at_ = row.next;
+    return true;
 }
 
 const char* RowReader::endOfRow() {

@@ -1,23 +1,69 @@
 // Counts and bounds, once from the scan and once from the file.
 #include "core/formats/formats.h"
 #include "core/report/record_parts.h"
+#include "core/scan/cartesian.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <type_traits>
 
 namespace edgescan {
 namespace {
 
-PointBounds boundsOf(const std::vector<Eigen::Vector3d>& points) {
-    PointBounds bounds;
+void addTo(PointBounds& bounds, std::span<const Eigen::Vector3d> points) {
     for (const Eigen::Vector3d& p : points) {
         if (!p.allFinite()) continue; // a cell without a point
         if (bounds.count++ == 0) bounds.leastM = bounds.mostM = p;
         bounds.leastM = bounds.leastM.cwiseMin(p);
         bounds.mostM = bounds.mostM.cwiseMax(p);
+    }
+}
+
+/// Of one coordinate, some cells side by side. What is no number is smaller and larger than nothing.
+struct SideBySide {
+    static constexpr std::size_t kLanes = 16;
+    std::array<float, kLanes> least, most;
+
+    SideBySide() {
+        least.fill(std::numeric_limits<float>::infinity());
+        most.fill(-std::numeric_limits<float>::infinity());
+    }
+    void add(const std::vector<float>& values) { // a multiple of kLanes
+        for (std::size_t first = 0; first < values.size(); first += kLanes) {
+            for (std::size_t n = 0; n < kLanes; ++n) {
+                const float value = values[first + n];
+                least[n] = value < least[n] ? value : least[n];
+                most[n] = value > most[n] ? value : most[n];
+            }
+        }
+    }
+};
+
+/// Of all valid cells of a polar scan in its own frame, line by line and without a cloud; empty where that is not all there is.
+std::optional<PointBounds> boundsOfCells(const Scan& scan) {
+    if (!std::holds_alternative<PolarGeometry>(scan.geometry)) return std::nullopt;
+    const CartesianTables tables(scan);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    const std::size_t room = (beams + SideBySide::kLanes - 1) / SideBySide::kLanes * SideBySide::kLanes;
+    std::array<std::vector<float>, 3> line;
+    for (std::vector<float>& ofAxis : line) ofAxis.resize(room, std::numeric_limits<float>::quiet_NaN());
+    std::array<SideBySide, 3> all;
+    for (int i = 0; i < scan.lines(); ++i) {
+        tables.pointsOfLine(i, line[0].data(), line[1].data(), line[2].data());
+        for (std::size_t axis = 0; axis < 3; ++axis) all[axis].add(line[axis]);
+    }
+    PointBounds bounds;
+    bounds.count = static_cast<std::size_t>(std::ranges::count(scan.state.cells, CellState::Valid));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float least = *std::ranges::min_element(all[axis].least), most = *std::ranges::max_element(all[axis].most);
+        // Floats suffice for these (core/points/cloud_columns.cpp); of 0 and -0 the first one met is told.
+        constexpr float kMostM = 9000;
+        if (!(std::abs(least) < kMostM && std::abs(most) < kMostM) || least == 0 || most == 0) return std::nullopt;
+        bounds.leastM[static_cast<Eigen::Index>(axis)] = static_cast<double>(least);
+        bounds.mostM[static_cast<Eigen::Index>(axis)] = static_cast<double>(most);
     }
     return bounds;
 }
@@ -57,6 +103,10 @@ PointBounds boundsOf(const CloudColumns& cloud) {
 PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
     const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
+    const bool attached = options.includeAttached && !scan->attached.empty();
+    if (!edges && !attached && options.frame == CoordinateFrame::Scanner) {
+        if (const auto bounds = boundsOfCells(*scan)) return *bounds;
+    }
     return boundsOf(placesOfPoints(*scan, edges ? detection.mask.get() : nullptr, options.frame, options.includeAttached));
 }
 
@@ -64,11 +114,14 @@ Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const s
     const ReadingOptions options;
     Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
     source.placesOnly = true;
+    PointBounds bounds;
+    source.takePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
     const Format* format = writtenFormat(path);
     if (format == nullptr || format->points == nullptr) return std::optional<PointBounds>();
     const auto table = format->points(source);
     if (!table) return table.error();
-    return std::optional(boundsOf(table->points));
+    addTo(bounds, table->points); // what was not taken
+    return std::optional(bounds);
 }
 
 } // namespace edgescan

@@ -1,0 +1,41 @@
+// The bytes of a file that stay as they are while they are looked at.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace edgescan {
+
+/// All bytes of a regular file as they were when it was opened. Where the system keeps everybody from writing to the file until this ends
+/// (a lease, by its owner, on a file system of this machine), large ones are not copied but mapped; all others are read into memory.
+class HeldFile {
+public:
+    explicit HeldFile(std::vector<std::byte> bytes) : copy_(std::move(bytes)) {}
+    HeldFile(HeldFile&& other) noexcept
+        : copy_(std::move(other.copy_)), mapped_(std::exchange(other.mapped_, {})), lease_(std::exchange(other.lease_, -1)) {}
+    HeldFile& operator=(HeldFile&&) = delete;
+    HeldFile(const HeldFile&) = delete;
+    HeldFile& operator=(const HeldFile&) = delete;
+    ~HeldFile();
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return lease_ < 0 ? std::span(copy_) : mapped_; }
+    [[nodiscard]] bool isMapped() const { return lease_ >= 0; }
+
+private:
+    friend Result<HeldFile> holdFile(const std::filesystem::path& path);
+    HeldFile(std::span<const std::byte> mapped, int lease) : mapped_(mapped), lease_(lease) {}
+
+    std::vector<std::byte> copy_;
+    std::span<const std::byte> mapped_;
+    int lease_ = -1; ///< the descriptor that has it
+};
+
+/// Errors as those of readWholeFile().
+Result<HeldFile> holdFile(const std::filesystem::path& path);
+
+} // namespace edgescan
