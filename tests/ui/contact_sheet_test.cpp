@@ -64,6 +64,18 @@ private slots:
         QVERIFY(on.window.session().settings().creaseDeg < 40);
     }
 
+    // On a screen of 1280 x 720, as 1920 x 1080 is at 150 %, it stays whole.
+    void itIsNoLargerThanItsWindow() {
+        WindowFixture on;
+        on.window.resize(900, 620);
+        QVERIFY(on.showWith(scan_));
+        auto* sheets = on.window.findChild<ContactSheets*>();
+        sheets->show();
+        QTRY_VERIFY_WITH_TIMEOUT(sheets->card() != nullptr && !sheets->card()->working(), 20000);
+        QVERIFY2(sheets->card()->height() < on.window.height() && sheets->card()->width() <= on.window.width(),
+                 qPrintable(QString("%1 x %2").arg(sheets->card()->width()).arg(sheets->card()->height())));
+    }
+
     void closingItGivesUp() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));

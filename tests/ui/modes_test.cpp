@@ -7,8 +7,10 @@
 #include "ui/file_control/calibrating.h"
 #include "ui/language/languages.h"
 #include "ui/main/cab_mode.h"
+#include "ui/main/start.h"
 #include "ui/main/theme.h"
 #include "ui/panel/edge_legend.h"
+#include "ui/start/start_page.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -106,7 +108,8 @@ class ModesTest : public QObject {
     }
     /// Faults, each with where it was seen.
     static QStringList look(WindowFixture& on, const QString& where) {
-        for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+        (void)QTest::qWaitFor([&] { return on.window.views().cloud().atRest(); }, 10000); // titles tell how much is drawn
+        for (int n = 0; n < 5; ++n) QApplication::processEvents();                        // layouts that still wait
         QStringList found;
         for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
         if (const QDialog* dialog = dialogOf(on)) {
@@ -168,8 +171,8 @@ private slots:
     void theStartPageHasNoHoles() {
         WindowFixture on;
         QVERIFY(on.show());
-        auto* page = on.window.findChild<QWidget*>("start-page");
-        QVERIFY(page != nullptr && page->isVisible());
+        StartPage* page = showStart(on.window, on.memory);
+        QTRY_VERIFY(page->isVisible());
         for (const QSize size : {QSize(1280, 800), QSize(1600, 900), QSize(1366, 768), QSize(1900, 1000)}) {
             QVERIFY(resizedTo(on, size));
             const QPoint corner = page->mapToGlobal(QPoint());

@@ -13,6 +13,8 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include <typeinfo>
+
 namespace edgescan::ui {
 
 /// Inside what scrolls a widget may lie out of sight up or down, never to the right.
@@ -45,14 +47,13 @@ namespace edgescan::ui {
         const QAbstractScrollArea* scroller = scrollerOf(widget);
         if (scroller != nullptr) {
             const QRect seen(scroller->viewport()->mapTo(&window, QPoint()), scroller->viewport()->size());
-            const bool goesRight = scroller->horizontalScrollBar() != nullptr && scroller->horizontalScrollBar()->maximum() > 0;
-            if (!goesRight && (place.left() < seen.left() - 1 || place.right() > seen.right() + 1))
-                told(*widget, "stands over the side of its panel");
+            if ((place.left() < seen.left() - 1 || place.right() > seen.right() + 1)) told(*widget, "stands over the side of its panel");
         } else if (!window.rect().adjusted(-1, -1, 1, 1).contains(place)) {
             told(*widget, "stands over the edge of its window");
         }
         if (const auto* label = qobject_cast<const QLabel*>(widget)) {
-            const bool mayShrink = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // shortened by itself
+            const bool ownWay = typeid(*label) != typeid(QLabel);                                            // it fits its words by itself
+            const bool mayShrink = ownWay || label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // shortened by itself
             if (label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1
                                   : label->sizeHint().height() > label->height() + 1)
                 told(*label, QString("%1 high are needed")
@@ -62,6 +63,8 @@ namespace edgescan::ui {
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             const auto* tool = qobject_cast<const QToolButton*>(button);
             if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
+            const QByteArray kind = button->metaObject()->className();
+            if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its words by itself
             const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
             if (button->width() < words) told(*button, QString("%1 wide are needed").arg(words));
         }

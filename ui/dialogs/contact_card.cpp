@@ -13,6 +13,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kColumns = 4;
+constexpr QSize kUsual(960, 720);
+constexpr QSize kLess(20, 60); // than the window, on a small screen: its frame is on the screen too
 
 } // namespace
 
@@ -34,7 +36,6 @@ ContactCard::ContactCard(QWidget* parent)
     column->addWidget(state_);
     column->addWidget(progress_);
     column->addWidget(buttons);
-    resize(960, 720);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
@@ -49,6 +50,7 @@ void ContactCard::begin(const QString& name, int pictures) {
     progress_->show();
     state_->setText(tr("computing %1 of %2 …").arg(1).arg(pictures));
     state_->show();
+    if (!isVisible()) resize(kUsual.boundedTo(parentWidget() == nullptr ? kUsual : parentWidget()->window()->size() - kLess));
     show();
     raise();
 }

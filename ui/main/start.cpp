@@ -15,11 +15,14 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QStandardPaths>
+#include <QTimer>
 
 #include <algorithm>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kSettleMs = 400; // docks have found their places
 
 /// Keeps it over all between tool bar and status bar; the bar of notices stays to be seen, and the panel of the scanner ends it.
 class OverViews : public QObject {
@@ -28,6 +31,12 @@ public:
         for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
                                  static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.live().panel())})
             watched->installEventFilter(this);
+        settle_.setSingleShot(true);
+        settle_.setInterval(kSettleMs);
+        connect(&settle_, &QTimer::timeout, this, [this] {
+            window_.update();
+            page_.update();
+        });
         place();
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
@@ -52,11 +61,12 @@ private:
         const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.statusLine().mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
-        page_.update(); // what lay there while the docks moved under it would stay
+        settle_.start();
     }
 
     MainWindow& window_;
     StartPage& page_;
+    QTimer settle_; // then all is painted once more: the line between docks that moved under the page is black until then
     bool gone_ = false;
 };
 

@@ -26,6 +26,7 @@ namespace {
 constexpr int kFoldedBelow = 1100;    // px of the window: the panels are folded unless somebody opens them
 constexpr double kCloudShare = 0.55;  // of the width, at least
 constexpr int kRangeWindowFrom = 600; // px of the window's height
+constexpr int kLeastPanel = 240;      // px; narrower than that its words are cut
 constexpr int kOpenFrame = 2;         // px beside a width that count as the same
 
 // Widths that leave the cloud most of the window and still let images and panel be read.
@@ -33,7 +34,7 @@ int usualImages(int window) {
     const int wanted = window < kFoldedBelow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
     return std::clamp(wanted, 140, 560);
 }
-int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), 240, 400); }
+int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), kLeastPanel, 400); }
 
 // A small screen is filled, a large one not quite.
 QSize usualWindow(const QRect& screen) {
@@ -50,14 +51,17 @@ void MainWindow::arrange() {
     for (QDockWidget* dock : docks_) {
         const QString byHand = dock->property(kByHand).toString();
         const bool open = byHand.isEmpty() ? wide >= kFoldedBelow : byHand == "open";
-        if (dock->isHidden() == open) dock->setVisible(open);
+        if (dock->isHidden() != open) continue;
+        dock->setVisible(open);
+        // Beside others it gets their width, which may cut it off: looked at when it has one.
+        if (open) QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
     }
     const auto asArranged = [](int now, int arranged) { return arranged == 0 || std::abs(now - arranged) <= kOpenFrame; };
     int panel = 0;
     for (QDockWidget* dock : docks_) {
         if (dock->isHidden() || dock->isFloating()) continue;
         const int usual = std::max(usualPanel(wide), dock->minimumSizeHint().width());
-        const bool follows = asArranged(dock->width(), arrangedPanel_);
+        const bool follows = asArranged(dock->width(), arrangedPanel_) || dock->width() < kLeastPanel; // cut off is nobody's wish
         if (follows) resizeDocks({dock}, {arrangedPanel_ = usual}, Qt::Horizontal);
         panel = std::max(panel, follows ? usual : dock->width()); // its width follows later
     }
