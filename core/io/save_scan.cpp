@@ -38,7 +38,9 @@ Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const s
 
 Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result<std::string> bytes) {
     if (!bytes) return bytes.error();
-    return std::vector<FileBytes>{{path, std::move(*bytes)}};
+    std::vector<FileBytes> files; // a list in braces would copy all bytes
+    files.push_back({path, std::move(*bytes)});
+    return files;
 }
 
 } // namespace

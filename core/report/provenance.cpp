@@ -170,7 +170,9 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
     if (confidence) save.confidence = &confidence->percent;
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
-        return std::vector<FileBytes>{{path, std::move(*bytes)}};
+        std::vector<FileBytes> files; // a list in braces would copy all bytes
+        files.push_back({path, std::move(*bytes)});
+        return files;
     };
     switch (content) {
     case ExportContent::EdgeCloud:
