@@ -23,7 +23,9 @@ std::optional<double> strengthAt(const Detection& detection, const Probe& probe)
     // There the data end, or what lies behind a void tells: no response of the cell's own does.
     if (probe.kind == DepthEdge::Border || probe.kind == DepthEdge::Silhouette) return std::nullopt;
     if (probe.kind == DepthEdge::Jump) return jump;
-    return probe.kind == DepthEdge::None ? std::max(jump, fold) : fold;
+    if (probe.kind != DepthEdge::None) return fold;
+    const double strongest = std::max(jump, fold);
+    return strongest > 0 ? std::optional(strongest) : std::nullopt; // outdone by a neighbour: what it was itself is not kept
 }
 
 } // namespace

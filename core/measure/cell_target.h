@@ -22,7 +22,8 @@ struct CellTarget {
     std::optional<SurfaceAtCell> surface; ///< empty where no plane fits
     std::optional<Dip> dip;               ///< of the surface, to the mine's horizon; empty without a pose
     std::optional<BoomAtCell> boom;       ///< empty where the place tells of no boom
-    std::optional<double> strength;       ///< of the edge, 1 = at the threshold; empty where the method measures none of the surface
+    std::optional<double>
+        strength; ///< of the edge, 1 = at the threshold; empty where the method measures none of the surface, or a neighbour outdid it
 };
 
 /// Of the scan: what the detection measured, or measured now, which costs about as much as opening it.
