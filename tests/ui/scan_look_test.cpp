@@ -258,6 +258,18 @@ private slots:
         QVERIFY(!on.window.views().rangeWindow() && on.window.views().gray().image() == on.picture().gray);
     }
 
+    void noEndMovesBeforeTheRangesAreCounted() {
+        RangeHandles handles;
+        handles.resize(240, handles.height());
+        handles.setWindow({2.0, 10.0});
+        QTest::mouseClick(&handles, Qt::LeftButton, Qt::NoModifier, QPoint(60, 10));
+        QTest::keyClick(&handles, Qt::Key_Left);
+        QVERIFY(handles.window() == RangeHandles::Window(2.0, 10.0));
+        handles.showHistogram(rangeHistogram(test::boxesScan(120, 160, 3)));
+        QTest::keyClick(&handles, Qt::Key_Left);
+        QVERIFY(handles.window().second < 10.0);
+    }
+
     void theHistogramCountsEveryRange() {
         const Scan scan = test::boxesScan(120, 160, 3, 0.02);
         const RangeHistogram histogram = rangeHistogram(scan);

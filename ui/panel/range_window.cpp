@@ -97,7 +97,7 @@ void RangeHandles::moveEnd(bool far, double metres) {
 }
 
 void RangeHandles::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
+    if (event->button() != Qt::LeftButton || !isKnown()) return;
     const double x = event->pos().x();
     const double toNear = std::abs(toX(window_.first) - x), toFar = std::abs(toX(window_.second) - x);
     held_ = toFar <= toNear;
@@ -120,7 +120,7 @@ void RangeHandles::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
 
 void RangeHandles::keyPressEvent(QKeyEvent* event) {
     const int way = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-    if (way == 0) return QWidget::keyPressEvent(event);
+    if (way == 0 || !isKnown()) return QWidget::keyPressEvent(event);
     const bool far = !event->modifiers().testFlag(Qt::ShiftModifier);
     moveEnd(far, (far ? window_.second : window_.first) + way * histogram_.mostM / 100.0);
 }
@@ -144,6 +144,7 @@ void RangeHandles::paintEvent(QPaintEvent* /*event*/) {
     }
     painter.setPen(theme.edge);
     painter.drawLine(QPointF(left, ground), QPointF(right, ground));
+    if (!isKnown()) return;
     painter.setPen(theme.quietText);
     const double step = niceAbove(histogram_.mostM / 4.5);
     for (double metres = 0.0; metres <= histogram_.mostM * (1.0 + 1e-9); metres += step) {

@@ -49,6 +49,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    /// While it is counted there is no scale that an end could be put on.
+    [[nodiscard]] bool isKnown() const { return !histogram_.counts.empty(); }
     void moveEnd(bool far, double metres);
 
     RangeHistogram histogram_;
