@@ -1,6 +1,7 @@
 // The panes of the views: their titles tell how much of the scan is shown, a button or a double-click shows one alone.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/confidence/confidence_legend.h"
@@ -35,6 +36,16 @@ private slots:
         settings.beams = 160;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(bool(saveScan(simulate(settings)->scan, bell_)));
+    }
+
+    void aLineWithoutRoomEndsInDots() {
+        ElidedLabel line;
+        line.setText("LMS511 of the robot, SN 18110550, firmware 1.80");
+        line.resize(line.fontMetrics().horizontalAdvance(line.text()) + 4, 20);
+        QCOMPARE(line.shown(), line.text());
+        line.resize(120, 20);
+        QVERIFY2(line.shown().endsWith("…") && line.shown().startsWith("LMS511"), qPrintable(line.shown()));
+        QVERIFY(line.fontMetrics().horizontalAdvance(line.shown()) <= 120);
     }
 
     void aMaximisedPaneIsFilled() {

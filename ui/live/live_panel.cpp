@@ -1,6 +1,7 @@
 // The panel of a live scanner.
 #include "ui/live/live_panel.h"
 
+#include "ui/base/elided_label.h"
 #include "ui/base/shown_text.h"
 #include "ui/live/sweep_form.h"
 
@@ -34,8 +35,8 @@ LivePanel::LivePanel(QWidget* parent)
       sweepButton_(new QToolButton), sweep_(new SweepForm),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
-      follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner; off: it stays as it is"))), scanner_(new QLabel),
-      strip_(new HealthStrip) {
+      follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner; off: it stays as it is"))),
+      scanner_(new ElidedLabel), strip_(new HealthStrip) {
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("name or address of the scanner"));
     host_->setMaximumWidth(220);
@@ -45,9 +46,6 @@ LivePanel::LivePanel(QWidget* parent)
     addSweepMenu();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
     scanner_->setObjectName("live-scanner");
-    scanner_->setTextFormat(Qt::PlainText);
-    scanner_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    scanner_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 2, 6, 0);
