@@ -1,13 +1,11 @@
 // The commands of edgescan-cli, one file each. A command adds its flags to `app` and leaves the exit code in `code` when it ran.
 #pragma once
 
+#include "app/shared/exits.h"
+
 #include <CLI/CLI.hpp>
 
 namespace edgescan::cli {
-
-inline constexpr int kDone = 0;
-inline constexpr int kRefused = 1;    ///< an input was refused or unreadable, or an output could not be written
-inline constexpr int kWrongUsage = 2; ///< the command line itself is wrong
 
 void addInfo(CLI::App& app, int& code);
 void addDetect(CLI::App& app, int& code);

@@ -40,10 +40,14 @@ struct Detect {
 // Where the results of one scan go; an empty path is not written.
 struct Outputs {
     std::string json, mask, gray, range, edges, cloud;
+
+    [[nodiscard]] std::array<std::string, 6> paths() const { return {json, mask, gray, range, edges, cloud}; }
 };
 
+Outputs typedOutputs(const Detect& detect) { return {detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud}; }
+
 Outputs outputsOf(const Detect& detect, const Scan& scan) {
-    Outputs out{detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud};
+    Outputs out = typedOutputs(detect);
     if (detect.folder.empty()) return out;
     const std::string stem = (fs::path(detect.folder) / scan.name).string();
     const auto fill = [&](std::string& path, const std::string& tail) {
@@ -82,7 +86,7 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detect
 std::string placesWrittenTo(const Detect& detect, const Outputs& out) {
     if (!detect.folder.empty()) return printable(detect.folder);
     std::string places;
-    for (const std::string& path : {out.json, out.mask, out.gray, out.range, out.edges, out.cloud}) {
+    for (const std::string& path : out.paths()) {
         if (!path.empty()) places += (places.empty() ? "" : ", ") + (goesToNoFile(path) ? "standard output" : printable(path));
     }
     return places;
@@ -110,8 +114,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     if (!settings) return settings.error();
     const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
-    if (auto distinct = checkDistinct(std::array{out.json, out.mask, out.gray, out.range, out.edges, out.cloud}); !distinct)
-        return distinct;
+    if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
     const std::string places = placesWrittenTo(detect, out);
     const std::string found = printable(file) + ": " + summary(*detection);
@@ -136,9 +139,7 @@ Result<Done> checkUsage(const Detect& detect) {
         if (const Format* format = writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
             return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
     }
-    if (auto distinct = checkDistinct(std::array{detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud});
-        !distinct)
-        return distinct;
+    if (auto distinct = checkDistinct(typedOutputs(detect).paths()); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first of them has results

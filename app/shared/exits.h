@@ -11,6 +11,11 @@
 
 namespace edgescan::cli {
 
+// What the programs end with.
+inline constexpr int kDone = 0;
+inline constexpr int kRefused = 1;    ///< an input was refused or unreadable, or an output could not be written
+inline constexpr int kWrongUsage = 2; ///< the command line itself is wrong
+
 /// What stands before each sentence on stderr; "edgescan-cli" unless it is said.
 void setProgramName(const std::string& name);
 

@@ -1,6 +1,7 @@
 // Flags, and what they mean together.
 #include "app/viewer/wanted.h"
 
+#include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"
@@ -12,8 +13,6 @@
 
 namespace edgescan::viewer {
 namespace {
-
-constexpr int kRefused = 1, kWrongUsage = 2;
 
 Result<SweepSettings> sweepOf(const Wanted& wanted) {
     const ReadingOptions options = cli::readingOptions(wanted.read);
@@ -66,10 +65,10 @@ std::optional<Error> contradiction(const Wanted& wanted) {
 std::optional<Refusal> understandScanner(const Wanted& wanted, Understood& understood) {
     if (wanted.live.empty()) return std::nullopt;
     const Result<cli::HostPort> scanner = cli::hostPort(wanted.live);
-    if (!scanner) return Refusal{scanner.error(), kWrongUsage};
+    if (!scanner) return Refusal{scanner.error(), cli::kWrongUsage};
     understood.scanner = *scanner;
     const Result<SweepSettings> sweep = sweepOf(wanted);
-    if (!sweep) return Refusal{sweep.error(), kRefused};
+    if (!sweep) return Refusal{sweep.error(), cli::kRefused};
     understood.sweep = *sweep;
     return std::nullopt;
 }
@@ -101,15 +100,15 @@ void addFlags(CLI::App& app, Wanted& wanted) {
 }
 
 std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) {
-    if (const auto none = nameThatIsNone(wanted)) return Refusal{*none, kRefused};
-    if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, kWrongUsage};
+    if (const auto none = nameThatIsNone(wanted)) return Refusal{*none, cli::kRefused};
+    if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
     if (auto refused = understandScanner(wanted, understood)) return refused;
     const auto pins = pinsOf(wanted.pins);
-    if (!pins) return Refusal{pins.error(), kWrongUsage};
+    if (!pins) return Refusal{pins.error(), cli::kWrongUsage};
     understood.pins = *pins;
     if (!cli::anyTyped(wanted.method)) return std::nullopt;
     const Result<Settings> settings = cli::settingsOf(wanted.method);
-    if (!settings) return Refusal{settings.error(), kWrongUsage};
+    if (!settings) return Refusal{settings.error(), cli::kWrongUsage};
     understood.settings = *settings;
     return std::nullopt;
 }

@@ -1,10 +1,10 @@
 // The heading is the first row that names x, y and z.
 #include "core/points/row_below_names.h"
 
+#include "core/base/number_text.h"
 #include "core/points/number_groups.h"
 #include "core/points/text_words.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace edgescan {
@@ -17,9 +17,7 @@ std::vector<std::string> namesIn(std::string_view header, const TextLayout& layo
             names.back() += cell;
             continue;
         }
-        std::string name(cell);
-        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-        names.push_back(std::move(name));
+        names.push_back(asciiLower(cell));
     }
     return names;
 }

@@ -1,6 +1,6 @@
 // Cab mode in the real window: everything large enough for gloves, one hand, no modifier, no hover; fingers turn, move, zoom and ask.
 #include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/touch.h"
 #include "ui/cab/cab_frame.h"
@@ -44,11 +44,6 @@ class CabTest : public QObject {
         return found;
     }
     static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
-    static void resizeTo(MainWindow& window, QSize size) {
-        window.resize(size);
-        QTRY_COMPARE(window.size(), size);
-        QApplication::processEvents();
-    }
     // The first cell with a range that the cloud shows near its middle.
     static QPoint pointOnCloud(const CloudView& cloud) {
         for (int r = 0; r < 200; r += 4) {

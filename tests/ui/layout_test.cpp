@@ -2,8 +2,7 @@
 #include "core/settings/method_traits.h"
 #include "core/settings/presets.h"
 #include "tests/support/placements.h"
-#include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -37,26 +36,15 @@ using namespace edgescan::ui;
 class LayoutTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
-    std::string bare_, placed_, tall_;
+    std::string bare_;
 
     static QDockWidget* dock(MainWindow& window) { return window.findChild<QDockWidget*>("dock-edges"); }
-    static void resizeTo(MainWindow& window, QSize size) {
-        window.resize(size);
-        QTRY_COMPARE(window.size(), size);
-        QApplication::processEvents();
-    }
 
 private slots:
     void initTestCase() {
         useTheme(*qApp);
-        Scan scan = test::boxesScan(300, 340, 3, 0.05);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(scan, bare_)));
-        Placement placement = *test::randomPlacement(3, 1, true);
-        placement.outOfSpec = true;
-        scan.placement = std::make_shared<const Placement>(placement);
-        placed_ = (folder_ / "placed.json").string();
-        QVERIFY(bool(saveScan(scan, placed_)));
+        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
     }
 
     void theWindowFitsItsScreen() {

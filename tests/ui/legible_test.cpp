@@ -1,7 +1,6 @@
 // What must be read is read whole, at every width and in every language: status line, tools, cards.
 #include "tests/support/placements.h"
-#include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
 #include "ui/language/languages.h"
 #include "ui/main/theme.h"
 #include "ui/main/tool_bar.h"
@@ -22,16 +21,10 @@ class LegibleTest : public QObject {
     test::TemporaryFolder folder_;
     std::string bare_, placed_;
 
-    static void resizeTo(MainWindow& window, QSize size) {
-        window.resize(size);
-        QTRY_COMPARE(window.size(), size);
-        QApplication::processEvents();
-    }
-
 private slots:
     void initTestCase() {
         useTheme(*qApp);
-        Scan scan = test::boxesScan(300, 340, 3, 0.05);
+        Scan scan = boxesToShow();
         bare_ = (folder_ / "bare.json").string();
         QVERIFY(bool(saveScan(scan, bare_)));
         Placement placement = *test::randomPlacement(3, 1, true);

@@ -1,6 +1,5 @@
 // The panes of the views: their titles tell how much of the scan is shown, a button or a double-click shows one alone.
-#include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -20,17 +19,11 @@ class PaneTest : public QObject {
     test::TemporaryFolder folder_;
     std::string bare_, bell_;
 
-    static void resizeTo(MainWindow& window, QSize size) {
-        window.resize(size);
-        QTRY_COMPARE(window.size(), size);
-        QApplication::processEvents();
-    }
-
 private slots:
     void initTestCase() {
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(300, 340, 3, 0.05), bare_)));
+        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
         SimulationSettings settings;
         settings.lines = 120;
         settings.beams = 160;

@@ -2,7 +2,7 @@
 #include "core/rock_shapes/rock_faces.h"
 #include "core/settings/presets.h"
 #include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
 #include "ui/base/selected_colour.h"
 #include "ui/live/live_panel.h"
 #include "ui/main/theme.h"
@@ -83,7 +83,7 @@ private slots:
     void initTestCase() {
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(300, 340, 3, 0.05), bare_)));
+        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
     }
 
     void theWheelTurnsNothingThatHasNoFocus() {
