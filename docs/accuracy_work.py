@@ -36,7 +36,7 @@ def key(*parts):
 
 def simulator():
     sources = [os.path.join(ROOT, "app/cli/simulate.cpp")]
-    for folder, starts in (("core/sim", ""), ("core/eval", "t")):  # truth and thinning
+    for folder, starts in (("core/sim", ""), ("core/lab/score", "t")):  # truth and thinning
         folder = os.path.join(ROOT, folder)
         sources += [os.path.join(folder, name) for name in os.listdir(folder) if name.startswith(starts)]
     return hash_of(*sorted(sources))

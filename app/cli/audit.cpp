@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
 #include "app/shared/json_output.h"
-#include "core/audit/audit_check.h"
+#include "core/base/audit_log/audit_check.h"
 
 #include <nlohmann/json.hpp>
 

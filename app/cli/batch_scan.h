@@ -3,7 +3,7 @@
 
 #include "app/cli/rock_flags.h"
 #include "app/shared/options.h"
-#include "core/archive/journal.h"
+#include "core/batch/archive/journal.h"
 
 #include <filesystem>
 #include <string>

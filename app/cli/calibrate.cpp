@@ -8,13 +8,13 @@
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
-#include "core/calibrate/backlash.h"
-#include "core/calibrate/calibration_file.h"
-#include "core/calibrate/seam_edges.h"
-#include "core/calibrate/views_picture.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/inspect/calibration/backlash.h"
+#include "core/inspect/calibration/calibration_file.h"
+#include "core/inspect/calibration/seam_edges.h"
+#include "core/inspect/calibration/views_picture.h"
 
 #include <array>
 #include <filesystem>

@@ -3,11 +3,11 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
-#include "core/change/change_report.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
-#include "core/repeat/placed_scan.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "core/inspect/registration/placed_scan.h"
 
 #include <array>
 #include <nlohmann/json.hpp>

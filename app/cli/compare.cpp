@@ -4,12 +4,12 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/eval/truth_fit.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
-#include "core/report/comparison_pictures.h"
-#include "core/report/comparison_report.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/lab/reports/comparison_pictures.h"
+#include "core/lab/reports/comparison_report.h"
+#include "core/lab/score/truth_fit.h"
 
 #include <nlohmann/json.hpp>
 

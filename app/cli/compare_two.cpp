@@ -2,8 +2,8 @@
 #include "app/cli/compare_two.h"
 
 #include "app/shared/json_output.h"
-#include "core/method/work_memory.h"
-#include "core/report/repeat_report.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/lab/reports/repeat_report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/shared/options.h"
-#include "core/compare/comparison.h"
+#include "core/lab/peers/comparison.h"
 
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/base/foreign_text.h"
-#include "core/formats/formats.h"
-#include "core/georef/placed_points.h"
-#include "core/io/save_scan.h"
+#include "core/files/formats/formats.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <memory>
 

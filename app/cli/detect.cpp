@@ -6,13 +6,13 @@
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
-#include "core/formats/formats.h"
-#include "core/georef/placed_points.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/points/point_table.h"
-#include "core/report/provenance.h"
-#include "core/report/report.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/formats/formats.h"
+#include "core/files/point_tables/point_table.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <array>
 #include <nlohmann/json.hpp>

@@ -4,13 +4,13 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/eval/evaluation.h"
-#include "core/eval/truth_fit.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
-#include "core/settings/method_traits.h"
-#include "core/settings/parameters.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
+#include "core/lab/score/evaluation.h"
+#include "core/lab/score/truth_fit.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,11 +4,11 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
-#include "core/eval/truth_fit.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
-#include "core/report/rock_pictures.h"
-#include "core/settings/parameters.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/edges/settings/parameters.h"
+#include "core/lab/reports/rock_pictures.h"
+#include "core/lab/score/truth_fit.h"
 
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/shared/options.h"
-#include "core/compare/rock_answers.h"
+#include "core/lab/peers/rock_answers.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // What a live scanner or a recording sent, as JSON: where every telegram went, and what was not as it should be.
 #pragma once
 
-#include "core/sweep/irregularities.h"
+#include "core/scanner/sweep_assembly/irregularities.h"
 
 #include <nlohmann/json.hpp>
 

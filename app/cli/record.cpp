@@ -6,8 +6,8 @@
 #include "app/shared/json_output.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
-#include "core/live/live_feed.h"
-#include "core/report/report.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/live_feed/live_feed.h"
 
 #include <nlohmann/json.hpp>
 

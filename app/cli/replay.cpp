@@ -1,12 +1,12 @@
 // edgescan-cli replay: a recording through the live path, a JSON line per line received, and the edges of the sweep at the end.
-#include "core/recording/replay.h"
+#include "core/files/recording/replay.h"
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
-#include "core/report/report.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/open_save/open_scan.h"
 
 #include <nlohmann/json.hpp>
 

@@ -9,9 +9,9 @@
 #include "core/base/shell_quoted.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/page/scan_page.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/exports/html/scan_page.h"
 
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/shared/options.h"
-#include "core/rocks/rock_preset.h"
+#include "core/rocks/selection/preset.h"
 
 #include <string>
 #include <utility>

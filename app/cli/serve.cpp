@@ -4,8 +4,8 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,11 +3,11 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
-#include "core/eval/truth_files.h"
-#include "core/formats/formats.h"
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
-#include "core/scan/cartesian.h"
+#include "core/files/formats/formats.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/lab/score/truth_files.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <unistd.h>
 

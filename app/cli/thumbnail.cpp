@@ -1,8 +1,8 @@
 // edgescan-cli thumbnail: a small picture of a scan, for file managers.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
-#include "core/gray/gray.h"
-#include "core/pictures/png.h"
+#include "core/containers/png/png.h"
+#include "core/edges/gray/gray.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,10 +1,10 @@
 // edgescan-cli verify: makes exports again from their records and says whether they are the same.
-#include "core/report/verify.h"
+#include "core/exports/provenance/verify.h"
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
-#include "core/io/grid_beside.h"
-#include "core/report/report.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/open_save/sidecar_grid.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,10 +2,10 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/report/report.h"
-#include "core/report/why_report.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/exports/provenance/report.h"
+#include "core/exports/provenance/why_report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,15 +4,15 @@
 
 #include "app/shared/typed_settings.h"
 #include "core/base/inputs.h"
-#include "core/eval/evaluation.h"
-#include "core/eval/truth_fit.h"
-#include "core/formats/formats.h"
-#include "core/georef/placed_points.h"
-#include "core/method/methods.h"
-#include "core/method/pipeline.h"
-#include "core/method/work_memory.h"
-#include "core/pictures/png.h"
-#include "core/report/report.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/formats/formats.h"
+#include "core/lab/score/evaluation.h"
+#include "core/lab/score/truth_fit.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
 

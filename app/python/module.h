@@ -3,8 +3,8 @@
 
 #include "core/base/grid.h"
 #include "core/base/result.h"
-#include "core/scan/placement.h"
-#include "core/scan/scan.h"
+#include "core/scan/grid/placement.h"
+#include "core/scan/grid/scan.h"
 
 #include <nlohmann/json_fwd.hpp>
 

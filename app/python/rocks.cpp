@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/rocks/rock_map.h"
+#include "core/rocks/selection/rock_map.h"
 
 #include <nlohmann/json.hpp>
 

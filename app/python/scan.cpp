@@ -1,10 +1,10 @@
 // Scans in Python: opening them, and their cells as arrays.
 #include "app/python/module.h"
 
-#include "core/georef/placed_points.h"
-#include "core/io/open_as_asked.h"
-#include "core/report/report.h"
-#include "core/scan/cartesian.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/open_save/open_as_asked.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <nlohmann/json.hpp>
 

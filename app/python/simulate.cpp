@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/scan/cartesian.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <algorithm>
 #include <charconv>

@@ -3,8 +3,8 @@
 
 #include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
-#include "core/io/open_scan.h"
-#include "core/live/live_feed.h"
+#include "core/files/live_feed/live_feed.h"
+#include "core/files/open_save/open_scan.h"
 
 #include <chrono>
 #include <condition_variable>

@@ -3,11 +3,11 @@
 #include "app/python/module.h"
 
 #include "core/base/number_text.h"
-#include "core/formats/formats.h"
-#include "core/points/writing_choices.h"
-#include "core/scan/reading_options.h"
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/files/formats/formats.h"
+#include "core/files/point_tables/writing_choices.h"
+#include "core/scan/grid/reading_options.h"
 #include "core/sim/simulate.h"
 
 namespace edgescan::python {

@@ -2,7 +2,7 @@
 #include "app/shared/mounting.h"
 
 #include "app/shared/numbers.h"
-#include "core/georef/calibration.h"
+#include "core/scan/georef/calibration.h"
 
 #include <cmath>
 

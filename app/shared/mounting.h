@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/sweep/sweep_settings.h"
+#include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <CLI/CLI.hpp>
 

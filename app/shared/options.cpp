@@ -3,9 +3,9 @@
 
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
-#include "core/georef/placed_points.h"
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <unistd.h>
 

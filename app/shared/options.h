@@ -5,9 +5,9 @@
 #include "app/shared/numbers.h"
 #include "app/shared/typed_settings.h"
 #include "core/base/result.h"
-#include "core/io/open_as_asked.h"
-#include "core/report/provenance.h"
-#include "core/scan/scan.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/files/open_save/open_as_asked.h"
+#include "core/scan/grid/scan.h"
 
 #include <CLI/CLI.hpp>
 

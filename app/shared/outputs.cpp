@@ -2,7 +2,7 @@
 #include "app/shared/outputs.h"
 
 #include "core/base/whole_file.h"
-#include "core/io/grid_beside.h"
+#include "core/files/open_save/sidecar_grid.h"
 
 #include <filesystem>
 #include <set>

@@ -8,8 +8,8 @@
 
 namespace edgescan::cli {
 
-/// Error when two of the paths are one file, however they are spelled, or one is the record beside another (core/io/grid_beside.h). Empty
-/// paths and devices do not count; standard output takes one result.
+/// Error when two of the paths are one file, however they are spelled, or one is the record beside another
+/// (core/files/open_save/sidecar_grid.h). Empty paths and devices do not count; standard output takes one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
 
 } // namespace edgescan::cli

@@ -3,7 +3,7 @@
 
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
-#include "core/settings/parameters.h"
+#include "core/edges/settings/parameters.h"
 
 #include <algorithm>
 #include <filesystem>

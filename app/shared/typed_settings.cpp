@@ -3,8 +3,8 @@
 
 #include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
-#include "core/method/step_meaning.h"
-#include "core/settings/parameters.h"
+#include "core/edges/pipeline/step_meaning.h"
+#include "core/edges/settings/parameters.h"
 
 #include <algorithm>
 #include <optional>

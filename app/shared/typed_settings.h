@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/report/provenance.h"
-#include "core/scan/scan.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/scan/grid/scan.h"
 
 #include <map>
 #include <string>

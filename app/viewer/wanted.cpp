@@ -6,7 +6,7 @@
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"
 #include "core/base/version.h"
-#include "ui/language/languages.h"
+#include "ui/base/language/languages.h"
 
 #include <CLI/CLI.hpp>
 #include <QString>

@@ -2,7 +2,7 @@
 #include "app/viewer/when_shown.h"
 
 #include "app/shared/exits.h"
-#include "ui/main/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QTimer>

@@ -1,9 +1,9 @@
 // Where the rays of a sweep start and point.
 #pragma once
 
-#include "core/georef/assembly.h"
-#include "core/georef/rotations.h"
-#include "core/scan/cartesian.h"
+#include "core/scan/georef/assembly.h"
+#include "core/scan/georef/rotations.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // What lies between neighbouring cells of a sweep.
 #pragma once
 
-#include "core/scan/cartesian.h"
+#include "core/scan/grid/cartesian.h"
 #include "core/sim/caster.h"
 #include "core/sim/simulate.h"
 

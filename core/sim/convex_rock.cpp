@@ -1,7 +1,7 @@
 // Rocks: a blocky cloud of corners, its hull, and the half-spaces that rays are tested against.
 #include "core/sim/convex_rock.h"
 
-#include "core/sim/convex_hull.h"
+#include "core/base/geometry/convex_hull.h"
 #include "core/sim/rounded_core.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Worn rock: a convex body with its corners and ridges rounded off.
 #pragma once
 
-#include "core/sim/convex_hull.h"
+#include "core/base/geometry/convex_hull.h"
 
 #include <Eigen/Core>
 

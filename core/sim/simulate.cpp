@@ -2,7 +2,7 @@
 #include "core/sim/simulate.h"
 
 #include "core/base/number_text.h"
-#include "core/scan/cartesian.h"
+#include "core/scan/grid/cartesian.h"
 #include "core/sim/aim.h"
 #include "core/sim/beam.h"
 #include "core/sim/caster.h"

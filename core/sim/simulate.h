@@ -3,8 +3,8 @@
 
 #include "core/base/physical_limits.h"
 #include "core/base/result.h"
-#include "core/georef/assembly.h"
-#include "core/scan/scan.h"
+#include "core/scan/georef/assembly.h"
+#include "core/scan/grid/scan.h"
 #include "core/sim/seam.h"
 
 #include <Eigen/Core>

@@ -1,14 +1,14 @@
 // What the methods cost beside each other, as ratios measured in one run: docs/performance.md is made of it.
 // edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]
 // --short: a million cells, processor time alone; ends with 1 when a ratio falls under three quarters of what is held.
-#include "core/compare/comparison.h"
-#include "core/gray/canny.h"
-#include "core/gray/gray.h"
-#include "core/gray/smooth.h"
-#include "core/method/methods.h"
-#include "core/scan/cartesian.h"
-#include "core/scan/opencv_view.h"
-#include "core/settings/presets.h"
+#include "core/edges/gray/canny.h"
+#include "core/edges/gray/gray.h"
+#include "core/edges/gray/smooth.h"
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/settings/presets.h"
+#include "core/lab/peers/comparison.h"
+#include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/opencv_view.h"
 #include "core/sim/simulate.h"
 #include "tests/bench/naive_thesis.h"
 #include "tests/bench/programs.h"

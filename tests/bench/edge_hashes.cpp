@@ -1,11 +1,11 @@
 // Prints a hash of every mask, class, response and strength that the methods make of simulated sweeps, of sweeps of noise, and of the
 // scans that are named: what a faster program must print as well.
 // build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same of an older build > old; diff old new
-#include "core/depth/depth_settings.h"
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
-#include "core/settings/method_traits.h"
-#include "core/settings/presets.h"
+#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/presets.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/sim/simulate.h"
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 // What EdgeScan+ and the rocks from its edges cost beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
 // build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
-#include "core/gray/canny.h"
-#include "core/gray/gray.h"
-#include "core/gray/smooth.h"
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
-#include "core/rock_shapes/rock_study.h"
-#include "core/settings/presets.h"
+#include "core/edges/gray/canny.h"
+#include "core/edges/gray/gray.h"
+#include "core/edges/gray/smooth.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/presets.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/rocks/attributes/study.h"
 #include "core/sim/simulate.h"
 #include "tests/bench/timing.h"
 

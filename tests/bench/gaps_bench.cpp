@@ -1,9 +1,9 @@
 // Filled gaps against the simulator's truth, beside nearest, bilinear and OpenCV's inpainting: tables for docs/gaps.md.
 // build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells. edgescan_gaps_bench --many FIRST COUNT: so many seeds of both,
 // grids of 250 lines x 286 beams.
-#include "core/eval/evaluation.h"
-#include "core/gaps/gap_filling.h"
-#include "core/method/pipeline.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/lab/score/evaluation.h"
+#include "core/scan/gap_filling/gap_filling.h"
 #include "tests/support/scored_scene.h"
 
 #include <opencv2/core.hpp>

@@ -1,8 +1,8 @@
 // What a line costs beside drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
-#include "core/emulator/emulated_telegram.h"
-#include "core/method/pipeline.h"
-#include "core/recording/recording_writer.h"
-#include "core/recording/replay.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/files/recording/replay.h"
+#include "core/files/recording/writer.h"
+#include "core/scanner/emulator/telegram.h"
 #include "core/sim/simulate.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The thesis's recipe as a student would write it: pixel by pixel, and clouds that grow by push_back.
 #pragma once
 
-#include "core/scan/scan.h"
+#include "core/scan/grid/scan.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Starts programs and waits for them; the system says what they cost.
 #include "tests/bench/programs.h"
 
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/bench/timing.h"
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 // Candidates measured in turn, so that what else the machine does falls on all of them alike.
 #pragma once
 
-#include "core/method/pipeline.h"
+#include "core/edges/pipeline/pipeline.h"
 
 #include <algorithm>
 #include <chrono>

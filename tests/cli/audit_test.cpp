@@ -1,5 +1,5 @@
 // edgescan-cli audit from outside: it names the line, in words and as JSON.
-#include "core/audit/audit_log.h"
+#include "core/base/audit_log/audit_log.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A run over an archive from outside: broken scans, kill -9, parts and their merge; the table is that of an undisturbed run.
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

@@ -1,5 +1,5 @@
 // edgescan-cli calibrate: the file it writes, and what it refuses.
-#include "core/georef/calibration.h"
+#include "core/scan/georef/calibration.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

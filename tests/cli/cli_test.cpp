@@ -1,11 +1,11 @@
 // edgescan-cli from outside: exit codes, JSON, files, and what it says when something is wrong.
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
-#include "core/method/pipeline.h"
-#include "core/pictures/png.h"
-#include "core/report/report.h"
-#include "core/settings/command_text.h"
-#include "core/settings/presets.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/command_text.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 

@@ -1,6 +1,6 @@
 // edgescan-cli why and compare from outside.
-#include "core/io/save_scan.h"
-#include "core/pictures/png.h"
+#include "core/containers/png/png.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 

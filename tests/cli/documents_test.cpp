@@ -157,7 +157,7 @@ TEST(Documents, EveryRoomHasAReadme) {
         EXPECT_TRUE(fs::is_regular_file(kRoot / folder / "README.md")) << folder;
 }
 
-// `core/gray/canny.h` or `core/sim/seam` in a document; NAME stands for a file that somebody is about to write.
+// `core/edges/gray/canny.h` or `core/sim/seam` in a document; NAME stands for a file that somebody is about to write.
 TEST(Documents, PathsNamedInDocumentsAreThere) {
     for (const fs::path& file : filesThatCite()) {
         if (file.extension() != kMark) continue;

@@ -1,5 +1,5 @@
 // edgescan-cli evaluate from outside.
-#include "core/pictures/png.h"
+#include "core/containers/png/png.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

@@ -59,7 +59,7 @@ TEST(Exits, OnlyOneFileWritesToTheTerminal) {
 
 TEST(Exits, OnlyOneFileMakesTextForTheWindow) {
     const std::regex conversion(R"(QString::fromStdString|QString::fromStdU|QString::fromLatin1|QString::fromLocal8Bit|setHtml\()");
-    EXPECT_EQ(joined(linesWith({"ui"}, conversion, {"ui/base/shown_text.cpp", "ui/dialogs/sheets.cpp"})), "");
+    EXPECT_EQ(joined(linesWith({"ui"}, conversion, {"ui/base/shown_text.cpp", "ui/panels/dialogs/sheets.cpp"})), "");
 }
 
 TEST(Exits, OnlyOneFileWritesJson) {
@@ -73,7 +73,7 @@ TEST(Exits, NothingAsksForTheCountrysWayToWriteNumbers) {
         R"(isalpha|isalnum|isdigit|isspace|isupper|islower|ispunct|isprint)\s*\()"
         R"(|stringstream|std::locale|setlocale|std::put_time|std::get_time|QLocale\(\)|QLocale::system|toLocal8Bit|%L[0-9])"
         R"(|<<\s*std::(setprecision|fixed)|std::regex)");
-    EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, calls, {"ui/base/plain_window.cpp", "ui/language/languages.cpp"})),
+    EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, calls, {"ui/base/plain_window.cpp", "ui/base/language/languages.cpp"})),
               ""); // the second asks for words
     // Text of a number with a fraction has its own functions (core/base/number_text.h); the library's follows the locale. The template that
     // it is made with is in a program only where a number with a fraction is given to std::to_string. (Not asked of app/: CLI11 has its

@@ -1,6 +1,6 @@
 // What the commands write: never over an input, in the frame that the file can hold, readable by what knows nothing of us.
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

@@ -1,7 +1,7 @@
 // Poses, frames, attached points and records from outside.
-#include "core/georef/calibration.h"
-#include "core/io/save_scan.h"
-#include "core/recording/recording_writer.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/files/recording/writer.h"
+#include "core/scan/georef/calibration.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"
 #include "tests/support/robot_files.h"

@@ -1,6 +1,6 @@
 // edgescan-cli rocks from outside: files, JSON, records, edits, and what is refused.
-#include "core/io/save_scan.h"
-#include "core/pictures/png.h"
+#include "core/containers/png/png.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"

@@ -1,6 +1,6 @@
 // record on slow and full disks, killed and stopped: what the file holds, and what is said.
-#include "core/recording/recording.h"
-#include "core/recording/replay.h"
+#include "core/files/recording/recording.h"
+#include "core/files/recording/replay.h"
 #include "tests/support/live_session.h"
 #include "tests/support/run_program.h"
 

@@ -1,5 +1,5 @@
 // edgescan-cli verify from outside, on what detect wrote.
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

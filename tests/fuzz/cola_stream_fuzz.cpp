@@ -1,5 +1,5 @@
 // libFuzzer: any bytes as a stream from the scanner. However they are cut, the frames are the same and every byte is accounted for.
-#include "core/cola/cola_frames.h"
+#include "core/scanner/cola/frames.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // Fuzzes the reader of E57. The pages' checksums are made right first, or hardly anything would get past them.
-#include "core/e57/paged_bytes.h"
+#include "core/containers/e57/paged_bytes.h"
 #include "tests/fuzz/open_bytes.h"
 
 #include <vector>

@@ -1,5 +1,5 @@
 // Whatever bytes come as a recording: a scan or a sentence.
-#include "core/recording/replay.h"
+#include "core/files/recording/replay.h"
 
 #include <cstddef>
 #include <cstdint>

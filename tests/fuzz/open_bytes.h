@@ -1,7 +1,7 @@
 // What every fuzzer of a reader does: open the bytes, and hold the scan to what it promises.
 #pragma once
 
-#include "core/io/open_scan.h"
+#include "core/files/open_save/open_scan.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Whatever bytes come as a pose or a calibration file: numbers that can be used, or a sentence.
-#include "core/georef/calibration.h"
-#include "core/georef/poses.h"
+#include "core/scan/georef/calibration.h"
+#include "core/scan/georef/poses.h"
 #include "tests/support/robot_files.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // libFuzzer: any bytes as a scan telegram. What decodes must survive encoding in both dialects and give ranges that are numbers.
-#include "core/lms/scan_telegram.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
 #include "tests/support/beam_angles.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Whatever bytes come as a session: one that is written and read back the same, or a sentence.
-#include "core/sitting/sitting.h"
+#include "core/inspect/session_file/session_file.h"
 
 #include <cstdint>
 #include <cstdlib>

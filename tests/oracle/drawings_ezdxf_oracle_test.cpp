@@ -1,7 +1,7 @@
 // ezdxf, a DXF library of its own, reads the drawings that we write: points, layers, polylines, and no complaint of its audit.
-#include "core/io/save_scan.h"
-#include "core/method/pipeline.h"
-#include "core/points/cloud_columns.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/files/point_tables/cloud_columns.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/save_clouds.h"

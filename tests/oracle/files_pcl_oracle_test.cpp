@@ -1,7 +1,7 @@
 // PCL reads what we write and we read what PCL writes. Needs pcl_common and pcl_io.
-#include "core/georef/placed_points.h"
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/scan/georef/placed_points.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/save_clouds.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Makes tests/unit/georef/frames_cases.json: the frame chain of docs/coordinates.md, worked out apart from the program. Each rotation is
+# Makes tests/unit/scan/georef/frames_cases.json: the frame chain of docs/coordinates.md, worked out apart from the program. Each rotation is
 # made of Rodrigues' formula, each step written down as points. usage: frames_cases.py > ../unit/georef/frames_cases.json
 import json
 import math

@@ -1,9 +1,9 @@
 // OpenCV reads the pictures that we write, and we read those that it writes.
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
-#include "core/pictures/png.h"
-#include "core/report/provenance.h"
-#include "core/scan/range_picture.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/range_picture.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

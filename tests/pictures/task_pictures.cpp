@@ -1,15 +1,15 @@
 // The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER
 // [TASK]. docs/make-pictures runs it, on a screen of 1280 x 800 and on one of 1920 x 1080.
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/dialogs/calibration_card.h"
-#include "ui/file_control/calibrating.h"
-#include "ui/main/theme.h"
-#include "ui/rocks/rock_table.h"
-#include "ui/rocks/rocks_panel.h"
+#include "ui/controllers/files/calibrating.h"
+#include "ui/panels/dialogs/calibration_card.h"
+#include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/window/theme.h"
 
 #include <QPainter>
 #include <QScreen>

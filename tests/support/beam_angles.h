@@ -1,7 +1,7 @@
 // The beam angles of a telegram's grid, one after the other: what tests compare the sweep's angles with.
 #pragma once
 
-#include "core/lms/scan_telegram.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 // Opening and building files in memory, for tests.
 #pragma once
 
-#include "core/io/open_scan.h"
+#include "core/files/open_save/open_scan.h"
 
 #include <cstring>
 #include <span>

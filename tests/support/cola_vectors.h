@@ -1,7 +1,7 @@
 // The real telegrams in ../shared/protocol/vectors, and what they decode to.
 #pragma once
 
-#include "core/lms/scan_telegram.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/base64.h"
-#include "core/mcap/mcap_writer.h"
+#include "core/containers/mcap/writer.h"
 #include "tests/support/seed_files.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // EdgeScan+ from a scan to its edges in one call; the program keeps what is in between.
 #pragma once
 
-#include "core/depth/depth_edges.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 
 namespace edgescan::test {
 

@@ -1,7 +1,7 @@
 // The edges of a detector with one threshold on a picture of levels.
 #pragma once
 
-#include "core/method/methods.h"
+#include "core/edges/pipeline/methods.h"
 
 namespace edgescan::test {
 

@@ -1,10 +1,10 @@
 // Scan telegrams made in memory, for tests of what comes after the wire.
 #pragma once
 
-#include "core/lms/scan_telegram.h"
-#include "core/recording/recording_writer.h"
-#include "core/scan/scan.h"
-#include "core/sweep/sweep.h"
+#include "core/files/recording/writer.h"
+#include "core/scan/grid/scan.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/sweep_assembly/sweep.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // A scanner session and what it told, for tests; an emulated scanner with few beams.
 #pragma once
 
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
-#include "core/lms/scanner_session.h"
-#include "core/sweep/counters.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
+#include "core/scanner/sick_lms/scanner_session.h"
+#include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/scans.h"
 #include "tests/support/wait_until.h"
 

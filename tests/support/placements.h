@@ -1,8 +1,8 @@
 // Random places in the mine, for tests.
 #pragma once
 
-#include "core/georef/rotations.h"
-#include "core/scan/placement.h"
+#include "core/scan/georef/rotations.h"
+#include "core/scan/grid/placement.h"
 
 #include <memory>
 #include <random>

@@ -1,8 +1,8 @@
 // Makes synthetic scans and writes them as point lists in the ways that programs do.
 #pragma once
 
-#include "core/scan/cartesian.h"
-#include "core/scan/scan.h"
+#include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/scan.h"
 
 #include <algorithm>
 #include <cmath>

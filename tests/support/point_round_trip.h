@@ -1,9 +1,9 @@
 // A scan as a bare list of points, rounded, shuffled and thinned, and what of it comes back when the list is opened.
 #pragma once
 
-#include "core/io/open_scan.h"
-#include "core/method/pipeline.h"
-#include "core/scan/cartesian.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/cartesian.h"
 #include "tests/support/point_files.h"
 
 #include <algorithm>

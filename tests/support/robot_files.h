@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/utc_time.h"
-#include "core/georef/calibration.h"
-#include "core/georef/poses.h"
+#include "core/scan/georef/calibration.h"
+#include "core/scan/georef/poses.h"
 
 #include <nlohmann/json.hpp>
 

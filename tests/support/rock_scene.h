@@ -1,8 +1,8 @@
 // Small scenes of rocks with what is true of them, and the stages up to the leaves in one call.
 #pragma once
 
-#include "core/method/pipeline.h"
-#include "core/rocks/rock_map.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/rocks/selection/rock_map.h"
 #include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>

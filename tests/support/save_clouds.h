@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/whole_file.h"
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Small scans made in memory, for tests.
 #pragma once
 
-#include "core/scan/scan.h"
+#include "core/scan/grid/scan.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Scoring in one call, for tests that want nothing but the score.
 #pragma once
 
-#include "core/eval/score.h"
+#include "core/lab/score/score.h"
 
 namespace edgescan::test {
 

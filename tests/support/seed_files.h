@@ -1,11 +1,11 @@
 // One small whole file per reader and kind, made in memory: seeds for the fuzzers and for the test that damages them.
 #pragma once
 
-#include "core/georef/poses.h"
-#include "core/io/save_scan.h"
-#include "core/pictures/png.h"
-#include "core/recording/save_recording.h"
-#include "core/scan/range_picture.h"
+#include "core/containers/png/png.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/files/recording/save_recording.h"
+#include "core/scan/georef/poses.h"
+#include "core/scan/grid/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/e57_writer.h"
 #include "tests/support/live_lines.h"

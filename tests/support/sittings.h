@@ -1,8 +1,8 @@
 // A session that holds something of everything.
 #pragma once
 
-#include "core/settings/presets.h"
-#include "core/sitting/sitting.h"
+#include "core/edges/settings/presets.h"
+#include "core/inspect/session_file/session_file.h"
 
 #include <string>
 

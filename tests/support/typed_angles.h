@@ -1,8 +1,8 @@
 // The flags that tell a reader the angles of a grid without any.
 #pragma once
 
-#include "core/io/open_scan.h"
-#include "core/scan/scan.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/scan.h"
 
 #include <variant>
 

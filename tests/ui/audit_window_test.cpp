@@ -1,5 +1,5 @@
 // What is done in the real window stands in the audit log; a full disk is seen.
-#include "core/audit/audit_check.h"
+#include "core/base/audit_log/audit_check.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"

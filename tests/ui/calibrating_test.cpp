@@ -1,14 +1,14 @@
 // Scan > Calibrate in the real window: on sweeps with errors of the assembly built into every ray, saved as the command line saves it,
 // applied by a click alone, and refused where a turn tells nothing.
-#include "core/georef/calibration.h"
-#include "core/scan/placement.h"
+#include "core/scan/georef/calibration.h"
+#include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/linked_pictures.h"
 #include "ui/base/notice_bar.h"
-#include "ui/dialogs/calibration_card.h"
-#include "ui/file_control/calibrating.h"
-#include "ui/live/state_badge.h"
+#include "ui/controllers/files/calibrating.h"
+#include "ui/panels/dialogs/calibration_card.h"
+#include "ui/panels/live/state_badge.h"
 
 #include <QAction>
 #include <QComboBox>

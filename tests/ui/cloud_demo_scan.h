@@ -1,8 +1,8 @@
 // A scanner in a box room with a few boulders, for the tests of the cloud view: ranges by ray casting, edges by jumps.
 #pragma once
 
-#include "core/scan/cartesian.h"
-#include "core/scan/scan.h"
+#include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/scan.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include "cloud_demo_scan.h"
 
-#include "ui/cloud/cloud_view.h"
-#include "ui/cloud/gl_check.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/gl_check.h"
 
 #include <QApplication>
 #include <QMouseEvent>

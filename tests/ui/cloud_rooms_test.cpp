@@ -1,11 +1,11 @@
 // The parts of the cloud view that need no display: geometry, camera motion, picking, budget, mouse bindings.
 #include "cloud_demo_scan.h"
 
-#include "ui/cloud/camera_motion.h"
-#include "ui/cloud/cloud_geometry.h"
-#include "ui/cloud/drawing_budget.h"
-#include "ui/cloud/mouse_bindings.h"
-#include "ui/cloud/point_pick.h"
+#include "ui/views/cloud/camera_motion.h"
+#include "ui/views/cloud/cloud_geometry.h"
+#include "ui/views/cloud/drawing_budget.h"
+#include "ui/views/cloud/mouse_bindings.h"
+#include "ui/views/cloud/point_pick.h"
 
 #include <QElapsedTimer>
 #include <QtTest>

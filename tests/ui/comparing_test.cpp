@@ -1,14 +1,14 @@
 // A/B in the real window, by real events: keep, turn, open the scan after the blast, flip all views with a key, gained and lost in colour
 // and numbers.
-#include "core/change/change_report.h"
-#include "core/change/scene_change.h"
-#include "core/method/pipeline.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "core/inspect/change_detection/scene_change.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/change/change_legend.h"
-#include "ui/panel/edge_legend.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/tuning/edge_legend.h"
 
 #include <QAction>
 #include <QCheckBox>

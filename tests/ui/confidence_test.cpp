@@ -1,11 +1,11 @@
 // Edge confidence in the real window: a key shows it, the slider leaves edges out, a new picture is worked out anew, A/B has precedence.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/change/change_legend.h"
-#include "ui/confidence/confidence_legend.h"
-#include "ui/panel/edge_legend.h"
-#include "ui/targets/target_card.h"
-#include "ui/targets/targets_panel.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/confidence/confidence_legend.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
 
 #include <QAction>
 #include <QSlider>

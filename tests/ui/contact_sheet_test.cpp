@@ -1,8 +1,8 @@
 // The contact sheet in the real window: pictures come one after the other, a click takes the value and can be undone, closing gives up.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/control/contact_sheets.h"
-#include "ui/dialogs/contact_card.h"
+#include "ui/controllers/contact_sheets.h"
+#include "ui/panels/dialogs/contact_card.h"
 
 #include <QAction>
 #include <QToolButton>

@@ -1,10 +1,10 @@
 // Files in the real window: opening, refusing, straightening, series, exports that equal those of the command line.
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
 #include <QMimeData>

@@ -1,10 +1,10 @@
 // Filled gaps in the real window: counted, striped, told in the status line, and gone again.
-#include "core/report/provenance.h"
+#include "core/exports/provenance/provenance.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/dialogs/export_dialog.h"
-#include "ui/panel/edge_legend.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QCheckBox>
 #include <QLabel>

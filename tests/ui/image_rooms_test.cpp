@@ -1,7 +1,7 @@
 // The parts of the image view that need no display: pyramid and view port.
 #include "tests/ui/ramp_image.h"
-#include "ui/image/pyramid.h"
-#include "ui/image/viewport.h"
+#include "ui/views/image/pyramid.h"
+#include "ui/views/image/viewport.h"
 
 #include <QLineF>
 #include <QtTest>

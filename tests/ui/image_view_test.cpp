@@ -1,6 +1,6 @@
 // The image view as a real widget with real mouse events.
 #include "tests/ui/ramp_image.h"
-#include "ui/image/image_view.h"
+#include "ui/views/image/image_view.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,17 +1,17 @@
 // The window in other languages: every text has its translation, and nothing but words changes.
-#include "core/rocks/rock_settings.h"
-#include "core/scan/reading_options.h"
-#include "core/settings/method_traits.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/presets.h"
+#include "core/rocks/selection/rock_settings.h"
+#include "core/scan/grid/reading_options.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/catalogue.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
-#include "ui/language/catalogue.h"
-#include "ui/language/languages.h"
-#include "ui/live/live_panel.h"
-#include "ui/panel/status_line.h"
-#include "ui/targets/target_card.h"
-#include "ui/targets/targets_panel.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -1,12 +1,12 @@
 // What must be read is read whole, at every width and in every language: status line, tools, cards.
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
-#include "ui/language/languages.h"
-#include "ui/main/theme.h"
-#include "ui/main/tool_bar.h"
-#include "ui/panel/status_line.h"
-#include "ui/rocks/rocks_panel.h"
-#include "ui/targets/targets_panel.h"
+#include "ui/base/language/languages.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/window/theme.h"
+#include "ui/window/tool_bar.h"
 
 #include <QLabel>
 #include <QRegularExpression>

@@ -1,13 +1,13 @@
 // What the window owes its operator while a scanner is connected: it never calls a picture live that is not, loses nothing by a stray key.
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
-#include "core/recording/recording_writer.h"
+#include "core/files/recording/writer.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/live/live_panel.h"
-#include "ui/live/scanner_link.h"
-#include "ui/live/state_badge.h"
-#include "ui/live/timeline.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/scanner_link.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/timeline.h"
 
 #include <QComboBox>
 #include <QLabel>

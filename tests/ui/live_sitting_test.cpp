@@ -1,14 +1,14 @@
 // A session of a sweep that is being recorded: what was pinned on it is there again when the program was killed in the middle of it.
 #include "core/base/whole_file.h"
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
-#include "core/sitting/sitting.h"
+#include "core/inspect/session_file/session_file.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/live/live_panel.h"
-#include "ui/live/state_badge.h"
-#include "ui/live/timeline.h"
-#include "ui/sitting/sittings.h"
+#include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/timeline.h"
 
 #include <QPushButton>
 

@@ -1,17 +1,17 @@
 // The real window on a live scanner and on recordings: grows, keeps its place, tells what is stale, records, plays again.
-#include "core/emulator/emulated_scanner.h"
-#include "core/emulator/emulated_telegram.h"
-#include "core/method/pipeline.h"
-#include "core/report/report.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/exports/provenance/report.h"
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/support/own_sockets.h"
 #include "tests/support/served_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/live/live_panel.h"
-#include "ui/live/scanner_link.h"
-#include "ui/live/state_badge.h"
-#include "ui/live/timeline.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/scanner_link.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/timeline.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QLabel>
 #include <QLineEdit>

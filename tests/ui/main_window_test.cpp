@@ -1,12 +1,13 @@
 // The real window, driven by real events: what it shows belongs together and equals what the command line computes.
-#include "core/io/save_scan.h"
-#include "core/report/report.h"
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/edges/settings/slider_scale.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

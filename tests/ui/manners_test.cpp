@@ -1,15 +1,15 @@
 // What the window owes its user whatever it opens: plain labels, numbers with a point, warnings that stay, settings that can be told and
 // restored.
-#include "core/report/verify.h"
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/provenance/verify.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/panel/status_line.h"
-#include "ui/panel/warning_button.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/panels/tuning/warning_button.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>

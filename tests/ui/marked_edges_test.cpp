@@ -1,10 +1,10 @@
 // "This is an edge, this is not" in the real window: marks by keys, proposals looked at and adopted; range gate, tape and throat.
-#include "core/measure/throat.h"
+#include "core/inspect/measure/throat.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/dialogs/proposals_card.h"
-#include "ui/main/tool_bar.h"
+#include "ui/panels/dialogs/proposals_card.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAction>
 #include <QDialogButtonBox>

@@ -3,14 +3,14 @@
 #include "tests/support/placements.h"
 #include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
-#include "ui/file_control/calibrating.h"
-#include "ui/language/languages.h"
-#include "ui/main/cab_mode.h"
-#include "ui/main/start.h"
-#include "ui/main/theme.h"
-#include "ui/panel/edge_legend.h"
-#include "ui/start/start_page.h"
+#include "ui/controllers/files/calibrating.h"
+#include "ui/panels/start/start_page.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
+#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QCheckBox>

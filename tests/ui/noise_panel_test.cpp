@@ -1,5 +1,5 @@
 // The panel says which noise the edges were found with, as the record does, and lets another one be chosen.
-#include "core/settings/settings.h"
+#include "core/edges/settings/settings.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 

@@ -1,9 +1,9 @@
 // "Does this look right?" in the real window: a file read in the wrong unit is told of, another reading is looked at, adopted and undone.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
-#include "ui/dialogs/opening_card.h"
-#include "ui/language/languages.h"
+#include "ui/panels/dialogs/opening_card.h"
 
 #include <QAction>
 #include <QPushButton>

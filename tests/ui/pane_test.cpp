@@ -3,8 +3,8 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
-#include "ui/confidence/confidence_legend.h"
-#include "ui/main/theme.h"
+#include "ui/panels/confidence/confidence_legend.h"
+#include "ui/window/theme.h"
 
 #include <QLabel>
 #include <QLocale>

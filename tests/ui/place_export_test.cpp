@@ -1,12 +1,12 @@
 // Where a scan stands, as the window tells it, and the question before an export.
-#include "core/georef/placed_points.h"
-#include "core/method/pipeline.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/scan/georef/placed_points.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/dialogs/export_dialog.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
 #include <QCheckBox>

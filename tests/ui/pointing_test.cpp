@@ -1,11 +1,11 @@
 // Pointing, clicking, boxes and menus in the three views, and acts that are taken back.
-#include "core/settings/presets.h"
+#include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/dialogs/reading_dialog.h"
-#include "ui/dialogs/why_card.h"
-#include "ui/panel/status_line.h"
+#include "ui/panels/dialogs/reading_dialog.h"
+#include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
 #include <QComboBox>

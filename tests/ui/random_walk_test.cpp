@@ -2,7 +2,7 @@
 // leak. EDGESCAN_WALK: how many events (10000 for a long one), EDGESCAN_WALK_SEED: another walk.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/main/cab_mode.h"
+#include "ui/window/cab_mode.h"
 
 #include <QAbstractSlider>
 #include <QAction>

@@ -1,6 +1,7 @@
 // How long the GUI thread is away while a slider moves over a full sweep, from a file and from a scanner. Prints; asserts no time.
-#include "core/io/save_scan.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/presets.h"
+#include "core/edges/settings/slider_scale.h"
+#include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/served_program.h"
 #include "tests/ui/window_fixture.h"

@@ -3,11 +3,11 @@
 #include "core/sim/simulate.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/rocks/rock_card.h"
-#include "ui/rocks/rock_colours.h"
-#include "ui/rocks/rock_table.h"
-#include "ui/rocks/rocks_panel.h"
-#include "ui/rocks/size_curve_view.h"
+#include "ui/panels/rocks/rock_card.h"
+#include "ui/panels/rocks/rock_colours.h"
+#include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/rocks/size_curve_view.h"
 
 #include <QCheckBox>
 #include <QDockWidget>

@@ -1,12 +1,12 @@
 // Saving in the real window: no file is replaced without a question about that very file, and a preset never replaces what is none.
-#include "core/method/pipeline.h"
-#include "core/settings/presets.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
-#include "ui/dialogs/export_dialog.h"
-#include "ui/sitting/sittings.h"
+#include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/dialogs/export_dialog.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

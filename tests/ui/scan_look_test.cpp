@@ -3,9 +3,9 @@
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/cloud/scale_plate.h"
-#include "ui/control/scan_look.h"
-#include "ui/panel/edge_legend.h"
+#include "ui/controllers/scan_look.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/views/cloud/scale_plate.h"
 
 #include <QAction>
 #include <QLabel>

@@ -1,9 +1,9 @@
 // Keys that the operator changes: in the real window, by real keys; the palette and the sheet say what holds now.
 #include "tests/ui/window_fixture.h"
-#include "ui/dialogs/command_palette.h"
-#include "ui/dialogs/shortcut_editor.h"
-#include "ui/keys/key_editing.h"
-#include "ui/keys/shortcuts.h"
+#include "ui/panels/dialogs/command_palette.h"
+#include "ui/panels/dialogs/shortcut_editor.h"
+#include "ui/panels/keys/key_editing.h"
+#include "ui/panels/keys/shortcuts.h"
 
 #include <QAction>
 #include <QKeySequenceEdit>

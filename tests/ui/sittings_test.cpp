@@ -1,18 +1,18 @@
 // Sessions in the real window and the real program: saved as they change, back after kill -9, carried by screenshots.
 #include "core/base/whole_file.h"
-#include "core/sitting/sitting.h"
+#include "core/inspect/session_file/session_file.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
-#include "ui/change/change_legend.h"
-#include "ui/control/scan_look.h"
-#include "ui/live/live_panel.h"
-#include "ui/main/cab_mode.h"
-#include "ui/main/start.h"
-#include "ui/panel/range_window.h"
-#include "ui/sitting/sitting_file.h"
-#include "ui/sitting/sittings.h"
-#include "ui/start/start_page.h"
+#include "ui/controllers/scan_look.h"
+#include "ui/controllers/sessions/session_store.h"
+#include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/start/start_page.h"
+#include "ui/panels/tuning/range_window.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,12 +1,12 @@
 // Switches, lists and colours of the real window: what the wheel turns, what the legend tells, what can be told apart.
-#include "core/rock_shapes/rock_faces.h"
-#include "core/settings/presets.h"
+#include "core/edges/settings/presets.h"
+#include "core/rocks/attributes/faces.h"
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/selected_colour.h"
-#include "ui/live/live_panel.h"
-#include "ui/main/theme.h"
-#include "ui/panel/edge_legend.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -3,9 +3,9 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/themes.h"
-#include "ui/main/theme.h"
-#include "ui/panel/edge_legend.h"
-#include "ui/panel/warning_button.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/warning_button.h"
+#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QCheckBox>

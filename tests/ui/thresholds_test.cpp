@@ -1,13 +1,13 @@
 // What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
-#include "core/method/step_meaning.h"
-#include "core/settings/parameters.h"
-#include "core/settings/presets.h"
+#include "core/edges/pipeline/step_meaning.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/themes.h"
-#include "ui/dialogs/why_card.h"
-#include "ui/panel/count_curve.h"
+#include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/tuning/count_curve.h"
 
 #include <QCheckBox>
 #include <QComboBox>

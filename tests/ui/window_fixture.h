@@ -1,16 +1,16 @@
 // A window with a memory of its own, and waiting for what it shows.
 #pragma once
 
-#include "core/io/save_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
-#include "ui/cloud/cloud_view.h"
-#include "ui/image/image_view.h"
-#include "ui/image/viewport.h"
-#include "ui/main/main_window.h"
-#include "ui/panel/edges_panel.h"
-#include "ui/panel/parameter_row.h"
-#include "ui/session/memory.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/panels/tuning/parameter_row.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QSlider>

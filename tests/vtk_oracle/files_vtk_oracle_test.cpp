@@ -1,6 +1,6 @@
 // VTK's readers read what we write, and we read what VTK's writers write. A program of its own: the core's tests link no VTK.
-#include "core/io/open_scan.h"
-#include "core/io/save_scan.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/save_clouds.h"

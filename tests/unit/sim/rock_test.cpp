@@ -1,6 +1,6 @@
 // Rocks of the simulator: hulls are hulls, and rays meet rocks where triangles say they do.
+#include "core/base/geometry/convex_hull.h"
 #include "core/sim/caster.h"
-#include "core/sim/convex_hull.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/noise.h"
 

@@ -1,6 +1,6 @@
 // Rounded rocks: their surface is one radius off the core everywhere, and truth has edges where such a surface has some.
-#include "core/eval/truth.h"
-#include "core/scan/cartesian.h"
+#include "core/lab/score/truth.h"
+#include "core/scan/grid/cartesian.h"
 #include "core/sim/caster.h"
 #include "core/sim/cell_seams.h"
 #include "core/sim/convex_rock.h"

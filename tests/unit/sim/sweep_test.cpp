@@ -1,6 +1,6 @@
 // The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
-#include "core/eval/truth.h"
-#include "core/scan/cartesian.h"
+#include "core/lab/score/truth.h"
+#include "core/scan/grid/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/scenes.h"
 #include "core/sim/settings_json.h"

@@ -1,0 +1,212 @@
+// PNG through libpng. Its errors leave by longjmp: the functions that set it hold nothing that needs a destructor.
+#include "core/containers/png/png.h"
+
+#include "core/base/inputs.h"
+#include "core/base/memory.h"
+#include "core/base/whole_file.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+/// Where libpng writes to. Memory running out is remembered, never thrown through libpng's C code.
+struct Sink {
+    std::vector<std::byte> bytes;
+    bool full = false;
+};
+
+struct Message {
+    char text[200] = "unknown reason";
+};
+
+extern "C" {
+void appendToSink(png_structp png, png_bytep bytes, png_size_t count) {
+    auto* sink = static_cast<Sink*>(png_get_io_ptr(png));
+    try {
+        const auto* first = reinterpret_cast<const std::byte*>(bytes);
+        sink->bytes.insert(sink->bytes.end(), first, first + count);
+    } catch (...) {
+        sink->full = true;
+    }
+    if (sink->full) png_error(png, "out of memory");
+}
+void flushNothing(png_structp) {}
+void keepMessage(png_structp png, png_const_charp text) {
+    auto* message = static_cast<Message*>(png_get_error_ptr(png));
+    std::strncpy(message->text, text, sizeof message->text - 1);
+    png_longjmp(png, 1);
+}
+void ignoreWarning(png_structp, png_const_charp) {}
+}
+
+struct Shape {
+    png_uint_32 width = 0, height = 0;
+    int depth = 8;
+    int colour = PNG_COLOR_TYPE_GRAY;
+};
+
+/// rows: big-endian samples, height pointers. Only trivial objects live here, so a longjmp skips no destructor.
+bool encode(png_structp png, png_infop head, Sink* sink, Shape shape, png_bytepp rows, png_textp note) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_write_fn(png, sink, appendToSink, flushNothing);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_IHDR(png, head, shape.width, shape.height, shape.depth, shape.colour, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png, 4); // half the time of the default for a few per cent of size
+    if (note != nullptr) png_set_text(png, head, note, 1);
+    png_write_info(png, head);
+    png_write_image(png, rows);
+    png_write_end(png, head);
+    return true;
+}
+
+Result<std::string> samplesBytes(std::vector<png_byte>& samples, Shape shape, const std::string& where, const std::string& record) {
+    if (shape.width == 0 || shape.height == 0) return Error{"there are no cells to make a picture of", where, "open a scan first"};
+    const std::size_t bytesPerRow = samples.size() / shape.height;
+    std::vector<png_bytep> rows;
+    rows.reserve(shape.height);
+    for (std::size_t i = 0; i < shape.height; ++i) rows.push_back(samples.data() + i * bytesPerRow);
+    Message message;
+    Sink sink;
+    std::string keyword = kPngRecordKeyword;
+    std::string words = record;
+    png_text note{};
+    note.compression = PNG_TEXT_COMPRESSION_NONE;
+    note.key = keyword.data();
+    note.text = words.data();
+    note.text_length = words.size();
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
+    png_infop head = png != nullptr ? png_create_info_struct(png) : nullptr;
+    const bool encoded = head != nullptr && encode(png, head, &sink, shape, rows.data(), words.empty() ? nullptr : &note);
+    png_destroy_write_struct(&png, &head);
+    if (!encoded) return Error{std::string("the picture cannot be made: ") + message.text, where, "free some memory"};
+    return std::string(reinterpret_cast<const char*>(sink.bytes.data()), sink.bytes.size());
+}
+
+template <class Cell>
+Shape shapeOf(const Grid<Cell>& cells, int depth, int colour) {
+    if (cells.lines <= 0 || cells.beams <= 0) return {};
+    return {static_cast<png_uint_32>(cells.beams), static_cast<png_uint_32>(cells.lines), depth, colour};
+}
+
+struct FreeImage {
+    png_image* image;
+    ~FreeImage() { png_image_free(image); }
+};
+
+} // namespace
+
+Result<std::string> png8Bytes(const Grid<std::uint8_t>& gray, const std::string& where, const std::string& record) {
+    std::vector<png_byte> samples(gray.cells.begin(), gray.cells.end());
+    return samplesBytes(samples, shapeOf(gray, 8, PNG_COLOR_TYPE_GRAY), where, record);
+}
+
+Result<std::string> png16Bytes(const Grid<std::uint16_t>& values, const std::string& where, const std::string& record) {
+    std::vector<png_byte> samples;
+    samples.reserve(values.size() * 2);
+    for (const std::uint16_t value : values.cells) {
+        samples.push_back(static_cast<png_byte>(value >> 8U));
+        samples.push_back(static_cast<png_byte>(value & 255U));
+    }
+    return samplesBytes(samples, shapeOf(values, 16, PNG_COLOR_TYPE_GRAY), where, record);
+}
+
+Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::path& path) {
+    const auto bytes = png8Bytes(gray, path.string());
+    if (!bytes) return bytes.error();
+    return writeWholeFile(path, *bytes);
+}
+
+Result<Done> savePng16(const Grid<std::uint16_t>& values, const std::filesystem::path& path) {
+    const auto bytes = png16Bytes(values, path.string());
+    if (!bytes) return bytes.error();
+    return writeWholeFile(path, *bytes);
+}
+
+Result<std::string> pngRgbBytes(const Grid<Rgb>& picture, const std::string& where) {
+    std::vector<png_byte> samples;
+    samples.reserve(picture.size() * 3);
+    for (const Rgb& pixel : picture.cells) samples.insert(samples.end(), {pixel.red, pixel.green, pixel.blue});
+    return samplesBytes(samples, shapeOf(picture, 8, PNG_COLOR_TYPE_RGB), where, {});
+}
+
+Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& path) {
+    const auto bytes = pngRgbBytes(picture, path.string());
+    if (!bytes) return bytes.error();
+    return writeWholeFile(path, *bytes);
+}
+
+std::string pngRecord(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::string_view kMagic = "\x89PNG\r\n\x1a\n"sv;
+    if (!bytes.starts_with(kMagic)) return {};
+    const std::string wanted = std::string(kPngRecordKeyword) + '\0';
+    for (std::size_t at = kMagic.size(); at + 12 <= bytes.size();) {
+        std::uint64_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - 12) return {};
+        const std::string_view content = bytes.substr(at + 8, length);
+        if (bytes.substr(at + 4, 4) == "tEXt" && content.starts_with(wanted)) return std::string(content.substr(wanted.size()));
+        at += 12 + length;
+    }
+    return {};
+}
+
+Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
+    const auto bytes = readInput(path);
+    if (!bytes) return bytes.error();
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const FreeImage freeImage{&image};
+    const auto damaged = [&] {
+        return Error{std::string("this is not a readable PNG picture: ") + image.message, path.string(), "save the mask again as PNG"};
+    };
+    if (png_image_begin_read_from_memory(&image, bytes->data(), bytes->size()) == 0) return damaged();
+    if ((image.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
+        return Error{"this picture has 16 bits per pixel where 8 are needed", path.string(), "save the mask as 8-bit gray"};
+    }
+    const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+    // Deflate shrinks at most 1032 times and a pixel takes at least one bit: a header that promises more lies.
+    if (pixels / 8 > std::uint64_t{bytes->size()} * 1032) {
+        return Error{"the picture promises more pixels than the file can hold", path.string(), "copy the file again"};
+    }
+    if (auto enough = checkMemory(pixels * 5, path.string()); !enough) return enough.error();
+    image.format = PNG_FORMAT_GRAY;
+    const png_color black{0, 0, 0};
+    Grid<std::uint8_t> gray(static_cast<int>(image.height), static_cast<int>(image.width));
+    if (png_image_finish_read(&image, &black, gray.cells.data(), 0, nullptr) == 0) return damaged();
+    return gray;
+}
+
+Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string& where) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const FreeImage freeImage{&image};
+    const auto damaged = [&] {
+        return Error{std::string("this is not a readable PNG picture: ") + image.message, where, "export it again"};
+    };
+    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return damaged();
+    const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+    if (pixels / 8 > std::uint64_t{bytes.size()} * 1032) return damaged();
+    if (auto enough = checkMemory(pixels * 4, where); !enough) return enough.error();
+    Grid<std::uint16_t> values(static_cast<int>(image.height), static_cast<int>(image.width));
+    if ((image.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
+        image.format = PNG_FORMAT_LINEAR_Y;
+        if (png_image_finish_read(&image, nullptr, values.cells.data(), 0, nullptr) == 0) return damaged();
+        return values;
+    }
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<std::uint8_t> samples(values.size());
+    if (png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr) == 0) return damaged();
+    std::copy(samples.begin(), samples.end(), values.cells.begin());
+    return values;
+}
+
+} // namespace edgescan

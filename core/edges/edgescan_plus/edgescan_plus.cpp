@@ -1,0 +1,219 @@
+// EdgeScan+: its stages one after the other, up to the decision.
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
+#include "core/base/bands.h"
+#include "core/base/simd.h"
+#include "core/edges/edgescan_plus/gap_detour.h"
+#include "core/edges/edgescan_plus/silhouettes.h"
+#include "core/edges/edgescan_plus/surface_lines.h"
+#include "core/scan/angle_correction/interlace.h"
+#include "core/scan/grid/marked_cells.h"
+#include "core/scan/grid/spikes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr double kNominalNoiseMm = 6.75; // sigma at 5 m of an LMS511
+constexpr double kOffsetShare = 0.815;   // of sigma at 5 m: sigma at 0 m ...
+constexpr double kPerMetreShare = 0.037; // ... and its growth per metre
+constexpr double kJumpMm = 30.0;
+constexpr double kMisfitMm = 6.0;
+constexpr double kReliefMm = 5.0;
+constexpr double kWindowMm = 50.0;
+constexpr double kMemoryWindowMm = 50.0;   // of folds where neighbours err alike: narrower ones follow the steps of the depth
+constexpr double kNoisy = 1.5;             // x nominal
+constexpr double kLeastNoise = 0.2;        // x nominal
+constexpr double kRelief = 0.7;            // x nominal: relief and the width of the beam blur as much, however good the ranges are ...
+constexpr double kJumpSpacings = 2.0;      // ... but where points lie close together, J0 need not exceed so many point spacings
+constexpr float kInterlacedGrazing = 0.5F; // index steps by which interlaced beams are still out of place after straightening
+
+// q of step 6: the noise over that of an LMS511, by which the thresholds in millimetres grow and shrink.
+double noiseShare(const RangeNoise& noise, double spacingMm, double rangeM = 5.0) {
+    const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
+    const double nominal = rangeM == 5.0 ? kNominalNoiseMm : kNominalNoiseMm * (kOffsetShare + kPerMetreShare * rangeM);
+    return std::clamp(noise.at(rangeM) / nominal, least, 10.0);
+}
+
+// Both ways of one line.
+struct BothWays {
+    const float* beamwise;
+    const float* linewise;
+    std::ptrdiff_t stride;
+
+    /// Along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
+    [[nodiscard]] bool isKept(int j) const {
+        const float b = std::abs(beamwise[j]);
+        const float l = std::abs(linewise[j]);
+        const bool keepB = (b >= l) & (std::abs(beamwise[j - 1]) <= b) & (std::abs(beamwise[j + 1]) < b);
+        const bool keepL = (b < l) & (std::abs(linewise[j - stride]) <= l) & (std::abs(linewise[j + stride]) < l);
+        return keepB | keepL;
+    }
+    [[nodiscard]] bool isBeamwise(int j) const { return std::abs(beamwise[j]) >= std::abs(linewise[j]); }
+};
+
+// The stronger of both ways.
+EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float value = jumps.isBeamwise(j) ? jumps.beamwise[j] : jumps.linewise[j];
+        out[j] = (jumps.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
+    }
+}
+
+// The root of the sum of squares where both ways have the same sign: a fold that runs askew shows only part of itself in each way.
+EDGESCAN_SIMD void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
+    for (int j = 0; j < beams; ++j) {
+        const float stronger = folds.isBeamwise(j) ? folds.beamwise[j] : folds.linewise[j];
+        const float weaker = folds.isBeamwise(j) ? folds.linewise[j] : folds.beamwise[j];
+        const float add = stronger * weaker > 0 ? weaker * weaker : 0.0F;
+        const float value = std::copysign(std::sqrt(stronger * stronger + add), stronger);
+        out[j] = (folds.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
+    }
+}
+
+BothWays bothWays(const Lines& beamwise, const Lines& linewise, int line) {
+    return {beamwise.line(line), linewise.line(line), linewise.stride};
+}
+
+// Lines that a thread works on; it looks at those around them as well.
+struct Band {
+    int first, last; // the line after the band
+    [[nodiscard]] bool contains(int line) const { return line >= first && line < last; }
+};
+
+void copyLine(const Lines& window, int line, const Band& band, Grid<float>& grid) {
+    if (band.contains(line)) std::copy_n(window.line(line), window.beams, grid.line(line));
+}
+
+void copyCracks(const SurfaceLines& surface, const Band& band, DepthCracks& cracks) {
+    copyLine(surface.cracks(Along::Beams), surface.jumpLine(), band, cracks.jumpBeams);
+    copyLine(surface.cracks(Along::Lines), surface.jumpLine(), band, cracks.jumpLines);
+    copyLine(surface.smoothed(), surface.foldLine(), band, cracks.smoothed);
+    copyLine(surface.folds(Along::Beams), surface.foldLine(), band, cracks.foldBeams);
+    copyLine(surface.folds(Along::Lines), surface.foldLine(), band, cracks.foldLines);
+}
+
+void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks) {
+    const Grid<Support>& support = surface.inverse.support;
+    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLooksBack));
+    while (lines.foldLine() < band.last) {
+        lines.advance();
+        if (cracks != nullptr) copyCracks(lines, band, *cracks);
+        // One line behind the newest: suppression looks at the lines on both sides.
+        if (const int line = lines.jumpLine() - 1; band.contains(line))
+            suppressJumps(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line), support.beams,
+                          result.jump.line(line));
+        if (const int line = lines.foldLine() - 1; band.contains(line))
+            suppressFolds(bothWays(lines.folds(Along::Beams), lines.folds(Along::Lines), line), support.line(line), support.beams,
+                          result.crease.line(line));
+    }
+}
+
+// 1 at measured cells with a void beside them. Before the first and after the last line the line itself is given: that adds no void.
+EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
+                              std::uint8_t* __restrict marked) {
+    const auto mark = [&](int j, int left, int right) {
+        const bool empty =
+            (before[j] == Support::Void) | (after[j] == Support::Void) | (line[left] == Support::Void) | (line[right] == Support::Void);
+        marked[j] = static_cast<std::uint8_t>((line[j] == Support::Measured) & empty);
+    };
+    for (int j = 1; j < beams - 1; ++j) mark(j, j - 1, j + 1);
+    if (beams == 0) return;
+    mark(0, 0, std::min(1, beams - 1));
+    mark(beams - 1, std::max(0, beams - 2), beams - 1);
+}
+
+std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(support.beams));
+    for (int i = 0; i < support.lines; ++i) {
+        markBorder(support.line(std::max(0, i - 1)), support.line(i), support.line(std::min(support.lines - 1, i + 1)), support.beams,
+                   marked.data());
+        forEachMarked(marked,
+                      [&](std::size_t beam) { cells.push_back(static_cast<std::uint32_t>(support.index(i, static_cast<int>(beam)))); });
+    }
+    return cells;
+}
+
+} // namespace
+
+DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}};
+    surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
+    onThreads(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
+                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
+    if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
+        surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
+    flattenSpikes(surface.inverse, surface.noise);
+    surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
+    return surface;
+}
+
+DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
+    if (filling == nullptr) return surface;
+    for (const FilledCell& filled : filling->cells) {
+        surface.inverse.u[filled.cell] = 1000.0F / filled.rangeMm;
+        surface.inverse.support[filled.cell] = Support::Wanted;
+    }
+    return surface;
+}
+
+DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings) {
+    DepthLimits limits;
+    const double typed = settings.noiseAt5mMm;
+    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
+    limits.foldNoise = limits.noise;
+    double q = noiseShare(limits.noise, surface.spacingMm);
+    // A jump is told by the cells beside it, so its noise is that of neighbours; at the scan's own range, since the square of the range
+    // says nothing about 5 m where everything lies within one.
+    const bool remembered = typed < 0 && surface.memory.windowMm > 0;
+    if (remembered) {
+        limits.noise = surface.memory.range;
+        limits.foldNoise = surface.memory.fold;
+        q = noiseShare({surface.scales.sigmaMm.front(), 0, 0}, surface.spacingMm, surface.scales.rangeM);
+    }
+    limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
+    limits.growth = static_cast<float>(settings.jumpGrowth);
+    limits.grazing = static_cast<float>(settings.grazing);
+    limits.misfitMm = static_cast<float>(kMisfitMm * q);
+    limits.reliefMm = static_cast<float>(kReliefMm * q);
+    limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
+    if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
+    limits.creaseDeg = static_cast<float>(settings.creaseDeg);
+    limits.noisy = q > kNoisy;
+    limits.passes = limits.noisy ? 2 : 1;
+    if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
+    return limits;
+}
+
+DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks, int threads) {
+    const DepthLimits limits = depthLimits(surface, settings);
+    const Grid<Support>& support = surface.inverse.support;
+    const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
+    const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
+    DepthResponses result{
+        {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {}, {}};
+    onThreads(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
+    if (cracks != nullptr) {
+        for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
+            clear(*grid);
+    }
+    // Bands of lines, and what is done beside them.
+    std::vector<std::function<void()>> parts;
+    for (int band = 0; band < bands; ++band)
+        parts.emplace_back([&, band] {
+            const Band lines{firstOfBand(support.lines, bands, band), firstOfBand(support.lines, bands, band + 1)};
+            respond(surface, limits, lines, result, cracks);
+        });
+    parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
+    parts.emplace_back([&] { result.border = borderCells(support); });
+    onThreads(bands, parts);
+    goRoundGaps(surface.inverse, result.jump, result.crease);
+    return result;
+}
+
+} // namespace edgescan

@@ -1,0 +1,55 @@
+// Edges that run on across cells without a range: cells beside the gap are taken before those at its corners.
+#include "core/edges/edgescan_plus/gap_detour.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace edgescan {
+namespace {
+
+constexpr std::array<std::array<int, 2>, 4> kSides{{{0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
+constexpr std::array<std::array<int, 2>, 4> kCorners{{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
+
+// The measured cell among these that has no response yet and costs least; -1 when there is none.
+template <class Cost>
+std::ptrdiff_t cheapest(const InverseRange& inverse, const Grid<float>& response, std::size_t k,
+                        const std::array<std::array<int, 2>, 4>& around, Cost cost) {
+    const auto beams = static_cast<std::size_t>(inverse.u.beams);
+    const int line = static_cast<int>(k / beams);
+    const int beam = static_cast<int>(k % beams);
+    std::ptrdiff_t best = -1;
+    for (const auto& [di, dj] : around) {
+        if (!inverse.u.contains(line + di, beam + dj)) continue;
+        const std::size_t place = inverse.u.index(line + di, beam + dj);
+        if (inverse.support[place] != Support::Measured || response[place] != 0.0F) continue;
+        if (best < 0 || cost(inverse.u[place]) < cost(inverse.u[static_cast<std::size_t>(best)])) best = static_cast<std::ptrdiff_t>(place);
+    }
+    return best;
+}
+
+template <class Cost>
+void move(const InverseRange& inverse, std::size_t k, Grid<float>& response, Cost cost) {
+    const float value = response[k];
+    if (value == 0.0F) return;
+    response[k] = 0.0F;
+    std::ptrdiff_t place = cheapest(inverse, response, k, kSides, cost);
+    if (place < 0) place = cheapest(inverse, response, k, kCorners, cost);
+    if (place >= 0) response[static_cast<std::size_t>(place)] = value;
+}
+
+} // namespace
+
+void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
+    const Support* support = inverse.support.cells.data();
+    for (std::size_t k = 0; k < inverse.support.size(); ++k) {
+        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few are
+        if (next == nullptr) return;
+        k = static_cast<std::size_t>(static_cast<const Support*>(next) - support);
+        move(inverse, k, jump, [](float u) { return -u; });
+        move(inverse, k, crease, [own = inverse.u[k]](float u) { return std::abs(u - own); });
+    }
+}
+
+} // namespace edgescan

@@ -1,0 +1,238 @@
+// Mixed pixels.
+#include "core/edges/edgescan_plus/mixed_pixels.h"
+
+#include "core/base/simd.h"
+#include "core/scan/grid/beam_width.h"
+#include "core/scan/grid/marked_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+namespace edgescan {
+namespace {
+
+constexpr int kRun = 2; // cells
+constexpr auto kSpotM = static_cast<float>(BeamWidth{}.atExitM);
+constexpr auto kSpotRad = static_cast<float>(BeamWidth{}.growthRad);
+constexpr float kSurfacesApart = 2.0F; // jump thresholds
+constexpr float kBend = 0.25F;         // of the least distance of the surfaces
+constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least
+
+// The first look does without divisions. Its limits are a little wider, so that rounding never drops what the exact look would take.
+constexpr float kLenient = 0.999F;   // of the distance wanted
+constexpr float kRounding = 1e-6F;   // of u
+constexpr float kWiderSpot = 1.001F; // times the spot
+
+float gapMm(float u, float v) { return std::abs(1000.0F / u - 1000.0F / v); }
+
+bool solidAll(const float* solid, std::ptrdiff_t step, int from, int to) {
+    for (int n = from; n <= to; ++n) {
+        if (solid[n * step] == 0) return false;
+    }
+    return true;
+}
+
+/// One place of a line: u and solid point at the cell.
+struct Place {
+    const float* u;
+    const float* solid;
+    std::ptrdiff_t step;
+};
+
+// The cell alone.
+bool snapOne(const Place& at, const DepthLimits& limits, float& result) {
+    if (!solidAll(at.solid, at.step, -2, 2)) return false;
+    const float before = 2 * at.u[-at.step] - at.u[-2 * at.step];
+    const float after = 2 * at.u[at.step] - at.u[2 * at.step];
+    const float u = *at.u;
+    if (before <= 0 || after <= 0 || u <= std::min(before, after) || u >= std::max(before, after)) return false;
+    const float allowed = limits.jumpAt(1000.0F / u);
+    const float toBefore = gapMm(before, u);
+    const float toAfter = gapMm(after, u);
+    if (toBefore <= allowed || toAfter <= allowed) return false;
+    result = toBefore < toAfter ? before : after;
+    return true;
+}
+
+// Slope of u per step away from the run, over two steps where there are two.
+float slopeAway(const Place& at, int end, int sign) {
+    const auto u = [&](int n) { return at.u[(end + sign * n) * at.step]; };
+    return at.solid[(end + 2 * sign) * at.step] != 0 ? 0.5F * (u(2) - u(0)) : u(1) - u(0);
+}
+
+// The continuations of both sides at the cells of a run.
+struct RunLines {
+    std::array<float, kRun> before, after;
+};
+
+// Two surfaces at a cell, compared without divisions: a distance in metres is the difference of two u over their product. Where rounding
+// may decide, the answer is yes.
+struct TwoSurfaces {
+    float farther, nearer; // u
+    float allowed;         // jump threshold, as a difference of u over the farther one
+    float rounding;
+};
+inline __attribute__((always_inline)) TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
+    const float nearer = std::max(before, after);
+    return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer};
+}
+inline __attribute__((always_inline)) bool areApart(const TwoSurfaces& at) {
+    return at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed;
+}
+inline __attribute__((always_inline)) bool canBeBetween(float u, const TwoSurfaces& at) {
+    return (at.farther > 0) & (u > at.farther) & (u < at.nearer) & areApart(at);
+}
+inline __attribute__((always_inline)) bool canBeOff(float u, const TwoSurfaces& at, float thresholds) {
+    const float least = thresholds * u * at.allowed;
+    return (at.nearer - u + at.rounding >= least) & ((u - at.farther + at.rounding) * at.nearer >= least * at.farther);
+}
+
+bool canBeRun(const Place& at, const RunLines& lines, const DepthLimits& limits) {
+    bool off = false;
+    for (int n = 0; n < kRun; ++n) {
+        const float u = at.u[n * at.step];
+        const TwoSurfaces surfaces =
+            surfacesAt(lines.before[static_cast<std::size_t>(n)], lines.after[static_cast<std::size_t>(n)], limits);
+        if (!canBeBetween(u, surfaces)) return false;
+        off = off || canBeOff(u, surfaces, kOffSurface);
+    }
+    return off;
+}
+
+// This cell and the next.
+bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>& result) {
+    if (!solidAll(at.solid, at.step, -2, kRun + 1)) return false;
+    const float first = at.u[-at.step];
+    const float last = at.u[kRun * at.step];
+    const float slopeBefore = slopeAway(at, -1, -1);
+    const float slopeAfter = slopeAway(at, kRun, 1);
+    RunLines lines{};
+    for (int n = 0; n < kRun; ++n) {
+        lines.before[static_cast<std::size_t>(n)] = first - static_cast<float>(n + 1) * slopeBefore;
+        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(kRun - n) * slopeAfter;
+    }
+    if (!canBeRun(at, lines, limits)) return false;
+    float farthest = 0;
+    for (int n = 0; n < kRun; ++n) {
+        const float u = at.u[n * at.step];
+        const float before = lines.before[static_cast<std::size_t>(n)];
+        const float after = lines.after[static_cast<std::size_t>(n)];
+        const float allowed = limits.jumpAt(1000.0F / std::max(before, after));
+        if (std::min(gapMm(before, after), gapMm(first, last)) < kSurfacesApart * allowed) return false;
+        const float toBefore = gapMm(before, u);
+        const float toAfter = gapMm(after, u);
+        farthest = std::max(farthest, std::min(toBefore, toAfter) / allowed);
+        result[static_cast<std::size_t>(n)] = toBefore <= toAfter ? before : after;
+    }
+    return farthest >= kOffSurface;
+}
+
+// Whether the surfaces on both sides of a cell can be two thresholds apart. On a smooth surface they are not.
+bool isWorthwhile(const Place& at, const DepthLimits& limits) {
+    const auto u = [&](int n) { return at.u[n * at.step]; };
+    const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
+    const float before = 2 * u(-1) - u(-2);
+    const float after = 2 * u(1) - u(2);
+    if (std::abs(before - after) > apart * before * after) return true;
+    // The ends of a run must be apart, and its first cell off a line through them.
+    return std::abs(u(-1) - u(2)) > apart * u(-1) * u(2) &&
+           std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
+}
+
+// The neighbours of a cell, what lies beside it, and where the lines of both sides lead: to the cell itself where it may stand alone, and
+// to it and the next where these may be a run.
+struct FirstLook {
+    float here, next;
+    float spot; // of the beam, as a share of the range
+    TwoSurfaces alone, first, second;
+};
+inline __attribute__((always_inline)) FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
+    const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s], here = u[0];
+    const float a1 = u[s], a2 = u[2 * s], a3 = u[3 * s], a4 = u[4 * s];
+    const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
+    const float slopeSecond = solid[4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
+    return {here,
+            a1,
+            kWiderSpot * (kSpotM * here + kSpotRad),
+            surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits),
+            surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits),
+            surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits)};
+}
+
+constexpr int kLookBlock = 32;
+
+// Whether the surfaces beside any cell are far enough apart: in most blocks none are, and the rest of the look is left out.
+template <class Count>
+inline __attribute__((always_inline)) bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells,
+                                                    const DepthLimits& limits) {
+    std::int32_t any = 0;
+    for (int j = 0; j < cells; ++j) {
+        const FirstLook look = lookAt(u + j, solid + j, s, limits);
+        any |= areApart(look.alone) | areApart(look.first) ? -1 : 0;
+    }
+    return any != 0;
+}
+
+template <class Count>
+inline __attribute__((always_inline)) void lookAtBlock(const float* u, const float* solid, const float* angle, std::ptrdiff_t s,
+                                                       Count cells, const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    std::array<float, kLookBlock> worth;
+    for (int j = 0; j < cells; ++j) {
+        const FirstLook at = lookAt(u + j, solid + j, s, limits);
+        const bool one = canBeBetween(at.here, at.alone) & canBeOff(at.here, at.alone, 1);
+        const bool two = canBeBetween(at.here, at.first) & canBeBetween(at.next, at.second) &
+                         (canBeOff(at.here, at.first, kOffSurface) | canBeOff(at.next, at.second, kOffSurface)) & (2 * angle[j] <= at.spot);
+        worth[j] = (one | two) & (solid[j] != 0) ? 1.0F : 0.0F;
+    }
+    for (int j = 0; j < cells; ++j) marked[j] = worth[j] != 0 ? 1 : 0;
+}
+
+// A first look at some cells: 1 at every one that the closer looks could snap, and at a few more.
+EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
+                                 const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    constexpr auto kCount = std::integral_constant<int, kLookBlock>();
+    std::memset(marked, 0, static_cast<std::size_t>(cells));
+    int j = 0;
+    for (; j + kLookBlock <= cells; j += kLookBlock) {
+        if (anyApart(u + j, solid + j, s, kCount, limits)) lookAtBlock(u + j, solid + j, angle + j, s, kCount, limits, marked + j);
+    }
+    lookAtBlock(u + j, solid + j, angle + j, s, cells - j, limits, marked + j);
+}
+
+// The closer look at one cell; `angle` of an index step.
+void snapAt(const Place& at, float angle, const DepthLimits& limits, float* out) {
+    if (!isWorthwhile(at, limits)) return;
+    if (snapOne(at, limits, *out)) return;
+    const float rangeM = 1.0F / at.u[0];
+    const float cell = rangeM * angle;
+    const float spot = kSpotM + kSpotRad * rangeM;
+    std::array<float, kRun> run{};
+    if (kRun * cell > spot || !snapRun(at, limits, run)) return;
+    for (int n = 0; n < kRun; ++n) out[n * at.step] = run[static_cast<std::size_t>(n)];
+}
+
+} // namespace
+
+void snapMixedPixels(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped) {
+    const std::ptrdiff_t step = field.step(along);
+    const float* u = field.u.line(line);
+    const float* solid = field.solid.line(line);
+    float* out = snapped.line(line);
+    constexpr int kTogether = 1024; // cells that are looked at before the first is worked on
+    std::array<std::uint8_t, kTogether> marked;
+    for (int from = 0; from < field.u.beams; from += kTogether) {
+        const int cells = std::min(kTogether, field.u.beams - from);
+        takeFirstLook(u + from, solid + from, angle + from, step, cells, limits, marked.data());
+        forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
+            const std::size_t j = static_cast<std::size_t>(from) + place;
+            snapAt({u + j, solid + j, step}, angle[j], limits, out + j);
+        });
+    }
+}
+
+} // namespace edgescan

@@ -1,0 +1,160 @@
+// Voids along every line and every beam: which end is the near one, and whether it ends there.
+#include "core/edges/edgescan_plus/silhouettes.h"
+
+#include "core/base/simd.h"
+#include "core/scan/grid/marked_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace edgescan {
+namespace {
+
+constexpr int kSide = 5;          // cells of a surface that its slope is taken from
+constexpr int kFewest = 3;        // of them
+constexpr float kSure = 1;        // jump thresholds
+constexpr float kBend = 0.25F;    // tangent by which a surface may bend on its way across the void
+constexpr float kGrazing = 2.75F; // tangent of 70 degrees
+constexpr int kBridged = 4;       // cells of a gap that step 1 may have filled
+
+// The cells of one line along the beams, or of one beam along the lines.
+struct Way {
+    const InverseRange& inverse;
+    const AngularSteps& steps;
+    Along along;
+    int at;               // line or beam
+    int count;            // cells
+    bool bridged = false; ///< gaps that were filled are looked at: a surface ends at them too
+
+    [[nodiscard]] std::size_t cell(int n) const { return along == Along::Beams ? inverse.u.index(at, n) : inverse.u.index(n, at); }
+    [[nodiscard]] bool isVoid(int n) const {
+        const Support support = inverse.support[cell(n)];
+        return support == Support::Void || (bridged && support == Support::Filled);
+    }
+    [[nodiscard]] float u(int n) const { return inverse.u[cell(n)]; }
+    [[nodiscard]] float angle(int n) const { return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at); }
+};
+
+// The surface that ends at a cell: its slope of u per cell towards the void; not known where there are too few cells or a break.
+struct End {
+    float u = 0, slope = 0;
+    bool known = false;
+};
+End endAt(const Way& way, int n, int awayFromVoid, const DepthLimits& limits) {
+    End end{way.u(n)};
+    float sum = 0, weighted = 0;
+    int cells = 0;
+    for (; cells < kSide; ++cells) {
+        const int m = n + cells * awayFromVoid;
+        if (m < 0 || m >= way.count || way.isVoid(m)) break;
+        const float there = way.u(m);
+        const float before = cells == 0 ? there : way.u(m - awayFromVoid);
+        if (std::abs(1000 / there - 1000 / before) > limits.jumpAt(1000 / before)) break;
+        sum += there - end.u;
+        weighted += static_cast<float>(cells) * (there - end.u);
+    }
+    const auto count = static_cast<float>(cells);
+    const float middle = 0.5F * (count - 1);
+    end.known = cells >= kFewest;
+    if (end.known) end.slope = -(weighted - middle * sum) / (count * (count * count - 1) / 12);
+    return end;
+}
+
+// Whether the surface of `near` ends before the void of `cells` and the other one is behind it.
+bool isOutline(const End& near, const End& far, int cells, float angle, const DepthLimits& limits) {
+    if (!near.known || !far.known || std::abs(near.slope) > kGrazing * near.u * angle) return false;
+    const auto steps = static_cast<float>(cells + 1);
+    const float continued = near.u + steps * near.slope; // beside the far end
+    const float backwards = far.u + steps * far.slope;   // beside the near end
+    if (continued <= 0) return false;
+    const float farMm = 1000 / far.u;
+    const float least = kSure * limits.jumpAt(farMm) + kBend * steps * angle * farMm;
+    const bool behind = farMm - 1000 / near.u > least && farMm - 1000 / continued > least;
+    return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
+}
+
+// A void between two cells of a way.
+void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const bool first = way.u(before) >= way.u(after);
+    const int at = first ? before : after;
+    if (way.inverse.support[way.cell(at)] != Support::Measured) return;
+    const End near = endAt(way, at, first ? -1 : 1, limits);
+    const End far = endAt(way, first ? after : before, first ? 1 : -1, limits);
+    if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
+}
+
+// A gap that was filled, ending before cell `after`: a jump may lie in it, spread over so many cells that none of them shows it.
+void lookAtBridge(const Way& way, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    int before = after - 1;
+    while (before >= std::max(0, after - 1 - kBridged) && way.inverse.support[way.cell(before)] == Support::Filled) --before;
+    if (before >= std::max(0, after - 1 - kBridged) && way.inverse.support[way.cell(before)] == Support::Measured)
+        lookAtVoid(way, before, after, limits, marked);
+}
+
+// 1 where a void ends.
+EDGESCAN_SIMD void markVoidEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+    for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Void) & (here[n] != Support::Void));
+}
+
+// 1 where a gap that was filled ends.
+EDGESCAN_SIMD void markBridgeEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+    for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Filled) & (here[n] == Support::Measured));
+}
+
+EDGESCAN_SIMD void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
+    for (int j = 0; j < beams; ++j) last[j] = support[j] != Support::Void ? line : last[j];
+}
+
+void markAlongBeams(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const int beams = inverse.u.beams;
+    std::vector<std::uint8_t> ends(static_cast<std::size_t>(std::max(0, beams - 1)));
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        const Support* support = inverse.support.line(i);
+        markVoidEnds(support, support + 1, beams - 1, ends.data());
+        forEachMarked(ends, [&](std::size_t n) {
+            int before = static_cast<int>(n);
+            while (before >= 0 && support[before] == Support::Void) --before;
+            // Nobody knows what is beyond the border of the grid.
+            if (before >= 0) lookAtVoid({inverse, steps, Along::Beams, i, beams}, before, static_cast<int>(n) + 1, limits, marked);
+        });
+        markBridgeEnds(support, support + 1, beams - 1, ends.data());
+        forEachMarked(ends, [&](std::size_t n) {
+            lookAtBridge({inverse, steps, Along::Beams, i, beams, true}, static_cast<int>(n) + 1, limits, marked);
+        });
+    }
+}
+
+void markAlongLines(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
+    const int beams = inverse.u.beams;
+    std::vector<std::uint8_t> ends(static_cast<std::size_t>(beams));
+    std::vector<std::int32_t> last(ends.size(), -1);
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        const Support* support = inverse.support.line(i);
+        if (i > 0) {
+            markVoidEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            forEachMarked(ends, [&](std::size_t n) {
+                if (last[n] >= 0)
+                    lookAtVoid({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines}, last[n], i, limits, marked);
+            });
+            markBridgeEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            forEachMarked(ends, [&](std::size_t n) {
+                lookAtBridge({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines, true}, i, limits, marked);
+            });
+        }
+        takeLastSolid(support, i, beams, last.data());
+    }
+}
+
+} // namespace
+
+std::vector<std::uint32_t> silhouetteCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits) {
+    Grid<std::uint8_t> marked(inverse.u.lines, inverse.u.beams);
+    markAlongBeams(inverse, steps, limits, marked);
+    markAlongLines(inverse, steps, limits, marked);
+    std::vector<std::uint32_t> cells;
+    forEachMarked(marked.cells, [&cells](std::size_t k) { cells.push_back(static_cast<std::uint32_t>(k)); });
+    return cells;
+}
+
+} // namespace edgescan

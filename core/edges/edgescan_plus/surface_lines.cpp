@@ -1,0 +1,124 @@
+// The order of the stages, and how far each is behind the one before.
+#include "core/edges/edgescan_plus/surface_lines.h"
+
+#include "core/base/simd.h"
+#include "core/edges/edgescan_plus/jump.h"
+#include "core/edges/edgescan_plus/mixed_pixels.h"
+
+#include <algorithm>
+
+namespace edgescan {
+namespace {
+
+constexpr float kMarginU = 1.0F;
+constexpr int kAround = 8; // lines of jumps and folds that can be looked at together
+// By how many lines each stage lags behind the line that is read.
+constexpr int kToSnapped = kMixedLooksOn;
+constexpr int kToCracks = kToSnapped + kJumpLooksOn;
+constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;
+constexpr int kFoldLines = 2 * kFoldLooks + 1;
+
+constexpr int kMostPasses = 2;
+static_assert(SurfaceLines::kLooksBack >= 1 + kFoldLooks + kMostPasses + kJumpLooksBack + kMixedWritesOn + kMixedLooksBack + 1);
+static_assert(kMixedWritesOn <= kMixedLooksOn && kMixedLooksBack <= kJumpLooksOn + kJumpLooksBack);
+
+EDGESCAN_SIMD void takeSolid(const Support* support, int beams, float* __restrict solid) {
+    for (int j = 0; j < beams; ++j) solid[j] = support[j] == Support::Void ? 0.0F : 1.0F;
+}
+
+} // namespace
+
+SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits,
+                           int from)
+    : inverse_(inverse), steps_(steps), slips_(slips), limits_(limits), from_(from), lines_(inverse.u.lines),
+      crackLine_(from - 1 - kToCracks), measured_(inverse.u.beams, 1, kMarginU, from), solid_(inverse.u.beams, kSurfaceLines, 0.0F, from),
+      snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU, from), snapped_(inverse.u.beams, kSurfaceLines, kMarginU, from),
+      crackBeams_(inverse.u.beams, 1, 0.0F, from - 1), crackLines_(inverse.u.beams, 2, 0.0F, from - 1),
+      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0, from - 1),
+      linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0, from - 1), jumpBeams_(inverse.u.beams, kAround, 0.0F, from),
+      jumpLines_(inverse.u.beams, kAround, 0.0F, from), folds_{Lines(inverse.u.beams, kAround, 0.0F, from),
+                                                               Lines(inverse.u.beams, kAround, 0.0F, from)} {
+    for (int pass = 0; pass < limits.passes; ++pass)
+        passes_.push_back({Lines(inverse.u.beams, 3, kMarginU, from), Lines(inverse.u.beams, kFoldLines, kMarginU, from)});
+}
+
+void SurfaceLines::advance() {
+    const int line = crackLine_ + kToCracks + 1;
+    takeLine(line);
+    snapAlongBeams(line);
+    snapAlongLines(line - kToSnapped);
+    if (++crackLine_ < from_ - 1) return;
+    findCracks(crackLine_);
+    for (std::size_t pass = 0; pass < passes_.size(); ++pass) smooth(pass, crackLine_ - static_cast<int>(pass));
+    fitFolds(foldLine());
+}
+
+void SurfaceLines::takeLine(int line) {
+    if (!isInside(line)) {
+        measured_.nextEmpty();
+        solid_.nextEmpty();
+        return;
+    }
+    const float* u = inverse_.u.line(line);
+    std::copy(u, u + inverse_.u.beams, measured_.next());
+    takeSolid(inverse_.support.line(line), inverse_.u.beams, solid_.next());
+}
+
+void SurfaceLines::snapAlongBeams(int line) {
+    const float* u = measured_.line(line);
+    std::copy(u, u + measured_.beams, snappedOnce_.next());
+    if (isInside(line)) snapMixedPixels({measured_, solid_}, Along::Beams, line, steps_.beam.data(), limits_, snappedOnce_);
+    u = snappedOnce_.line(line);
+    std::copy(u, u + snappedOnce_.beams, snapped_.next());
+}
+
+void SurfaceLines::snapAlongLines(int line) {
+    if (isInside(line))
+        snapMixedPixels({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), limits_, snapped_);
+}
+
+// Cracks from the margin before the first line to the last one's.
+void SurfaceLines::findCracks(int line) {
+    const DepthField field{snapped_, solid_};
+    if (!isInside(line)) {
+        for (Lines* lines : {&crackBeams_, &crackLines_}) lines->nextEmpty();
+        for (Links* links : {&linkBeams_, &linkLines_}) links->nextEmpty();
+    } else {
+        crackJumps(field, Along::Beams, line, anglesOf(steps_, Along::Beams, line, work_.angles), slips_, limits_, crackBeams_);
+        crackJumps(field, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), slips_, limits_, crackLines_);
+        surfaceLinks(field, crackBeams_, Along::Beams, line, slips_, linkBeams_);
+        surfaceLinks(field, crackLines_, Along::Lines, line, slips_, linkLines_);
+    }
+    if (isInside(line)) {
+        onNearerCells(field, crackBeams_, Along::Beams, line, jumpBeams_);
+        onNearerCells(field, crackLines_, Along::Lines, line, jumpLines_);
+    } else if (line >= lines_) {
+        jumpBeams_.nextEmpty();
+        jumpLines_.nextEmpty();
+    }
+}
+
+// Along the beams, and one line behind along the lines.
+void SurfaceLines::smooth(std::size_t pass, int line) {
+    const Lines& from = pass == 0 ? snapped_ : passes_[pass - 1].lines;
+    Pass& to = passes_[pass];
+    if (isInside(line))
+        smoothSurfaces(from, linkBeams_, Along::Beams, line, to.beams);
+    else if (line >= lines_)
+        to.beams.nextEmpty();
+    if (isInside(line - 1))
+        smoothSurfaces(to.beams, linkLines_, Along::Lines, line - 1, to.lines);
+    else if (line - 1 >= lines_)
+        to.lines.nextEmpty();
+}
+
+void SurfaceLines::fitFolds(int line) {
+    if (isInside(line)) {
+        foldStrengths(passes_.back().lines, linkBeams_, linkLines_, steps_, line, limits_, work_, folds_);
+    } else if (line >= lines_) {
+        folds_.alongBeams.nextEmpty();
+        folds_.alongLines.nextEmpty();
+    }
+}
+
+} // namespace edgescan

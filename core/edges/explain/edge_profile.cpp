@@ -1,0 +1,81 @@
+// Points across a cell.
+#include "core/edges/explain/edge_profile.h"
+
+#include "core/scan/grid/cartesian.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <iterator>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kFitted = 6;
+
+std::optional<ProfileLine> lineThrough(const std::vector<ProfilePoint>& points) {
+    if (points.size() < 3) return std::nullopt;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const ProfilePoint& p : points) middle += Eigen::Vector2d(p.acrossM, p.awayM);
+    middle /= static_cast<double>(points.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const ProfilePoint& p : points) {
+        const Eigen::Vector2d from = Eigen::Vector2d(p.acrossM, p.awayM) - middle;
+        spread += from * from.transpose();
+    }
+    const Eigen::Vector2d way = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    double least = 0.0, most = 0.0;
+    for (const ProfilePoint& p : points) {
+        const double at = way.dot(Eigen::Vector2d(p.acrossM, p.awayM) - middle);
+        least = std::min(least, at);
+        most = std::max(most, at);
+    }
+    const Eigen::Vector2d from = middle + least * way, to = middle + most * way;
+    return ProfileLine{from.x(), from.y(), to.x(), to.y(), static_cast<int>(points.size())};
+}
+
+} // namespace
+
+EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach) {
+    EdgeProfile profile;
+    profile.along = along;
+    if (scan.state[k] != CellState::Valid) return profile;
+    const CartesianTables tables(scan);
+    const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams())),
+              beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
+    const auto cellAt = [&](int steps) -> std::optional<std::size_t> {
+        const int l = along == Along::Lines ? line + steps : line, b = along == Along::Beams ? beam + steps : beam;
+        if (l < 0 || l >= scan.lines() || b < 0 || b >= scan.beams() || scan.state.at(l, b) != CellState::Valid) return std::nullopt;
+        return scan.rangeMm.index(l, b);
+    };
+    const Eigen::Vector3d own = tables.point(k), away = (own - tables.sensor()).normalized();
+    // The beams of the profile span a plane with the cell's own; what points across it there is taken from the farthest of them.
+    Eigen::Vector3d across = Eigen::Vector3d::Zero();
+    for (int steps = reach; steps > 0 && across.isZero(); --steps) {
+        for (const int way : {1, -1}) {
+            if (const auto other = cellAt(way * steps); other && across.isZero()) {
+                const Eigen::Vector3d beamThere = (tables.point(*other) - tables.sensor()).normalized();
+                across = way * (beamThere - away * away.dot(beamThere));
+            }
+        }
+    }
+    if (across.norm() < 1e-12) return profile;
+    across.normalize();
+    for (int steps = -reach; steps <= reach; ++steps) {
+        const auto cell = cellAt(steps);
+        if (!cell) continue;
+        const Eigen::Vector3d from = tables.point(*cell) - own;
+        profile.points.push_back({*cell, steps < 0 ? -1 : steps > 0 ? 1 : 0, across.dot(from), away.dot(from)});
+    }
+    for (const int side : {-1, 1}) {
+        std::vector<ProfilePoint> those;
+        std::ranges::copy_if(profile.points, std::back_inserter(those), [side](const ProfilePoint& p) { return p.side == side; });
+        if (side < 0) std::ranges::reverse(those);
+        if (those.size() > kFitted) those.resize(kFitted);
+        profile.sides[side < 0 ? 0 : 1] = lineThrough(those);
+    }
+    return profile;
+}
+
+} // namespace edgescan

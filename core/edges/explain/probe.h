@@ -1,0 +1,29 @@
+// Everything known about one cell, for the status bar and for copying.
+#pragma once
+
+#include "core/edges/pipeline/detection.h"
+
+#include <optional>
+
+namespace edgescan {
+
+struct Probe {
+    std::uint32_t cell = 0; ///< k = line * beams + beam
+    int line = 0;
+    int beam = 0;
+    double beamDeg = kAutomatic; ///< NaN for an organised cloud
+    double lineDeg = kAutomatic;
+    CellState state = CellState::NoReturn;
+    double rangeMm = 0.0; ///< raw value times unit; a range only where state is Valid
+    int gray = 0;
+    std::optional<FilledCell> filled{};   ///< what its gap was filled with; nobody measured it
+    Eigen::Vector3d pointM;               ///< scanner frame, metres; NaN where not valid
+    std::optional<Eigen::Vector3d> mineM; ///< Easting, Northing, Elevation; empty when the scan has no pose
+    bool edge = false;
+    DepthEdge kind = DepthEdge::None; ///< of an edge, where the method tells classes apart
+};
+
+/// `k` must be a cell of the detection's scan.
+[[nodiscard]] Probe probeCell(const Detection& detection, std::size_t k);
+
+} // namespace edgescan

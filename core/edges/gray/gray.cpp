@@ -1,0 +1,149 @@
+// Range to gray.
+#include "core/edges/gray/gray.h"
+
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+#include "core/edges/gray/gray_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr double kLevels = 255.0;
+constexpr double kTrimmedShare = 0.01;      // of the ranges at either end
+constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 degrees then stays below the default thresholds
+constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to these, so that every libm gives the same mask
+constexpr std::size_t kTableMm = 1U << 17U; // ranges looked up instead of searched
+
+// 1 % and 99 % of the valid ranges, kSmallestRatio apart at least.
+GrayScale logScale(const Scan& scan) {
+    std::vector<float> ranges;
+    ranges.reserve(scan.cells());
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid && scan.rangeMm[k] > 0) ranges.push_back(scan.rangeMm[k]);
+    }
+    if (ranges.empty()) return {};
+    const auto trimmed = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(ranges.size() - 1));
+    double nearMm = nthSmallest(ranges, trimmed);
+    double farMm = nthSmallest(ranges, ranges.size() - 1 - trimmed);
+    if (farMm < nearMm * kSmallestRatio) {
+        const double middle = std::sqrt(nearMm * farMm);
+        nearMm = middle / std::sqrt(kSmallestRatio);
+        farMm = nearMm * kSmallestRatio;
+    }
+    // Whole millimetres: the numbers shown are the numbers used.
+    return {std::max(1.0, std::round(nearMm)), std::round(farMm), true};
+}
+
+// limits[n] is the range at which level n turns into level n + 1.
+std::array<double, 255> logLimits(const GrayScale& scale) {
+    std::array<double, 255> limits{};
+    const double ratio = std::log(scale.farMm / scale.nearMm);
+    for (std::size_t n = 0; n < limits.size(); ++n) {
+        const double range = scale.nearMm * std::exp(ratio * (static_cast<double>(n) + 0.5) / kLevels);
+        limits[n] = std::round(range * kFractionsOfMm) / kFractionsOfMm;
+    }
+    return limits;
+}
+
+// Levels of a line of ranges by a rule of plain arithmetic; how many lie outside near..far is returned.
+template <class LevelOf>
+inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                                     LevelOf levelOf, std::uint8_t* __restrict levels) {
+    int outside = 0;
+    for (int j = 0; j < beams; ++j) {
+        const double range = rangeMm[j];
+        const bool valid = states[j] == CellState::Valid;
+        const double level = std::clamp(std::nearbyint(levelOf(range)), 0.0, kLevels);
+        levels[j] = static_cast<std::uint8_t>(static_cast<int>(valid ? level : 0.0));
+        outside += valid & ((range < scale.nearMm) | (range > scale.farMm)) ? 1 : 0;
+    }
+    return outside;
+}
+
+EDGESCAN_SIMD int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                   std::uint8_t* __restrict levels) {
+    const double nearMm = scale.nearMm;
+    const double span = scale.farMm - scale.nearMm;
+    return takeLevels(
+        rangeMm, states, beams, scale, [nearMm, span](double range) { return (range - nearMm) * kLevels / span; }, levels);
+}
+
+template <class LevelOf>
+void fillLevels(GrayImage& gray, const Scan& scan, LevelOf levelOf) {
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        const double range = scan.rangeMm[k];
+        gray.levels[k] = levelOf(range);
+        gray.saturated += range < gray.scale.nearMm || range > gray.scale.farMm ? 1U : 0U;
+    }
+}
+
+void fillLogLevels(GrayImage& gray, const Scan& scan) {
+    const std::array<double, 255> limits = logLimits(gray.scale);
+    const auto search = [&](double range) {
+        return static_cast<std::uint8_t>(std::upper_bound(limits.begin(), limits.end(), range) - limits.begin());
+    };
+    std::vector<std::uint8_t> table(static_cast<std::size_t>(std::min(static_cast<double>(kTableMm), gray.scale.farMm + 2)));
+    for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
+    const auto tabled = static_cast<double>(table.size());
+    fillLevels(gray, scan, [&](double range) {
+        if (!(range >= 0 && range < tabled)) return search(range);
+        const auto mm = static_cast<std::uint32_t>(range);
+        return static_cast<double>(mm) == range ? table[mm] : search(range);
+    });
+}
+
+} // namespace
+
+GrayScale grayScale(const Scan& scan, const Settings& settings) {
+    const bool logarithmic = settings.scaling == Scaling::Log;
+    GrayScale scale;
+    if (logarithmic) {
+        scale = logScale(scan);
+    } else {
+        const RangeLimits limits = rangeLimits(scan);
+        scale = {limits.minMm, limits.maxMm, false};
+    }
+    // As printed, c = 255 / (Smax - Smin) multiplies S itself: gray 0 lies at range 0.
+    if (settings.scaling == Scaling::Thesis) return {0.0, scale.farMm - scale.nearMm, false};
+    if (!std::isnan(settings.nearMm)) scale.nearMm = settings.nearMm;
+    if (!std::isnan(settings.farMm)) scale.farMm = settings.farMm;
+    if (logarithmic) scale.nearMm = std::max(1.0, scale.nearMm);
+    scale.farMm = std::max(scale.nearMm, scale.farMm);
+    return scale;
+}
+
+LinearLevels linearLevels(const GrayScale& scale) { return {kLevels / (scale.farMm - scale.nearMm), scale.nearMm, scale.farMm}; }
+
+GrayImage grayImage(const Scan& scan, const Settings& settings) {
+    GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
+    if (gray.scale.farMm <= gray.scale.nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
+        fillLevels(gray, scan, [](double) { return std::uint8_t{0}; });
+        return gray;
+    }
+    if (settings.scaling == Scaling::Log) {
+        fillLogLevels(gray, scan);
+        return gray;
+    }
+    if (settings.scaling == Scaling::Thesis) {
+        gray.saturated = grayLoops().levels(scan.rangeMm, scan.state, linearLevels(gray.scale), gray.levels);
+        return gray;
+    }
+    for (int i = 0; i < scan.lines(); ++i)
+        gray.saturated += static_cast<std::size_t>(
+            takeWindowLevels(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
+    return gray;
+}
+
+double mmPerLevel(const GrayScale& scale, double rangeMm) {
+    if (scale.farMm <= scale.nearMm) return 0.0;
+    if (scale.logarithmic) return rangeMm * std::log(scale.farMm / scale.nearMm) / kLevels;
+    return (scale.farMm - scale.nearMm) / kLevels;
+}
+
+} // namespace edgescan

@@ -1,0 +1,140 @@
+// Runs the method stage by stage.
+#include "core/edges/pipeline/pipeline.h"
+
+#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/gray/canny.h"
+#include "core/edges/gray/masked_cells.h"
+#include "core/edges/gray/smooth.h"
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/scan/gap_filling/gap_filling.h"
+
+#include <opencv2/core/utility.hpp>
+
+#include <chrono>
+#include <ctime>
+
+namespace edgescan {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+// Runs one stage and notes its times.
+template <class Run>
+void timed(Detection& detection, Stage stage, const char* name, Run run) {
+    const auto start = Clock::now();
+    const double cpuStart = threadCpuMilliseconds();
+    run();
+    detection.timings.push_back({name, millisecondsSince(start), threadCpuMilliseconds() - cpuStart, stage});
+}
+
+} // namespace
+
+double threadCpuMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+Pipeline::Pipeline(KeepFor keep) : keep_(keep) { cv::setNumThreads(0); }
+
+// Made again only where a setting was turned that the stage, or one before it, takes notice of.
+template <class T, class Make>
+std::shared_ptr<const T> Pipeline::upToDate(Kept<T>& kept, Stage stage, const char* name, Detection& detection, Make make) {
+    if (kept.made && sameUpTo(stage, kept.with, detection.settings)) return kept.made;
+    timed(detection, stage, name, [&] { kept.made = std::make_shared<const T>(make()); });
+    kept.with = detection.settings;
+    return kept.made;
+}
+
+// What the method reads, up to the decision.
+void Pipeline::runStages(Detection& d) {
+    const Settings& settings = d.settings;
+    // The gray image is what the edges are seen on, whatever the method.
+    d.gray = upToDate(gray_, Stage::Gray, "gray", d, [&] { return grayImage(*d.scan, settings); });
+    if (reads(settings.method, kReadsGray) && settings.maskMissing)
+        d.masked = upToDate(masked_, Stage::Mask, "mask", d, [&] { return maskedCells(*d.scan, settings); });
+    if (reads(settings.method, kReadsGray | kReadsKernel)) {
+        const Grid<std::uint8_t>& levels = d.gray->levels;
+        d.smoothed = upToDate(smoothed_, Stage::Smoothing, "smooth", d,
+                              [&] { return d.masked ? smoothAroundHoles(levels, *d.masked, settings) : smooth(levels, settings); });
+    }
+    if (settings.fillCells > 0)
+        d.filled = upToDate(filled_, Stage::Surface, "gaps", d, [&] { return fillGaps(*d.scan, settings.fillCells); });
+    if (!reads(settings.method, kReadsSurface)) return;
+    const DepthEdgeSettings depth = depthEdgeSettings(settings);
+    const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
+    d.surface = upToDate(surface_, Stage::Surface, "surface", d,
+                         [&] { return withFilledGaps(depthSurface(*d.scan, depth.straighten, 0, depth.noiseKind), wanted); });
+    d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
+        const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
+        DepthResponses responses = depthResponses(*d.surface, depth, cracks.get());
+        cracks_ = cracks;
+        return responses;
+    });
+    d.cracks = cracks_;
+}
+
+// A hand on the threshold's slider: one map, and then a compare per cell. Classes need the decision itself.
+void Pipeline::decide(Detection& d) {
+    const Decision& decision = rowOf(d.settings.method).decision;
+    const bool onlyThreshold = last_ && !last_->classes && sameUpTo(Stage::Edges, last_->settings, d.settings);
+    if (onlyThreshold) {
+        const auto map = upToDate(thresholds_, Stage::Edges, "threshold map", d, [&] { return SweptEdges(decision.thresholds(d)); });
+        timed(d, Stage::Threshold, "threshold", [&] {
+            const double threshold = sweptParameter(d.settings.method).get(d.settings);
+            d.mask = std::make_shared<const Grid<std::uint8_t>>(map->at(threshold));
+        });
+        return;
+    }
+    thresholds_ = {};
+    timed(d, Stage::Edges, decision.stage, [&] {
+        FoundEdges found = decision.edges(d);
+        d.mask = std::make_shared<const Grid<std::uint8_t>>(std::move(found.mask));
+        if (d.responses) d.classes = std::make_shared<const Grid<DepthEdge>>(std::move(found.classes));
+    });
+}
+
+std::shared_ptr<const Detection> Pipeline::run(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    const auto start = Clock::now();
+    if (last_ && last_->scan != scan) *this = Pipeline(keep_);
+    if (last_ && last_->settings == settings) return last_;
+    Detection detection;
+    detection.scan = scan;
+    detection.settings = settings;
+    runStages(detection);
+    decide(detection);
+    timed(detection, Stage::Threshold, "edge cells",
+          [&] { detection.edges = std::make_shared<const std::vector<std::uint32_t>>(edgeCells(*detection.mask)); });
+    detection.totalMs = millisecondsSince(start);
+    last_ = std::make_shared<const Detection>(std::move(detection));
+    return last_;
+}
+
+Measured measuredOf(const Detection& detection) {
+    Measured measured;
+    if (const GrayScale& scale = detection.gray->scale; scale.farMm > 0) {
+        measured.nearMm = scale.nearMm;
+        measured.farMm = scale.farMm;
+    }
+    if (detection.responses) {
+        measured.jumpMm = detection.responses->jumpMm;
+        measured.noiseMm = detection.responses->noise.at(5.0);
+    }
+    return measured;
+}
+
+std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
+    std::array<std::size_t, kDepthEdges> counts{};
+    if (!detection.classes) return counts;
+    for (const std::uint32_t k : *detection.edges) ++counts[static_cast<std::size_t>((*detection.classes)[k])];
+    return counts;
+}
+
+std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings, KeepFor keep) {
+    return Pipeline(keep).run(scan, settings);
+}
+
+} // namespace edgescan

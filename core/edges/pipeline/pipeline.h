@@ -1,0 +1,51 @@
+// Runs the method and redoes only the stages whose inputs changed since the last run.
+#pragma once
+
+#include "core/edges/gray/threshold_map.h"
+#include "core/edges/pipeline/detection.h"
+
+namespace edgescan {
+
+/// What a pipeline keeps for others beside the edges.
+enum class KeepFor : std::uint8_t {
+    Edges, ///< nothing
+    Rocks, ///< Detection::cracks, 20 bytes per cell
+};
+
+/// Not for several threads at once; the detections it returns are.
+class Pipeline {
+public:
+    /// Switches OpenCV's thread pool off for the process: one worker thread is enough, and a pool makes its times jumpy.
+    explicit Pipeline(KeepFor keep = KeepFor::Edges);
+
+    /// The same scan pointer and settings give the last detection again. `scan` must not be null.
+    std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+
+private:
+    /// What a stage made of the scan of last_, and with which settings; null until wanted.
+    template <class T>
+    struct Kept {
+        std::shared_ptr<const T> made;
+        Settings with;
+    };
+    template <class T, class Make>
+    static std::shared_ptr<const T> upToDate(Kept<T>& kept, Stage stage, const char* name, Detection& detection, Make make);
+    void runStages(Detection& detection);
+    void decide(Detection& detection);
+
+    KeepFor keep_;
+    std::shared_ptr<const Detection> last_;
+    Kept<GrayImage> gray_;
+    Kept<Grid<std::uint8_t>> masked_, smoothed_;
+    Kept<GapFilling> filled_;
+    Kept<DepthSurface> surface_;
+    Kept<DepthResponses> responses_;
+    std::shared_ptr<const DepthCracks> cracks_; // of responses_
+    Kept<SweptEdges> thresholds_;               // while nothing but the threshold is turned
+};
+
+/// One run from nothing.
+[[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings,
+                                                           KeepFor keep = KeepFor::Edges);
+
+} // namespace edgescan

@@ -1,0 +1,69 @@
+// EdgeScan+ and its parts: how they decide, and what they say of one cell.
+#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/gray/log_range.h"
+#include "core/edges/pipeline/methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace edgescan {
+namespace {
+
+FoundEdges surfaceEdges(const Detection& detection) {
+    DepthEdges found = decideDepthEdges(*detection.responses, depthEdgeSettings(detection.settings), 0);
+    return {std::move(found.mask), std::move(found.kind)};
+}
+
+ThresholdMap surfaceThresholds(const Detection& detection) {
+    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    const DepthResponses& responses = *detection.responses;
+    ThresholdMap map = linkedThresholdMap(depthStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
+    const auto always = [&map](const std::vector<std::uint32_t>& cells) {
+        for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
+    };
+    if (settings.border) always(responses.border);
+    if (settings.silhouettes) always(longSilhouettes(responses, settings.minimumLength));
+    return map;
+}
+
+Judgement judgeSurface(const Detection& detection, std::size_t k) {
+    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    const DepthResponses& responses = *detection.responses;
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    Judgement found;
+    const GapFilling* filling = detection.settings.fillEdges ? detection.filled.get() : nullptr;
+    found.takesPart = withoutOwnRange(*detection.scan)[k] == 0 || (filling != nullptr && filling->at(k) != nullptr);
+    found.linked = depthStrength(responses, settings);
+    found.upper = settings.sensitivity;
+    found.lower = settings.sensitivity * settings.hysteresisLow;
+    found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
+    const ThinnedStrength& jump = found.depth->jump;
+    const ThinnedStrength& crease = found.depth->crease;
+    // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.
+    const auto jumpCounts = [&](float response) { return settings.jumps ? response : 0.0F; };
+    const auto foldCounts = [&](float response) { return (response > 0 ? settings.convex : settings.concave) ? std::abs(response) : 0.0F; };
+    const float strength = found.linked[k];
+    const bool decides =
+        static_cast<double>(strength) > found.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before));
+    const float kept = decides ? strength : 0.0F;
+    const float fold = kept > 0 ? responses.crease[k] : crease.before;
+    const float jumpSize = jumpCounts(kept > 0 ? responses.jump[k] : jump.before);
+    const float foldSize = foldCounts(fold);
+    const bool isJump = jumpSize >= foldSize;
+    const float size = std::max(jumpSize, foldSize);
+    found.strength = static_cast<double>(size);
+    if (size > 0) found.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
+    if (kept > 0)
+        found.roundGap = isJump ? jump.kept != responses.jump[k] : crease.kept != responses.crease[k];
+    else if (size > 0)
+        found.suppressedBy = isJump ? jump.stronger : crease.stronger;
+    return found;
+}
+
+} // namespace
+
+const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, judgeSurface};
+
+} // namespace edgescan

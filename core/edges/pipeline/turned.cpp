@@ -1,0 +1,21 @@
+// What turning one parameter does to the others.
+#include "core/edges/pipeline/turned.h"
+
+#include "core/edges/pipeline/step_meaning.h"
+
+#include <algorithm>
+
+namespace edgescan {
+
+Settings turned(const Settings& before, const Parameter& parameter, double value, const Settings& lastGray) {
+    constexpr double kApartMm = 1.0;
+    Settings settings = before;
+    parameter.set(settings, value);
+    if (settings.method != before.method) settings.lower = lowerWithSameStep(lastGray, settings);
+    if (checkSettings(settings)) return settings;
+    if (settings.farMm != before.farMm) settings.nearMm = std::max(0.0, settings.farMm - kApartMm);
+    if (!checkSettings(settings)) settings.farMm = settings.nearMm + kApartMm;
+    return settings;
+}
+
+} // namespace edgescan

@@ -1,0 +1,93 @@
+// Named settings.
+#include "core/edges/settings/presets.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/whole_file.h"
+#include "core/edges/settings/parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr const char* kFormat = "edgescan-preset/1";
+
+// As the thesis: lower 10, holes and dust take part like any other cell.
+Settings withoutMask(Scaling scaling) {
+    Settings settings = cannySettings();
+    settings.scaling = scaling;
+    settings.maskMissing = false;
+    settings.maskIsolated = false;
+    settings.lower = 10.0;
+    return settings;
+}
+
+} // namespace
+
+Settings cannySettings() {
+    Settings settings;
+    settings.method = Method::Canny;
+    return settings;
+}
+
+std::span<const Preset> builtInPresets() {
+    static const std::vector<Preset> presets{
+        {"default",
+         "EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.",
+         Settings{},
+         {}},
+        {"log",
+         "Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no "
+         "edge.",
+         cannySettings(),
+         {}},
+        {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
+        {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
+    };
+    return presets;
+}
+
+std::vector<std::string> changedFromDefault(const Settings& settings) {
+    std::vector<std::string> keys;
+    for (const Parameter& p : parameters()) {
+        if (p.usedBy(settings) && formatValue(p, p.get(settings)) != formatValue(p, p.get(Settings{}))) keys.emplace_back(p.key);
+    }
+    return keys;
+}
+
+Result<Preset> findPreset(const std::string& nameOrPath) {
+    std::string names;
+    for (const Preset& preset : builtInPresets()) {
+        if (preset.name == nameOrPath) return preset;
+        names += preset.name + ", ";
+    }
+    const std::filesystem::path path(nameOrPath);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        return Error{"there is no such preset and no such file", nameOrPath, "use " + names + "or the path of a preset file"};
+    }
+    const auto bytes = readWholeFile(path, kSettingsJson.bytes);
+    if (!bytes) return bytes.error();
+    const auto json = parseJson(textOf(*bytes), nameOrPath, kSettingsJson);
+    if (!json) return json.error();
+    if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat || !json->contains("settings")) {
+        return Error{std::string("this is not a preset of the format ") + kFormat, nameOrPath, "save one from the viewer"};
+    }
+    Result<Settings> settings = settingsFromJson((*json)["settings"], cannySettings(), nameOrPath);
+    if (!settings) return settings.error();
+    if (const auto checked = checkSettings(*settings); !checked) return checked.error();
+    const nlohmann::json name = json->value("name", nlohmann::json());
+    return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};
+}
+
+std::string presetText(const Preset& preset) {
+    const nlohmann::json json{{"format", kFormat}, {"name", preset.name}, {"settings", settingsToJson(preset.settings)}};
+    return jsonText(json, 2) + "\n";
+}
+
+} // namespace edgescan

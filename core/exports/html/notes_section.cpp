@@ -1,0 +1,109 @@
+// Pins, measures and changes as markup.
+#include "core/exports/html/notes_section.h"
+
+#include "core/containers/png/png.h"
+#include "core/exports/html/html.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "core/inspect/measure/cell_target.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+std::string cellText(const Scan& scan, std::uint32_t cell) {
+    if (cell >= scan.cells()) return "no cell of this scan";
+    const auto beams = static_cast<std::uint32_t>(scan.beams());
+    return "line " + std::to_string(cell / beams) + ", beam " + std::to_string(cell % beams);
+}
+
+std::string targetRow(const Scan& scan, const PinnedTarget& target) {
+    std::string said;
+    for (const auto& [row, value] : target.asPinned) said += (said.empty() ? "" : "<br>") + htmlText(row) + ": " + htmlText(value);
+    return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) + "</td><td>" + cellText(scan, target.cell) +
+           "</td><td>" + said + "</td><td>" + htmlText(target.pinnedUtc) + "</td></tr>\n";
+}
+
+std::string measureRow(const Detection& detection, const RangeNoise& noise, const KeptMeasure& measure) {
+    std::string cells;
+    for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
+    const auto measured = measureCells(*detection.scan, noise, measure.kind, measure.cells);
+    return "<tr><td>" + htmlText(traitsOf(measure.kind).label) + "</td><td>" +
+           (measured ? htmlText(measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
+           (measured ? htmlText(measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
+}
+
+int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
+
+/// Of the cells of a pixel the most colourful one: no edge is lost in a smaller picture.
+Grid<Rgb> smaller(const Grid<Rgb>& picture, int mostPixels) {
+    if (picture.lines <= mostPixels && picture.beams <= mostPixels) return picture;
+    Grid<Rgb> small(std::min(picture.lines, mostPixels), std::min(picture.beams, mostPixels));
+    std::vector<int> best(small.size(), -1);
+    for (int line = 0; line < picture.lines; ++line) {
+        for (int beam = 0; beam < picture.beams; ++beam) {
+            const std::size_t to = small.index(static_cast<int>(static_cast<std::int64_t>(line) * small.lines / picture.lines),
+                                               static_cast<int>(static_cast<std::int64_t>(beam) * small.beams / picture.beams));
+            const Rgb& from = picture.at(line, beam);
+            if (spread(from) <= best[to]) continue;
+            best[to] = spread(from);
+            small[to] = from;
+        }
+    }
+    return small;
+}
+
+std::string linesOf(std::string_view text) {
+    std::string html;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        html += htmlText(text.substr(at, end - at)) + "\n";
+        at = end + 1;
+    }
+    return html;
+}
+
+std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
+    return "<span><i style=\"background:rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue) +
+           ")\"></i>" + sign + words + "</span>";
+}
+
+} // namespace
+
+std::string notebookSection(const Detection& detection, const Notebook& notebook) {
+    if (notebook.empty()) return {};
+    std::string html = "<h2>Targets and measures</h2>\n";
+    if (!notebook.targets.empty()) {
+        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>As it was pinned</th>"
+                "<th>Pinned</th></tr></thead><tbody>\n";
+        for (const PinnedTarget& target : notebook.targets) html += targetRow(*detection.scan, target);
+        html += "</tbody></table></div>\n";
+    }
+    if (!notebook.measures.empty()) {
+        const RangeNoise noise = noiseOf(detection);
+        html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
+                "<th>From</th><th>Cells</th></tr></thead><tbody>\n";
+        for (const KeptMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);
+        html += "</tbody></table></div>\n";
+    }
+    return html;
+}
+
+std::string changeSection(const Detection& now, const SceneChange& change, const std::string& earlier, int mostPixels) {
+    std::string html = "<h2>Before and after</h2>\n";
+    if (change.earlier.how.outOfSpec) html += "<p class=\"warning\">&#9650; OUT OF SPEC: the warnings below say why.</p>\n";
+    html +=
+        "<p>Before: " + htmlText(earlier) +
+        ". Surfaces and edges that this scan shows otherwise; what lies hidden in one of the two is no change.</p>\n<pre id=\"change\">" +
+        linesOf(changeText(*now.scan, change)) + "</pre>\n";
+    const auto png = pngRgbBytes(smaller(changePicture(*now.scan, change), mostPixels), "report");
+    html += "<figure class=\"picture\">" + htmlImage(png ? *png : std::string(), "What changed, on the grid of this scan") +
+            "<div class=\"legend\">" + swatch(kGainedColour, "+ ", "edge gained, or surface nearer") +
+            swatch(kLostColour, "&minus; ", "edge lost, or surface farther") + swatch(kKeptColour, "= ", "edge kept") + "</div></figure>\n";
+    return html;
+}
+
+} // namespace edgescan

@@ -1,0 +1,258 @@
+// The sections of a report, one after the other.
+#include "core/exports/html/scan_page.h"
+
+#include "core/base/base64.h"
+#include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/html/html.h"
+#include "core/exports/html/notes_section.h"
+#include "core/exports/html/rock_section.h"
+#include "core/exports/html/scan_pictures.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance/report.h"
+#include "core/files/point_tables/edge_colours.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/acquisition.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostWarnings = 200;
+constexpr int kCloudWidth = 1000, kCloudHeight = 640;
+constexpr const char* kUnknown = "the file does not say";
+
+std::string fact(const std::string& name, const std::string& value) {
+    return "<div><dt>" + htmlText(name) + "</dt><dd>" + htmlText(value.empty() ? kUnknown : value) + "</dd></div>\n";
+}
+
+std::string textAt(const Json& record, const char* pointer) {
+    const Json::json_pointer at(pointer);
+    return record.contains(at) && record.at(at).is_string() ? record.at(at).get<std::string>() : std::string();
+}
+
+std::string metres(double mm) { return fixedText(mm / 1000, 2) + " m"; }
+
+std::string frameText(const Scan& scan) {
+    if (!scan.placement) return "scanner's own frame; no pose was given";
+    const Placement& place = *scan.placement;
+    return "mine grid" + (place.grid.empty() ? "" : " (" + place.grid + ")") + (place.outOfSpec ? ", OUT OF SPEC" : "");
+}
+
+std::string placeText(const Scan& scan) {
+    if (!scan.placement) return "not known: no pose";
+    const Eigen::Vector3d at = scan.placement->originEnhM + PlacedPoints(scan).local(0, 0, Eigen::Vector3d::Zero());
+    return "E " + fixedText(at.x(), 2) + ", N " + fixedText(at.y(), 2) + ", elevation " + fixedText(at.z(), 2) + " m (scanner)";
+}
+
+std::string factsOf(const Detection& detection, const Json& record, const PageWords& words) {
+    const Scan& scan = *detection.scan;
+    const Acquisition none;
+    const Acquisition& measured = scan.acquisition ? *scan.acquisition : none;
+    std::string when = measured.startUtc;
+    if (!when.empty() && !measured.endUtc.empty()) when += " to " + measured.endUtc;
+    if (!when.empty() && !measured.clockSource.empty()) when += " (" + measured.clockSource + ")";
+    std::string scanner = measured.vendor;
+    for (const std::string& more : {measured.model, measured.serial.empty() ? "" : "serial " + measured.serial,
+                                    measured.firmware.empty() ? "" : "firmware " + measured.firmware}) {
+        if (!more.empty()) scanner += (scanner.empty() ? "" : ", ") + more;
+    }
+    std::string by = words.operatorName;
+    if (!words.role.empty()) by += (by.empty() ? "" : ", ") + words.role;
+    const RangeLimits limits = rangeLimits(scan);
+    const auto valid = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
+    const auto edges = static_cast<double>(detection.edges->size());
+    std::string facts = "<h2>What, when, where, by whom</h2>\n<dl class=\"facts\">\n";
+    facts += fact("File", scan.path) + fact("Format", scan.format);
+    facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
+    facts += fact("Ranges", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) : "none was measured");
+    facts += fact("Scanned", when) + fact("Scanner", scanner);
+    facts += fact("Where", placeText(scan)) + fact("Frame", frameText(scan));
+    facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
+                               fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
+    facts += fact("Method", choiceLabel(*findParameter("method"), detection.settings));
+    facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", words.madeUtc);
+    if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += fact("Note", note);
+    return facts + "</dl>\n";
+}
+
+std::string warningsOf(const Json& record) {
+    std::string html = "<h2>Warnings</h2>\n";
+    const Json& warnings = record["warnings"];
+    if (warnings.empty()) return html + "<p>None was raised when this file was read.</p>\n";
+    for (std::size_t i = 0; i < std::min(warnings.size(), kMostWarnings); ++i)
+        html +=
+            "<p class=\"warning\">&#9888; " + htmlText(printable(warnings[i].is_string() ? warnings[i].get<std::string>() : "")) + "</p>\n";
+    if (warnings.size() > kMostWarnings) html += "<p>and " + std::to_string(warnings.size() - kMostWarnings) + " more in the record.</p>\n";
+    return html;
+}
+
+std::string completenessOf(const Scan& scan, const Json& record) {
+    const auto counts = countCells(scan);
+    const Json& acquired = record["acquisition"];
+    const int expected = acquired.value("lines_expected", scan.lines()), received = acquired.value("lines_received", scan.lines());
+    std::string html = "<h2>Completeness</h2>\n<p>" + std::string(received < expected ? "<strong>INCOMPLETE</strong> " : "") +
+                       std::to_string(received) + " of " + std::to_string(expected) + " lines.</p>\n<table>\n<thead><tr><th>Cells</th>" +
+                       "<th class=\"number\">Number</th><th class=\"number\">Share</th></tr></thead><tbody>\n";
+    for (int s = 0; s < kCellStates; ++s) {
+        const auto count = counts[static_cast<std::size_t>(s)];
+        html += "<tr><td>" + htmlText(cellStateName(static_cast<CellState>(s))) + "</td><td class=\"number\">" + std::to_string(count) +
+                "</td><td class=\"number\">" +
+                fixedText(100.0 * static_cast<double>(count) / std::max(1.0, static_cast<double>(scan.cells())), 2) + " %</td></tr>\n";
+    }
+    return html + "<tr><td>all</td><td class=\"number\">" + std::to_string(scan.cells()) + "</td><td></td></tr>\n</tbody></table>\n";
+}
+
+std::string cssColour(const Rgb& colour) {
+    return "rgb(" + std::to_string(colour.red) + "," + std::to_string(colour.green) + "," + std::to_string(colour.blue) + ")";
+}
+
+std::string edgeLegend(const Detection& detection) {
+    constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data", "outline before a void"};
+    std::string html = "<div class=\"legend\">";
+    const auto counts = countClasses(detection);
+    for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
+        const std::size_t count = detection.classes ? counts[kind] : detection.edges->size();
+        if (count == 0 && detection.classes) continue;
+        html += "<span><i style=\"background:" + cssColour(kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" + std::to_string(count) +
+                ")</span>";
+    }
+    return html + "</div>\n";
+}
+
+std::string scaleOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    std::string text = "Across: " + std::to_string(scan.beams()) + " beams";
+    if (polar != nullptr && !polar->beamDeg.empty())
+        text += ", " + fixedText(polar->beamDeg.front(), 1) + " to " + fixedText(polar->beamDeg.back(), 1) + " degrees";
+    text += "; down: " + std::to_string(scan.lines()) + " lines";
+    if (polar != nullptr && !polar->lineDeg.empty())
+        text += ", " + fixedText(polar->lineDeg.front(), 1) + " to " + fixedText(polar->lineDeg.back(), 1) + " degrees";
+    return htmlText(text);
+}
+
+std::string picturesOf(const Detection& detection) {
+    const Scan& scan = *detection.scan;
+    const GrayScale& scale = detection.gray->scale;
+    const CloudPicture cloud = cloudPicture(detection, kCloudWidth, kCloudHeight);
+    const double barMetres = cloud.metrePixels * 5 < kCloudWidth / 2.0 ? 5 : 1;
+    std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n<figure class=\"picture\">" +
+                       htmlImage(grayPicture(detection, kMostPagePixels), "Ranges as gray levels, line by line");
+    html += "<div class=\"legend\"><span>" + metres(scale.nearMm) +
+            "</span><span class=\"bar\" style=\"background:linear-gradient(to right,#000,#fff)\"></span><span>" + metres(scale.farMm) +
+            "</span>" + (scale.logarithmic ? "<span>equal ratios</span>" : "") +
+            "</div>\n<figcaption>Gray levels: black is near, or nothing came back. " + scaleOf(scan) + ".</figcaption></figure>\n";
+    html += "<figure class=\"picture\">" + htmlImage(edgePicture(detection, kMostPagePixels), "Edges on darkened gray levels") +
+            edgeLegend(detection) + "<figcaption>Edges. " + scaleOf(scan) + ".</figcaption></figure>\n</div>\n";
+    html += "<figure class=\"picture\">" + htmlImage(cloud.png, "The points in perspective, seen from behind the scanner") +
+            "<div class=\"legend\"><span class=\"bar\" style=\"background:#444;height:4px;flex:none;width:" +
+            fixedText(100 * barMetres * cloud.metrePixels / kCloudWidth, 2) + "%\"></span><span>" + fixedText(barMetres, 0) +
+            " m at the middle of the cloud</span></div>\n<figcaption>The points, edges in their colours.</figcaption></figure>\n";
+    return html;
+}
+
+std::string viewOf(const ViewPoints& view) {
+    const auto part = [](std::size_t shown, std::size_t of, const char* what) {
+        return std::to_string(shown) + (shown == of ? "" : " of " + std::to_string(of)) + " " + what;
+    };
+    return "<section class=\"onscreen\">\n<h2>Turning view</h2>\n<div class=\"tools\" id=\"viewtools\"></div>\n"
+           "<div class=\"view\"><canvas id=\"view\" tabindex=\"0\" role=\"application\" aria-label=\"Points of the scan in three "
+           "dimensions; arrow "
+           "keys turn, plus and minus come nearer, Enter picks\"></canvas></div>\n<p class=\"pick\" id=\"pick\" role=\"status\"></p>\n<p "
+           "class=\"note\">Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - "
+           "come "
+           "nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: " +
+           part(view.points, view.pointsOf, "points") + " and " + part(view.edges, view.edgesOf, "edge cells") + ".</p>\n</section>\n";
+}
+
+std::string settingsOf(const Detection& detection) {
+    std::string html = "<h2>Settings</h2>\n<table>\n<thead><tr><th>Parameter</th><th>Value</th><th></th></tr></thead><tbody>\n";
+    const auto changed = changedFromDefault(detection.settings);
+    for (const Parameter& parameter : parameters()) {
+        if (!parameter.usedBy(detection.settings)) continue;
+        const bool other = std::ranges::find(changed, std::string(parameter.key)) != changed.end();
+        const std::string value = formatValue(parameter, parameter.get(detection.settings));
+        html += "<tr><td>" + htmlText(parameter.label) + "</td><td>" +
+                htmlText(value + (numberOf(value) ? std::string(" ") + parameter.unit : std::string())) + "</td><td>" +
+                (other ? "changed from the default" : "") + "</td></tr>\n";
+    }
+    return html + "</tbody></table>\n";
+}
+
+std::string againOf(const Detection& detection, const Json& record, const PageWords& words) {
+    const auto hash = [](const std::string& name, const std::string& value) {
+        return "<tr><td>" + htmlText(name) + "</td><td class=\"hash\">" + htmlText(value.empty() ? "none" : value) + "</td></tr>\n";
+    };
+    std::string html = "<h2>Made again</h2>\n<p>The command that makes this report:</p>\n<pre id=\"command\">" + htmlText(words.command) +
+                       "</pre>\n<table>\n<tbody>\n";
+    html += hash("SHA-256 of the file", detection.scan->sha256) + hash("SHA-256 of the grid", textAt(record, "/scan/grid_sha256"));
+    html += hash("SHA-256 of the edge mask", maskSha256(*detection.mask));
+    html += hash("Program", "EdgeScan " + textAt(record, "/program/version") + ", commit " + textAt(record, "/program/commit"));
+    html += "</tbody></table>\n<details class=\"onscreen\"><summary>The whole record</summary>\n<pre>" +
+            htmlText(jsonText(record).substr(0, 60'000)) + "</pre></details>\n";
+    return html;
+}
+
+std::string dataOf(const Detection& detection, const ViewPoints& view, const RockStudy* rocks) {
+    Json colours = Json::array();
+    for (const Rgb& colour : kEdgeColours) colours.push_back({colour.red, colour.green, colour.blue});
+    Json data{{"count", view.count},
+              {"beams", detection.scan->beams()},
+              {"placed", detection.scan->placement != nullptr},
+              {"origin", {view.originM[0], view.originM[1], view.originM[2]}},
+              {"sensor", {view.sensorM[0], view.sensorM[1], view.sensorM[2]}},
+              {"colours", colours},
+              {"positions", base64(view.positions)},
+              {"ranges", base64(view.ranges)},
+              {"cells", base64(view.cells)},
+              {"classes", base64(view.classes)},
+              {"levels", base64(view.levels)}};
+    if (rocks != nullptr) {
+        data["rocks"] = base64(view.rocks);
+        data["faces"] = rockFaceData(*rocks);
+    }
+    if (const auto* polar = std::get_if<PolarGeometry>(&detection.scan->geometry)) {
+        data["beam_deg"] = polar->beamDeg;
+        data["line_deg"] = polar->lineDeg;
+    }
+    return "<script id=\"data\" type=\"application/json\">" + scriptJson(data) + "</script>\n";
+}
+
+} // namespace
+
+std::string scanPage(const Detection& detection, const PageWords& words, const PageNotes& notes) {
+    const RockStudy* const rocks = notes.rocks;
+    const Scan& scan = *detection.scan;
+    ExportOptions options;
+    options.operatorName = words.operatorName;
+    options.role = words.role;
+    const auto parsed = parseOrderedJson(exportRecord(ExportContent::EdgeImage, detection, options), "record");
+    const Json record = parsed ? *parsed : Json{{"warnings", Json::array()}, {"acquisition", Json::object()}};
+    const std::optional<RockFaces> faces = rocks == nullptr ? std::nullopt : std::optional(rockFaces(*rocks));
+    const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges, faces ? &*faces : nullptr);
+    const std::string title = "Scan " + (scan.name.empty() ? scan.path : scan.name);
+    std::string body =
+        "<main>\n<h1>" + htmlText(title) +
+        "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
+        "not measured.</p>\n";
+    body += warningsOf(record) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
+            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook)) +
+            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) +
+            (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
+            completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +
+            dataOf(detection, view, rocks);
+    return htmlPage(title, body, reportScript());
+}
+
+} // namespace edgescan

@@ -1,0 +1,234 @@
+// Gray levels, edges and points as pictures, and points for a page's own view.
+#include "core/exports/html/scan_pictures.h"
+
+#include "core/containers/png/png.h"
+#include "core/files/point_tables/edge_colours.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/cartesian.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+// Cells of a picture's pixel: first and behind the last.
+struct Block {
+    int lines[2], beams[2];
+};
+Block blockOf(int y, int x, int height, int width, int lines, int beams) {
+    const auto part = [](int n, int of, int cells) { return static_cast<int>(static_cast<std::int64_t>(n) * cells / of); };
+    Block block{{part(y, height, lines), part(y + 1, height, lines)}, {part(x, width, beams), part(x + 1, width, beams)}};
+    block.lines[1] = std::max(block.lines[1], block.lines[0] + 1);
+    block.beams[1] = std::max(block.beams[1], block.beams[0] + 1);
+    return block;
+}
+
+// The colours on the page's dark ground; those of files are made for gray points.
+Rgb edgeColour(const Detection& detection, std::size_t k) {
+    return kEdgeColours[detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0];
+}
+
+template <class Pixel, class Paint>
+Grid<Pixel> reduced(const Detection& detection, int mostPixels, const Paint& paint) {
+    const int lines = detection.scan->lines(), beams = detection.scan->beams();
+    Grid<Pixel> picture(std::min(lines, mostPixels), std::min(beams, mostPixels));
+    for (int y = 0; y < picture.lines; ++y) {
+        for (int x = 0; x < picture.beams; ++x) picture.at(y, x) = paint(blockOf(y, x, picture.lines, picture.beams, lines, beams));
+    }
+    return picture;
+}
+
+int meanLevel(const Detection& detection, const Block& block) {
+    int sum = 0, count = 0;
+    for (int i = block.lines[0]; i < block.lines[1]; ++i) {
+        for (int j = block.beams[0]; j < block.beams[1]; ++j, ++count) sum += detection.gray->levels.at(i, j);
+    }
+    return sum / std::max(1, count);
+}
+
+// Points in the frame that the page tells, from an origin of whole metres, so that a float holds them.
+class PagePoints {
+public:
+    explicit PagePoints(const Scan& scan) : tables_(scan), beams_(scan.beams()) {
+        if (scan.placement) placed_.emplace(scan);
+    }
+    [[nodiscard]] Eigen::Vector3d local(std::size_t k) const { return place(k, tables_.point(k)); }
+    [[nodiscard]] Eigen::Vector3d sensor() const { return place(0, tables_.sensor()); }
+    [[nodiscard]] Eigen::Vector3d origin() const { return placed_ ? placed_->originEnhM() : Eigen::Vector3d::Zero().eval(); }
+
+private:
+    [[nodiscard]] Eigen::Vector3d place(std::size_t k, const Eigen::Vector3d& point) const {
+        if (!placed_) return point;
+        return placed_->local(static_cast<int>(k / static_cast<std::size_t>(beams_)),
+                              static_cast<int>(k % static_cast<std::size_t>(beams_)), point);
+    }
+    CartesianTables tables_;
+    std::optional<PlacedPoints> placed_;
+    int beams_;
+};
+
+template <class Number>
+void append(std::string& bytes, Number value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// Every n-th of a row of things would follow the lines of the grid; multiples of the golden ratio fall everywhere alike.
+bool isChosen(std::size_t number, std::size_t most, std::size_t of) {
+    constexpr double kGolden = 0.61803398874989485;
+    if (of <= most) return true;
+    const double turn = static_cast<double>(number) * kGolden;
+    return turn - std::floor(turn) < static_cast<double>(most) / static_cast<double>(of);
+}
+
+struct Camera {
+    Eigen::Vector3d eye, right, up, forward;
+    double focal = 1;
+};
+
+// So many pixels per unit of tangent that nearly all points are in the picture; a few far ones may be outside.
+double focalFor(const Camera& camera, const std::vector<Eigen::Vector3d>& points, int width, int height) {
+    constexpr double kInside = 0.98, kFilled = 0.47;
+    std::vector<double> needed; // of half a width, the height made as wide
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3d d = point - camera.eye;
+        const double z = d.dot(camera.forward);
+        if (z > 0.05) needed.push_back(std::max(std::abs(d.dot(camera.right)), std::abs(d.dot(camera.up)) * width / height) / z);
+    }
+    if (needed.empty()) return width;
+    const auto inside = needed.begin() + static_cast<std::ptrdiff_t>(kInside * static_cast<double>(needed.size() - 1));
+    std::nth_element(needed.begin(), inside, needed.end());
+    return kFilled * width / std::max(*inside, 1e-3);
+}
+
+Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor, int width, int height) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& point : points) sum += point;
+    const Eigen::Vector3d middle = sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
+    const double far = std::max(0.1, (middle - sensor).norm());
+    Camera camera;
+    camera.forward = (middle - sensor).norm() > 1e-6 ? (middle - sensor).normalized() : Eigen::Vector3d::UnitY().eval();
+    const Eigen::Vector3d above = std::abs(camera.forward.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    camera.right = camera.forward.cross(above).normalized();
+    camera.up = camera.right.cross(camera.forward);
+    camera.eye =
+        sensor - camera.forward * far * 1.2 + (camera.right * 0.35 + camera.up * 0.25) * far; // beside the beams' own line of sight
+    camera.forward = (middle - camera.eye).normalized();
+    camera.right = camera.forward.cross(camera.up).normalized();
+    camera.up = camera.right.cross(camera.forward);
+    camera.focal = focalFor(camera, points, width, height);
+    return camera;
+}
+
+} // namespace
+
+std::string grayPicture(const Detection& detection, int mostPixels) {
+    const auto picture = reduced<std::uint8_t>(detection, mostPixels,
+                                               [&](const Block& block) { return static_cast<std::uint8_t>(meanLevel(detection, block)); });
+    const auto bytes = png8Bytes(picture, "report");
+    return bytes ? *bytes : std::string();
+}
+
+std::string edgePicture(const Detection& detection, int mostPixels) {
+    const auto picture = reduced<Rgb>(detection, mostPixels, [&](const Block& block) {
+        for (int i = block.lines[0]; i < block.lines[1]; ++i) {
+            for (int j = block.beams[0]; j < block.beams[1]; ++j) {
+                if (detection.mask->at(i, j) != 0)
+                    return edgeColour(detection, static_cast<std::size_t>(i) * static_cast<std::size_t>(detection.scan->beams()) +
+                                                     static_cast<std::size_t>(j));
+            }
+        }
+        const auto level = static_cast<std::uint8_t>(meanLevel(detection, block) * 2 / 5);
+        return Rgb{level, level, level};
+    });
+    const auto bytes = pngRgbBytes(picture, "report");
+    return bytes ? *bytes : std::string();
+}
+
+std::string rockPicture(const Detection& detection, const RockFaces& faces, int mostPixels) {
+    const auto picture = reduced<Rgb>(detection, mostPixels, [&](const Block& block) {
+        if (const auto face = faces.at(block.lines[0], block.beams[0])) return *face;
+        const auto level = static_cast<std::uint8_t>(meanLevel(detection, block) * 3 / 5);
+        return Rgb{level, level, level};
+    });
+    const auto bytes = pngRgbBytes(picture, "report");
+    return bytes ? *bytes : std::string();
+}
+
+CloudPicture cloudPicture(const Detection& detection, int width, int height, const RockFaces* faces) {
+    const PagePoints place(*detection.scan);
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::size_t> cells;
+    for (std::size_t k = 0; k < detection.scan->cells(); ++k) {
+        if (detection.scan->state[k] != CellState::Valid) continue;
+        points.push_back(place.local(k));
+        cells.push_back(k);
+    }
+    const Camera camera = cameraFor(points, place.sensor(), width, height);
+    Grid<Rgb> picture(height, width, Rgb{23, 25, 27});
+    Grid<float> depth(height, width, std::numeric_limits<float>::infinity());
+    constexpr int kSplat = 3; // pixels
+    double depthSum = 0;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        const Eigen::Vector3d d = points[n] - camera.eye;
+        const double z = d.dot(camera.forward);
+        if (!(z > 0.05)) continue;
+        depthSum += z;
+        const int x = static_cast<int>(std::floor(width / 2.0 + camera.focal * d.dot(camera.right) / z));
+        const int y = static_cast<int>(std::floor(height / 2.0 - camera.focal * d.dot(camera.up) / z));
+        const bool edge = faces == nullptr && (*detection.mask)[cells[n]] != 0;
+        const auto level = static_cast<std::uint8_t>(60 + detection.gray->levels[cells[n]] * 3 / 5);
+        const auto beams = static_cast<std::size_t>(detection.scan->beams());
+        const auto face =
+            faces == nullptr ? std::nullopt : faces->at(static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams));
+        const Rgb colour = edge ? edgeColour(detection, cells[n]) : face.value_or(Rgb{level, level, level});
+        const auto nearer = static_cast<float>(edge ? z * 0.995 : z); // an edge is not hidden by the surface that it lies on
+        for (int dy = 0; dy < kSplat; ++dy) {
+            for (int dx = 0; dx < kSplat; ++dx) {
+                if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height || depth.at(y + dy, x + dx) <= nearer) continue;
+                depth.at(y + dy, x + dx) = nearer;
+                picture.at(y + dy, x + dx) = colour;
+            }
+        }
+    }
+    const auto bytes = pngRgbBytes(picture, "report");
+    const double middle = points.empty() ? 1 : std::max(0.1, depthSum / static_cast<double>(points.size()));
+    return {bytes ? *bytes : std::string(), camera.focal / middle};
+}
+
+ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges, const RockFaces* faces) {
+    const Scan& scan = *detection.scan;
+    ViewPoints view;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid) ++((*detection.mask)[k] != 0 ? view.edgesOf : view.pointsOf);
+    }
+    const PagePoints place(scan);
+    const Eigen::Vector3d origin = place.origin(), sensor = place.sensor();
+    std::copy(origin.data(), origin.data() + 3, view.originM);
+    std::copy(sensor.data(), sensor.data() + 3, view.sensorM);
+    std::size_t edges = 0, points = 0; // passed so far
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        const bool edge = (*detection.mask)[k] != 0;
+        if (!(edge ? isChosen(edges++, mostEdges, view.edgesOf) : isChosen(points++, mostPoints, view.pointsOf))) continue;
+        const Eigen::Vector3d point = place.local(k);
+        if (!point.allFinite() || (edge ? view.edges >= mostEdges : view.points >= mostPoints)) continue;
+        ++(edge ? view.edges : view.points);
+        for (int axis = 0; axis < 3; ++axis) append(view.positions, static_cast<float>(point[axis]));
+        append(view.ranges, scan.rangeMm[k]);
+        append(view.cells, static_cast<std::uint32_t>(k));
+        const int kind = !edge ? 0 : 1 + (detection.classes ? static_cast<int>((*detection.classes)[k]) : 0);
+        append(view.classes, static_cast<std::uint8_t>(kind));
+        append(view.levels, detection.gray->levels[k]);
+        if (faces != nullptr) append(view.rocks, static_cast<std::uint16_t>(faces->labels[k] <= UINT16_MAX ? faces->labels[k] : 0));
+        ++view.count;
+    }
+    return view;
+}
+
+} // namespace edgescan

@@ -1,0 +1,45 @@
+// The pictures of a report.
+#pragma once
+
+#include "core/edges/pipeline/detection.h"
+#include "core/rocks/attributes/faces.h"
+
+#include <string>
+
+namespace edgescan {
+
+/// PNG bytes, rows = lines from the first one down, columns = beams; at most `mostPixels` along a side.
+[[nodiscard]] std::string grayPicture(const Detection& detection, int mostPixels);
+
+/// The same with the edges in the colours of their classes on darkened gray levels.
+[[nodiscard]] std::string edgePicture(const Detection& detection, int mostPixels);
+
+/// The same with the rocks as coloured faces.
+[[nodiscard]] std::string rockPicture(const Detection& detection, const RockFaces& faces, int mostPixels);
+
+/// The points as seen from behind the scanner, in perspective, with the edges, or the rocks where there are some, in their colours: PNG of
+/// width x height pixels.
+struct CloudPicture {
+    std::string png;
+    double metrePixels = 0; ///< length of a metre at the distance of the cloud's middle
+};
+[[nodiscard]] CloudPicture cloudPicture(const Detection& detection, int width, int height, const RockFaces* faces = nullptr);
+
+/// The cloud's points in metres for the turning view, and what the page tells of each: little endian, one array after the other.
+struct ViewPoints {
+    std::size_t count = 0;
+    std::string positions;                 ///< count x 3 floats, from the origin
+    std::string ranges;                    ///< count floats, mm
+    std::string cells;                     ///< count 32 bit indices
+    std::string classes;                   ///< count bytes: 0 no edge, 1 + DepthEdge otherwise
+    std::string levels;                    ///< count bytes, gray
+    std::string rocks;                     ///< count 16 bit labels, 0 none; empty without rocks
+    double originM[3]{};                   ///< in the frame of the page: mine grid where the scan has a place, else the scanner's
+    double sensorM[3]{};                   ///< from the origin
+    std::size_t pointsOf = 0, edgesOf = 0; ///< how many there are in the scan
+    std::size_t points = 0, edges = 0;     ///< how many are shown
+};
+[[nodiscard]] ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges,
+                                    const RockFaces* faces = nullptr);
+
+} // namespace edgescan

@@ -1,0 +1,13 @@
+// A scan as a stamp: for the contact sheet of an archive.
+#pragma once
+
+#include "core/edges/pipeline/detection.h"
+
+#include <string>
+
+namespace edgescan {
+
+/// The gray levels, darkened, with the edges white: PNG of at most 96 x 96 pixels, the scan's shape kept. Empty without cells.
+[[nodiscard]] std::string surveyPicture(const Detection& detection);
+
+} // namespace edgescan

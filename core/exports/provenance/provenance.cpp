@@ -1,0 +1,243 @@
+// Writing exports with their records.
+#include "core/exports/provenance/provenance.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
+#include "core/edges/tuning/confidence.h"
+#include "core/exports/provenance/record_parts.h"
+#include "core/exports/provenance/rock_files.h"
+#include "core/files/formats/formats.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/files/point_tables/description.h"
+#include "core/files/point_tables/source.h"
+#include "core/scan/grid/range_picture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <span>
+#include <system_error>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (docs/operator.md, "S9")
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// What has to hold of the file besides its bytes.
+struct Expected {
+    std::size_t count = 0; ///< points or cells
+    std::optional<PointBounds> bounds;
+    const char* of = "cells"; ///< where there are no points
+};
+
+Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+    if (isOfRocks(content) && !isCloud(content) && content != ExportContent::RockLabels)
+        return Expected{options.rocks->rocks.size(), std::nullopt, "rocks"};
+    const bool points = isCloud(content) || (content == ExportContent::WholeScan && writtenFormat(path)->write != nullptr);
+    if (!points) return Expected{detection.scan->cells(), std::nullopt};
+    const PointBounds bounds = pointsToWrite(content, detection, options);
+    return Expected{bounds.count, bounds};
+}
+
+/// The one that was asked for.
+const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& path) {
+    const auto named = std::ranges::find_if(files, [&](const FileBytes& file) { return file.path.extension() == path.extension(); });
+    return named == files.end() ? files.front() : *named;
+}
+
+/// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
+std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
+    const Format* format = writtenFormat(path);
+    const bool inside = content == ExportContent::WholeScan && format != nullptr &&
+                        (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
+    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : descriptionText(scan, "", -1);
+}
+
+std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
+                        const std::vector<FileBytes>& files) {
+    Json about{{"file", file.path.filename().string()},
+               {"sha256", sha256Hex(bytesOf(file.bytes))},
+               {"bytes", file.bytes.size()},
+               {"written_utc", utcText(utcNow())},
+               {expected.bounds ? "points" : expected.of, expected.count}};
+    if (expected.bounds && expected.count > 0)
+        about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
+    for (const FileBytes& other : files) {
+        if (&other != &file)
+            about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
+    }
+    const auto parsed = parseOrderedJson(record, "");
+    Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
+    if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
+    return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
+}
+
+/// Any field that a cloud has stands in the file under its name.
+bool hasNamedFields(const fs::path& path) {
+    const std::string extension = Source::lowerCase(path.extension());
+    return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";
+}
+
+/// What nobody measured is written only where the file tells it apart.
+Result<Done> checkFilled(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+    if (!isCloud(content) || !options.choices.filled) return Done{};
+    if (!detection.filled)
+        return Error{"no gap was filled that could be written", path.string(),
+                     "give --fill and how many cells, or leave --with-filled out"};
+    if (hasNamedFields(path)) return Done{};
+    return Error{"this format has no room for the mark of filled cells", path.string(),
+                 "choose .pcd, .ply or .csv, or leave --with-filled out"};
+}
+
+Result<Done> checkConfidence(ExportContent content, const fs::path& path, const ExportOptions& options) {
+    if (!isCloud(content) || !options.choices.confidence || hasNamedFields(path)) return Done{};
+    return Error{"this format has no room for a field of confidence", path.string(),
+                 "choose .pcd, .ply or .csv, or leave --with-confidence out"};
+}
+
+/// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
+Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
+    if (!expected.bounds || expected.count == 0) return Done{};
+    const auto refused = [&](const std::string& what) {
+        return Error{"this format cannot tell the scan, nothing was written: " + what, file.path.string(), "choose another format"};
+    };
+    const auto written = pointsWritten(file.bytes, file.path);
+    if (!written) return refused(written.error().what);
+    if (!*written) return Done{};
+    const PointBounds& points = **written;
+    if (points.count != expected.count)
+        return refused("it would hold " + std::to_string(points.count) + " points instead of " + std::to_string(expected.count));
+    const double off = std::max((points.leastM - expected.bounds->leastM).cwiseAbs().maxCoeff(),
+                                (points.mostM - expected.bounds->mostM).cwiseAbs().maxCoeff());
+    if (!(off < kToleranceM)) return refused("its bounds would be off by " + significantText(off, 6) + " m");
+    return Done{};
+}
+
+/// Read again piece by piece, each beside what it should be.
+bool holds(const fs::path& path, std::span<const std::byte> bytes) {
+    constexpr std::size_t kPiece = std::size_t{1} << 18U; // stays in the cache
+    std::ifstream file(path, std::ios::binary);
+    file.rdbuf()->pubsetbuf(nullptr, 0); // no second copy
+    std::vector<char> piece(kPiece);
+    while (file) {
+        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        const auto count = static_cast<std::size_t>(file.gcount());
+        if (count > bytes.size() || std::memcmp(piece.data(), bytes.data(), count) != 0) return false;
+        bytes = bytes.subspan(count);
+    }
+    return file.eof() && bytes.empty();
+}
+
+/// What did not arrive as it was written is taken away again.
+Result<Done> readBack(const std::vector<FileContent>& contents) {
+    for (const FileContent& content : contents) {
+        if (holds(content.path, content.bytes)) continue;
+        std::error_code ignored;
+        for (const FileContent& other : contents) fs::remove(other.path, ignored);
+        return Error{"what was read back is not what was written, so it was removed", content.path.string(),
+                     "check the disk and export again"};
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
+                                           const std::string& record, const ExportOptions& options) {
+    const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
+    const Scan& scan = *chosen;
+    SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
+    if (auto can = checkFilled(content, detection, path, options); !can) return can.error();
+    const bool filled = isCloud(content) && options.choices.filled;
+    const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
+    if (filled) save.filledSdMm = &filledSdMm;
+    if (auto can = checkConfidence(content, path, options); !can) return can.error();
+    const auto confidence = isCloud(content) && options.choices.confidence ? edgeConfidence(detection) : std::nullopt;
+    if (confidence) save.confidence = &confidence->percent;
+    const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
+        if (!bytes) return bytes.error();
+        std::vector<FileBytes> files; // a list in braces would copy all bytes
+        files.push_back({path, std::move(*bytes)});
+        return files;
+    };
+    switch (content) {
+    case ExportContent::EdgeCloud:
+        return one(edgeBytes(scan, *detection.mask, path, save));
+    case ExportContent::FullCloud:
+        return one(cloudBytes(scan, path, detection.mask.get(), save));
+    case ExportContent::EdgeImage:
+        return one(png8Bytes(*detection.mask, path.string(), record));
+    case ExportContent::GrayImage:
+        return one(png8Bytes(detection.gray->levels, path.string(), record));
+    case ExportContent::WholeScan:
+        return scanFiles(scan, path, save);
+    case ExportContent::RockLabels: {
+        const auto picture = labelPicture(*options.rocks, path.string());
+        if (!picture) return picture.error();
+        return one(png16Bytes(*picture, path.string(), record));
+    }
+    case ExportContent::RockTable:
+        return one(tableBytes(*options.rocks, options.frame, path));
+    case ExportContent::RockReport:
+        return one(reportBytes(*options.rocks, options.frame, path, record));
+    case ExportContent::RockCloud: {
+        const Grid<std::uint32_t> labels = rockLabels(*options.rocks->leaves, options.rocks->map);
+        SaveOptions withRocks = save;
+        withRocks.rocks = &labels;
+        return one(cloudBytes(scan, path, detection.mask.get(), withRocks));
+    }
+    case ExportContent::RockOutlines:
+        return one(outlineBytes(*options.rocks, options.frame, path, record));
+    case ExportContent::RockHulls:
+        return one(hullBytes(*options.rocks, options.frame, path, record));
+    case ExportContent::RangeImage:
+        break;
+    }
+    return one(png16Bytes(rangePicture(scan), path.string(), record));
+}
+
+std::string embeddedRecord(std::string_view bytes) {
+    if (std::string record = pngRecord(bytes); !record.empty()) return record;
+    const ReadingOptions options;
+    return formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
+}
+
+Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const fs::path& path,
+                                         const ExportOptions& options) {
+    const std::string record = exportRecord(content, detection, options);
+    const auto files = exportFiles(content, detection, path, record, options);
+    if (!files) return files.error();
+    const Expected expected = expectedOf(content, detection, path, options);
+    for (const FileBytes& file : *files) {
+        if (auto told = checkTold(file, expected); !told) return told.error();
+    }
+    if (isDevice(path)) {
+        if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
+        if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();
+        return expected.count;
+    }
+    const FileBytes& named = fileOf(*files, path);
+    const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
+    std::vector<FileContent> contents;
+    for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
+    if (options.sidecar) contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
+    if (auto written = writeWholeFiles(contents); !written) return written.error();
+    if (auto same = readBack(contents); !same) return same.error();
+    return expected.count;
+}
+
+} // namespace edgescan

@@ -1,0 +1,12 @@
+// Why a cell is an edge or not, as JSON (docs/command-line.md, "JSON of why").
+#pragma once
+
+#include "core/edges/explain/why.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace edgescan {
+
+[[nodiscard]] nlohmann::ordered_json whyReport(const Detection& detection, const Why& why);
+
+} // namespace edgescan

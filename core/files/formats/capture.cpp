@@ -1,0 +1,19 @@
+// Captures of a scanner's telegrams: network packets, and the bytes as they came.
+#include "core/files/formats/format.h"
+#include "core/files/packet_capture/read_capture.h"
+
+namespace edgescan {
+
+Format packetCaptureFormat() {
+    return {.title = "Network capture",
+            .reads = {".pcap", ".pcapng", ".cap"},
+            .recognises = looksLikePackets,
+            .read = readPacketCapture,
+            .placesItself = true};
+}
+
+Format colaCaptureFormat() {
+    return {.title = "CoLa stream", .reads = {".bin"}, .recognises = looksLikeColaStream, .read = readColaCapture, .placesItself = true};
+}
+
+} // namespace edgescan

@@ -1,0 +1,14 @@
+// The coordinate system of a cloud as well-known text (OGC 01-009), for formats that carry one.
+#pragma once
+
+#include "core/files/point_tables/cloud_columns.h"
+
+#include <string>
+
+namespace edgescan {
+
+/// The EPSG system where the pose names one that is known here (UTM on WGS 84, by name or code) and the coordinates are its own; else a
+/// local system that no program takes for a place on earth. One line of ASCII.
+[[nodiscard]] std::string coordinateSystemWkt(const CloudColumns& cloud);
+
+} // namespace edgescan

@@ -1,0 +1,314 @@
+// E57: scans as lists of points or as grids by row and column, with the pose of each.
+#include "core/base/memory.h"
+#include "core/containers/e57/columns.h"
+#include "core/files/formats/format.h"
+#include "core/files/formats/written_place.h"
+#include "core/scan/grid/acquisition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace edgescan {
+namespace {
+
+const Eigen::Vector3d kNoPoint = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+
+/// Which columns of a scan are read.
+struct E57Columns {
+    std::array<std::size_t, 3> place{}; ///< x y z, or range, azimuth, elevation
+    bool spherical = false;
+    std::optional<std::size_t> invalid, row, column, intensity;
+
+    [[nodiscard]] std::vector<std::size_t> all() const {
+        std::vector<std::size_t> list(place.begin(), place.end());
+        for (const auto& more : {invalid, row, column, intensity}) {
+            if (more) list.push_back(*more);
+        }
+        return list;
+    }
+};
+
+std::optional<std::size_t> wholeField(const E57Scan& scan, const char* name) {
+    const auto field = scan.field(name);
+    return field && scan.fields[*field].kind == E57Field::Kind::Integer ? field : std::nullopt;
+}
+
+std::optional<E57Columns> columnsOf(const E57Scan& scan) {
+    struct Names {
+        std::array<const char*, 3> place;
+        const char* invalid;
+    };
+    static constexpr std::array<Names, 2> kNames{{
+        {{"cartesianX", "cartesianY", "cartesianZ"}, "cartesianInvalidState"},
+        {{"sphericalRange", "sphericalAzimuth", "sphericalElevation"}, "sphericalInvalidState"},
+    }};
+    for (const Names& names : kNames) {
+        std::array<std::optional<std::size_t>, 3> found;
+        for (std::size_t i = 0; i < 3; ++i) found[i] = scan.field(names.place[i]);
+        if (!std::ranges::all_of(found, [](const auto& column) { return column.has_value(); })) continue;
+        E57Columns columns;
+        columns.place = {*found[0], *found[1], *found[2]};
+        columns.spherical = &names == &kNames[1];
+        columns.invalid = scan.field(names.invalid);
+        columns.row = wholeField(scan, "rowIndex");
+        columns.column = wholeField(scan, "columnIndex");
+        columns.intensity = scan.field("intensity");
+        if (!columns.row || !columns.column) columns.row = columns.column = std::nullopt;
+        return columns;
+    }
+    return std::nullopt;
+}
+
+std::string fieldNames(const E57Scan& scan, const E57Columns* read) {
+    const std::vector<std::size_t> known = read != nullptr ? read->all() : std::vector<std::size_t>{};
+    std::string names;
+    for (std::size_t i = 0; i < scan.fields.size(); ++i) {
+        if (std::ranges::find(known, i) == known.end()) names += (names.empty() ? "" : ", ") + scan.fields[i].name;
+    }
+    return names;
+}
+
+/// How exactly x y z are written. What angles are written with grows with the range.
+Precision precisionOf(const E57Scan& scan, const E57Columns& columns) {
+    constexpr double kLargestAngle = 3.15;
+    Precision precision{0.0, kFloatError};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const E57Field& field = scan.fields[columns.place[i]];
+        const bool angle = columns.spherical && i > 0;
+        double& shared = angle ? precision.relative : precision.absolute;
+        shared = std::max(shared, field.absoluteError());
+        precision.relative = std::max(precision.relative, field.relativeError() * (angle ? 2 * kLargestAngle : 2.0));
+    }
+    return precision;
+}
+
+/// The numbers of a scan's points, one list per column.
+struct E57Numbers {
+    std::vector<std::vector<double>> lists;
+    std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr, *intensity = nullptr;
+};
+
+Result<E57Numbers> numbersOf(E57File& file, const E57Scan& scan, const E57Columns& columns, const Source& source) {
+    auto lists = readE57Columns(file, scan, columns.all(), [&](double done) { return source.goOn("reading points", 0.4 * done); });
+    if (!lists) return lists.error();
+    E57Numbers numbers;
+    numbers.lists = std::move(*lists);
+    std::size_t next = 3;
+    if (columns.invalid) numbers.invalid = &numbers.lists[next++];
+    if (columns.row) numbers.row = &numbers.lists[next++];
+    if (columns.column) numbers.column = &numbers.lists[next++];
+    if (columns.intensity) numbers.intensity = &numbers.lists[next++];
+    return numbers;
+}
+
+/// x y z of each point, not finite where it is marked as none. Counts these.
+std::vector<Eigen::Vector3d> pointsOf(const E57Numbers& numbers, bool spherical, std::size_t& invalid) {
+    const auto& [a, b, c] = std::tie(numbers.lists[0], numbers.lists[1], numbers.lists[2]);
+    std::vector<Eigen::Vector3d> points(a.size());
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (numbers.invalid != nullptr && (*numbers.invalid)[n] != 0.0) { // 1: a direction only, 2: nothing
+            points[n] = kNoPoint;
+            ++invalid;
+            continue;
+        }
+        points[n] = {a[n], b[n], c[n]};
+        if (!spherical) continue;
+        const double flat = a[n] * std::cos(c[n]);
+        points[n] = {flat * std::cos(b[n]), flat * std::sin(b[n]), a[n] * std::sin(c[n])};
+    }
+    return points;
+}
+
+/// Rows and columns of a grid that the file itself gives.
+struct E57Grid {
+    std::int64_t firstLine = 0, firstBeam = 0;
+    std::uint64_t lines = 0, beams = 0;
+};
+
+struct IndexExtent {
+    double least = 0.0, most = 0.0;
+};
+IndexExtent extentOf(const std::vector<double>& numbers) {
+    const auto [least, most] = std::ranges::minmax(numbers);
+    return {least, most};
+}
+
+/// Which cells the points lie in: empty when the indexes make no grid, or one that is nearly all holes.
+std::optional<E57Grid> gridOf(const E57Scan& scan, const E57Numbers& numbers, bool linesAreRows, std::uint64_t fileBytes) {
+    constexpr double kMostAlongOneSide = 1U << 30U;
+    constexpr std::uint64_t kCellsPerByte = 4, kCellsAnyway = 500'000;
+    if (numbers.row == nullptr || numbers.row->empty()) return std::nullopt;
+    const auto within = [](IndexExtent indexes, std::int64_t first, std::int64_t last) {
+        return static_cast<double>(first) <= indexes.least && static_cast<double>(last) >= indexes.most
+                   ? IndexExtent{static_cast<double>(first), static_cast<double>(last)}
+                   : indexes;
+    };
+    IndexExtent rows = extentOf(*numbers.row);
+    IndexExtent columns = extentOf(*numbers.column);
+    if (scan.bounds) { // rows and columns at the rim may hold no point
+        rows = within(rows, scan.bounds->firstRow, scan.bounds->lastRow);
+        columns = within(columns, scan.bounds->firstColumn, scan.bounds->lastColumn);
+    }
+    const IndexExtent& lines = linesAreRows ? rows : columns;
+    const IndexExtent& beams = linesAreRows ? columns : rows;
+    if (!(lines.most - lines.least < kMostAlongOneSide) || !(beams.most - beams.least < kMostAlongOneSide)) return std::nullopt;
+    if (!(std::abs(lines.least) < 1e15) || !(std::abs(beams.least) < 1e15)) return std::nullopt;
+    const E57Grid grid{static_cast<std::int64_t>(lines.least), static_cast<std::int64_t>(beams.least),
+                       static_cast<std::uint64_t>(lines.most - lines.least) + 1, static_cast<std::uint64_t>(beams.most - beams.least) + 1};
+    const bool reasonable = grid.lines * grid.beams <= kCellsPerByte * fileBytes + kCellsAnyway;
+    if (!reasonable || grid.lines < 2 || grid.beams < 2) return std::nullopt;
+    return grid;
+}
+
+bool hasRange(const Eigen::Vector3d& p) { return p.allFinite() && !p.isZero(0.0); }
+
+/// The points in their cells. Where several share one the nearest stays.
+void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, bool linesAreRows) {
+    std::vector<Eigen::Vector3d> cells(grid.lines * grid.beams, kNoPoint);
+    std::vector<float> intensities(table.intensity.empty() ? 0 : cells.size(), std::numeric_limits<float>::quiet_NaN());
+    const std::vector<double>& line = linesAreRows ? *numbers.row : *numbers.column;
+    const std::vector<double>& beam = linesAreRows ? *numbers.column : *numbers.row;
+    std::size_t behind = 0;
+    for (std::size_t n = 0; n < table.points.size(); ++n) {
+        if (!hasRange(table.points[n])) continue;
+        const auto i = static_cast<std::uint64_t>(static_cast<std::int64_t>(line[n]) - grid.firstLine);
+        const auto j = static_cast<std::uint64_t>(static_cast<std::int64_t>(beam[n]) - grid.firstBeam);
+        const std::uint64_t k = i * grid.beams + j;
+        Eigen::Vector3d& cell = cells[k];
+        const bool taken = hasRange(cell);
+        behind += taken ? 1 : 0;
+        if (taken && table.points[n].squaredNorm() >= cell.squaredNorm()) continue;
+        cell = table.points[n];
+        if (!intensities.empty()) intensities[k] = table.intensity[n];
+    }
+    table.intensity = std::move(intensities);
+    table.points = std::move(cells);
+    table.width = grid.beams;
+    table.height = grid.lines;
+    table.gridIsGiven = true;
+    if (behind > 0) {
+        table.remarks.push_back(std::to_string(behind) +
+                                " points share their row and column with a nearer one, which was taken (several returns of one beam).");
+    }
+}
+
+/// The scan that the options ask for, its columns and its points in their own frame.
+struct E57Choice {
+    E57Scan scan;
+    PointTable table;
+};
+
+Result<E57Choice> chosenScan(E57File& file, const Source& source) {
+    const std::size_t wanted = source.options->scanIndex;
+    if (file.scans.empty()) {
+        return source.refused("this E57 file holds no scan" +
+                                  (file.pictures > 0 ? ", only " + std::to_string(file.pictures) + " pictures" : std::string()),
+                              "choose another file");
+    }
+    if (wanted >= file.scans.size()) {
+        return source.refused("the file holds " + std::to_string(file.scans.size()) + " scans, and number " + std::to_string(wanted + 1) +
+                                  " was asked for",
+                              "choose a smaller --scan");
+    }
+    E57Choice choice{file.scans[wanted], {}};
+    if (file.scans.size() > 1) {
+        choice.table.remarks.push_back("The file holds " + std::to_string(file.scans.size()) + " scans; this is number " +
+                                       std::to_string(wanted + 1) + ", --scan chooses another.");
+    }
+    return choice;
+}
+
+/// Puts the points of a scan onto the grid of the file's own indexes, where they make one.
+Result<Done> takeGrid(PointTable& table, const E57Scan& scan, const E57Numbers& numbers, const Source& source) {
+    if (numbers.row == nullptr) return Done{};
+    const bool linesAreRows = scan.lineIndex == "rowIndex";
+    const auto grid = gridOf(scan, numbers, linesAreRows, source.bytes.size());
+    if (!grid) {
+        table.remarks.emplace_back("The rows and columns that the file gives its points make no grid and were not used.");
+        return Done{};
+    }
+    if (auto enough = checkMemory(grid->lines * grid->beams * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough;
+    spread(table, *grid, numbers, linesAreRows);
+    table.mayBeTurned = scan.lineIndex.empty();
+    if (scan.lineIndex.empty()) {
+        table.remarks.emplace_back(
+            "The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.");
+    }
+    return Done{};
+}
+
+Result<E57Choice> readChoice(const Source& source) {
+    auto file = openE57(source.bytes, source.path.string());
+    if (!file) return file.error();
+    auto choice = chosenScan(*file, source);
+    if (!choice) return choice;
+    E57Scan& scan = choice->scan;
+    PointTable& table = choice->table;
+    const std::string which = "scan " + std::to_string(source.options->scanIndex + 1) + " of this E57 file";
+    if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
+    const auto columns = columnsOf(scan);
+    if (!columns) {
+        return source.refused(which + " has neither cartesian nor spherical coordinates, only " + fieldNames(scan, nullptr),
+                              "export it with coordinates");
+    }
+    auto numbers = numbersOf(*file, scan, *columns, source);
+    if (!numbers) return numbers.error();
+    std::size_t invalid = 0;
+    table.format = "E57";
+    table.unitMm = 1000.0;
+    table.precision = precisionOf(scan, *columns);
+    table.points = pointsOf(*numbers, columns->spherical, invalid);
+    table.width = table.points.size();
+    if (numbers->intensity != nullptr) table.intensity.assign(numbers->intensity->begin(), numbers->intensity->end());
+    if (auto taken = takeGrid(table, scan, *numbers, source); !taken) return taken.error();
+    if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
+    if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
+        table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
+    if (scan.poseIsNone) table.remarks.emplace_back("The pose in the file is no turn and shift, so the scan stays in the scanner's frame.");
+    return choice;
+}
+
+bool looksLikeE57(const Source& source) { return source.text().starts_with(kE57Magic); }
+
+/// The points of the scan that the options ask for, moved by its pose.
+Result<PointTable> readE57Points(const Source& source) {
+    auto choice = readChoice(source);
+    if (!choice) return choice.error();
+    PointTable table = std::move(choice->table);
+    if (const auto& pose = choice->scan.pose) {
+        for (Eigen::Vector3d& p : table.points) p = pose->rotation * p + pose->translationM;
+    }
+    return table;
+}
+
+void nameSensor(Scan& scan, const E57Scan& e57) {
+    if (e57.vendor.empty() && e57.model.empty() && e57.serial.empty()) return;
+    auto acquisition = std::make_shared<Acquisition>();
+    acquisition->vendor = e57.vendor;
+    acquisition->model = e57.model;
+    acquisition->serial = e57.serial;
+    acquisition->firmware = e57.firmware;
+    scan.acquisition = std::move(acquisition);
+}
+
+/// The scan that the options ask for, placed by its pose.
+Result<Scan> readE57(const Source& source) {
+    auto choice = readChoice(source);
+    if (!choice) return choice.error();
+    const E57Scan& e57 = choice->scan;
+    Result<Scan> scan = scanFromPoints(std::move(choice->table), source);
+    if (!scan) return scan;
+    if (e57.pose) placeAsWritten(*scan, e57.pose->rotation, e57.pose->translationM, "E57", source);
+    nameSensor(*scan, e57);
+    scan->note = e57.name + (e57.name.empty() || e57.description.empty() ? "" : ": ") + e57.description;
+    return scan;
+}
+
+} // namespace
+
+Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .points = readE57Points, .read = readE57}; }
+
+} // namespace edgescan

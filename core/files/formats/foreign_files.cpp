@@ -1,0 +1,179 @@
+// Files of other programs that are not read, known by their first bytes or by their name, and what turns them into files that are.
+#include "core/containers/compression/zip_archive.h"
+#include "core/files/formats/format.h"
+#include "core/files/point_tables/text_layout.h"
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan {
+namespace {
+
+struct ForeignKind {
+    std::string_view mark; ///< first bytes, or an extension
+    const char* what;
+    const char* hint;
+};
+
+using namespace std::string_view_literals;
+
+constexpr const char* kNoScan = "choose a scan file";
+constexpr const char* kFromSite = "it may be what a site sent instead of the file: download the file again, or choose a scan file";
+constexpr const char* kUnpack = "unpack it and open the scan in it";
+constexpr const char* kFromMeshLab = "save its points as PLY in MeshLab";
+constexpr const char* kFromRaster = "choose the scan that it was made from";
+constexpr const char* kAsNumbers = "save the ranges as .npy or .csv";
+
+constexpr std::array<ForeignKind, 27> kByBytes{{
+    {"\xff\xd8\xff"sv, "a JPEG picture, not a scan", kNoScan},
+    {"GIF8"sv, "a GIF picture, not a scan", kNoScan},
+    {"RIFF"sv, "a picture, sound or film (RIFF), not a scan", kNoScan},
+    {"\0\0\0\x18"
+     "ftyp"sv,
+     "a picture or film, not a scan", kNoScan},
+    {"\0\0\0\x1c"
+     "ftyp"sv,
+     "a picture or film, not a scan", kNoScan},
+    {"\0\0\0\x20"
+     "ftyp"sv,
+     "a picture or film, not a scan", kNoScan},
+    {"8BPS"sv, "a Photoshop picture, not a scan", kNoScan},
+    {"\x7f\x45LF"sv, "a program, not a scan", kNoScan},
+    {"MZ\x90\0"sv, "a program, not a scan", kNoScan},
+    {"%PDF"sv, "a PDF document, not a scan", kNoScan},
+    {"PK\x03\x04"sv, "a ZIP archive, not a scan", kUnpack},
+    {"\x1f\x8b"sv, "a gzip archive in another one, not a scan", kUnpack},
+    {"\xfd\x37zXZ\0"sv, "an xz archive, not a scan", "unpack it (xz -d) and open the scan in it"},
+    {"BZh"sv, "a bzip2 archive, not a scan", "unpack it (bzip2 -d) and open the scan in it"},
+    {"\x28\xb5\x2f\xfd"sv, "a zstd archive, not a scan", "unpack it (zstd -d) and open the scan in it"},
+    {"7z\xbc\xaf\x27\x1c"sv, "a 7-Zip archive, not a scan", kUnpack},
+    {"Rar!\x1a\x07"sv, "a RAR archive, not a scan", kUnpack},
+    {"#ROSBAG V"sv, "a ROS 1 bag, which is not read",
+     "turn its scans into PCD with \"rosrun pcl_ros bag_to_pcd\", or the bag into MCAP with \"mcap convert\" where it holds CoLa "
+     "telegrams"},
+    {"SQLite format 3\0"sv, "an SQLite database, as ROS 2 keeps bags, which is not read",
+     "turn the clouds of a bag into PCD with \"ros2 run pcl_ros pointcloud_to_pcd\" while it plays"},
+    {"\x89HDF\r\n"sv, "an HDF5 file, which is not read", kAsNumbers},
+    {"MATLAB 5.0"sv, "a MATLAB file, which is not read", "save the ranges with writematrix(ranges, 'scan.csv')"},
+    {"\xd0\xcf\x11\xe0\xa1\xb1"sv, "an old Office document, not a scan", "save the table as .csv"},
+    {"PAR1"sv, "a Parquet table, which is not read", kAsNumbers},
+    {"ARROW1"sv, "an Arrow table, which is not read", kAsNumbers},
+    {"glTF"sv, "a glTF model, which is not read", "save it as PLY in Blender or MeshLab"},
+    {"ISO-10303-21"sv, "a STEP model, not a scan", kNoScan},
+    {"Kaydara FBX"sv, "an FBX model, which is not read", "save it as PLY in Blender"},
+}};
+
+/// Documents of text, in any case of letters, behind white space and a byte order mark.
+constexpr std::array<ForeignKind, 14> kByText{{
+    {"<!doctype html"sv, "a web page (HTML), not a scan", kFromSite},
+    {"<html"sv, "a web page (HTML), not a scan", kFromSite},
+    {"<svg"sv, "an SVG picture, not a scan", kNoScan},
+    {"<?xml"sv, "an XML document, not a scan", kNoScan},
+    {"{\\rtf"sv, "a text document (RTF), not a scan", kNoScan},
+    {"%!ps"sv, "a PostScript document, not a scan", kNoScan},
+    {"# vtk DataFile"sv, "a file of VTK, which is not read", "save its points as PLY, or as CSV from ParaView's table"},
+    {"OFF\n"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"OFF\r\n"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"COFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"NOFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
+    {"#VRML"sv, "a VRML scene, which is not read", kFromMeshLab},
+    {"ncols "sv, "a raster of heights (Esri ASCII grid), not a scan", kFromRaster},
+    {"DSAA"sv, "a raster of heights (Surfer grid), not a scan", kFromRaster},
+}};
+
+constexpr const char* kFromScene = "export it as E57 with FARO SCENE";
+constexpr const char* kFromRiegl = "export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert";
+constexpr const char* kFromLaserControl = "export it as E57 with Z+F LaserControl";
+constexpr const char* kFromCyclone = "export it as E57 or PTX with Leica Cyclone";
+constexpr const char* kFromRecap = "export it as E57 with Autodesk ReCap";
+
+/// Binary files whose first bytes no document names; only where nothing else recognises the content.
+constexpr std::array<ForeignKind, 24> kByName{{
+    {".fls", "a FARO scan (FLS), which is not read", kFromScene},
+    {".fws", "a FARO workspace, which is not read", kFromScene},
+    {".lsproj", "a FARO project, which is not read", kFromScene},
+    {".rxp", "a RIEGL stream (RXP), which is not read", kFromRiegl},
+    {".rdb", "a RIEGL database, which is not read", kFromRiegl},
+    {".rdbx", "a RIEGL database (RDBX), which is not read", kFromRiegl},
+    {".3dd", "a RIEGL scan (3DD), which is not read", kFromRiegl},
+    {".zfs", "a Z+F scan (ZFS), which is not read", kFromLaserControl},
+    {".zfprj", "a Z+F project (ZFPRJ), which is not read", kFromLaserControl},
+    {".zfc", "a Z+F scan (ZFC), which is not read", kFromLaserControl},
+    {".lgs", "a Leica LGS project, which is not read", kFromCyclone},
+    {".lgsx", "a Leica LGSx project, which is not read", kFromCyclone},
+    {".imp", "a Leica Cyclone database, which is not read", kFromCyclone},
+    {".rcp", "an Autodesk ReCap project, which is not read", kFromRecap},
+    {".rcs", "an Autodesk ReCap scan, which is not read", kFromRecap},
+    {".tzf", "a Trimble scan (TZF), which is not read", "export it as E57 with Trimble RealWorks"},
+    {".cl3", "a Topcon scan (CL3), which is not read", "export it as E57 or PTX with Topcon's program"},
+    {".clr", "a Topcon scan (CLR), which is not read", "export it as E57 or PTX with Topcon's program"},
+    {".pod", "a Pointools cloud (POD), which is not read", "export it as LAS with Bentley's program"},
+    {".pkl", "a Python pickle, which only Python can open", kAsNumbers},
+    {".pickle", "a Python pickle, which only Python can open", kAsNumbers},
+    {".bag", "a ROS bag that does not begin like one", "copy it again"},
+    {".db3", "a ROS 2 bag that does not begin like one", "copy it again"},
+    {".bin", "a binary file without a telegram of a SICK scanner in it",
+     "save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner"},
+}};
+
+constexpr ForeignKind kBitmap{"BM"sv, "a BMP picture, not a scan", kNoScan};
+constexpr ForeignKind kWorkbook{"xl/"sv, "an Excel workbook, not a table of text", "save the sheet as .csv"};
+constexpr ForeignKind kSpreadsheet{"mimetype"sv, "an OpenDocument spreadsheet, not a table of text", "save the sheet as .csv"};
+
+/// Archives that office programs call documents, by the names in their directory.
+const ForeignKind* officeKind(const Source& source) {
+    if (!isZip(source.bytes)) return nullptr;
+    const auto entries = zipEntries(source.bytes, source.path.string());
+    if (!entries) return nullptr;
+    const auto has = [&](std::string_view start) {
+        return std::ranges::any_of(*entries, [&](const ZipEntry& entry) { return entry.name.starts_with(start); });
+    };
+    if (has("xl/")) return &kWorkbook;
+    return has("mimetype") && has("content.xml") ? &kSpreadsheet : nullptr;
+}
+
+bool startsLike(std::string_view text, std::string_view mark) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return text.size() >= mark.size() &&
+           std::equal(mark.begin(), mark.end(), text.begin(), [&](char a, char b) { return lower(a) == lower(b); });
+}
+
+const ForeignKind* kindByText(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    const auto found = std::ranges::find_if(kByText, [&](const ForeignKind& kind) { return startsLike(text, kind.mark); });
+    return found == kByText.end() ? nullptr : &*found;
+}
+
+const ForeignKind* kindByBytes(const Source& source) {
+    if (const ForeignKind* office = officeKind(source)) return office;
+    if (const ForeignKind* document = kindByText(source.text())) return document;
+    if (source.text().starts_with(kBitmap.mark) && firstByteThatIsNoText(source.text())) return &kBitmap;
+    const auto found = std::ranges::find_if(kByBytes, [&](const ForeignKind& kind) { return source.text().starts_with(kind.mark); });
+    return found == kByBytes.end() ? nullptr : &*found;
+}
+
+const ForeignKind* kindByName(const Source& source) {
+    if (!firstByteThatIsNoText(source.text())) return nullptr;
+    const std::string extension = source.extension();
+    const auto found = std::ranges::find(kByName, extension, &ForeignKind::mark);
+    return found == kByName.end() ? nullptr : &*found;
+}
+
+template <const ForeignKind* (*kindOf)(const Source&)>
+Format refusing() {
+    return {.title = "",
+            .recognises = [](const Source& source) { return kindOf(source) != nullptr; },
+            .read = [](const Source& source) -> Result<Scan> {
+                const ForeignKind& kind = *kindOf(source);
+                return source.refused(std::string("this is ") + kind.what, kind.hint);
+            }};
+}
+
+} // namespace
+
+Format fileThatIsNoScan() { return refusing<kindByBytes>(); }
+
+Format fileOfAnotherProgram() { return refusing<kindByName>(); }
+
+} // namespace edgescan

@@ -1,0 +1,43 @@
+// What the program knows of one file format. A format is one row: where it is read, written or checked, the row is asked.
+#pragma once
+
+#include "core/base/file_bytes.h"
+#include "core/files/point_tables/cloud_columns.h"
+#include "core/files/point_tables/point_table.h"
+#include "core/files/point_tables/source.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+/// What of a scan's cells comes back from a file.
+enum class Keeps : std::uint8_t {
+    States,    ///< every cell with its state
+    NoReturns, ///< every cell; all states but valid become no return
+    Beside,    ///< as NoReturns, by the grid in the record beside the file; every state where comment lines are asked for
+    Points,    ///< a list of the valid points
+};
+
+/// What a format cannot do is left out: null, or no extension.
+struct Format {
+    const char* title;                             ///< for dialogs: "Point Cloud Library"
+    std::vector<const char*> reads{};              ///< extensions in the dialog that opens files, lower case, with the dot
+    std::vector<const char*> writes{};             ///< extensions that choose this format on saving; the first is the usual one
+    bool (*recognises)(const Source&){};           ///< by content; the extension is only a hint
+    Result<PointTable> (*points)(const Source&){}; ///< the points as the file has them, before any grid is looked for
+    Result<Scan> (*read)(const Source&){};         ///< where a scan is more than its points
+    Result<std::string> (*write)(CloudColumns, const std::string& where, bool asText){}; ///< `asText`: where there is a choice
+    /// Instead of columns: the files of a whole scan as ranges and angles, in the order they must appear.
+    Result<std::vector<FileBytes>> (*writeScan)(const Scan&, const std::filesystem::path&){};
+    std::string (*record)(std::string_view bytes) = recordInComments; ///< the record of an export that is inside; empty = none
+    Keeps keeps = Keeps::States;
+    bool keepsIntensity = false; ///< writes the column of that name
+    bool keepsPlace = false;     ///< a whole scan in the scanner's frame opens again with its place in the mine
+    bool writesByLines = false;  ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
+    bool placesItself = false;   ///< pose and calibration are taken into account by `read`
+};
+
+} // namespace edgescan

@@ -1,0 +1,285 @@
+// LAS 1.0 to 1.4, uncompressed, point formats 0 to 10 (ASPRS). Every offset and count of the header is compared with the bytes that are
+// there before anything is allocated.
+
+#include "core/files/formats/format.h"
+
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+#include "core/base/physical_limits.h"
+#include "core/files/formats/las_layout.h"
+#include "core/files/formats/laz.h"
+#include "core/files/point_tables/column_names.h"
+#include "core/files/point_tables/point_columns.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "LAS is read as the machine stores numbers");
+
+/// The caller has checked that the bytes are there.
+template <class T>
+T valueAt(const Source& source, std::uint64_t offset) {
+    T value;
+    std::memcpy(&value, source.bytes.data() + offset, sizeof value);
+    return value;
+}
+
+struct LasHeader {
+    int minor = 0;
+    std::uint64_t headerBytes = 0, pointsAt = 0, records = 0, points = 0, extendedAt = 0, extended = 0, waveformAt = 0;
+    unsigned format = 0;
+    std::uint64_t pointBytes = 0;
+    Eigen::Vector3d scale, offset;
+};
+
+constexpr NumberLimits kScales{1e-12, 1e6}; // metres per count
+bool isScale(const Eigen::Vector3d& v) {
+    return kScales.hold(std::abs(v.x())) && kScales.hold(std::abs(v.y())) && kScales.hold(std::abs(v.z()));
+}
+bool isReasonable(const Eigen::Vector3d& v) { return v.allFinite() && physical::kCoordinate.hold(v.cwiseAbs().maxCoeff()); }
+
+Result<LasHeader> readLasHeader(const Source& source) {
+    if (source.bytes.size() < las::kHeader12) return source.refused("the file ends within its LAS header", kCopyAgain);
+    LasHeader header;
+    const int major = valueAt<std::uint8_t>(source, las::kVersionMajor);
+    header.minor = valueAt<std::uint8_t>(source, las::kVersionMinor);
+    header.headerBytes = valueAt<std::uint16_t>(source, las::kHeaderSize);
+    header.pointsAt = valueAt<std::uint32_t>(source, las::kPointsAt);
+    header.records = valueAt<std::uint32_t>(source, las::kRecordCount);
+    header.format = valueAt<std::uint8_t>(source, las::kPointFormat);
+    header.pointBytes = valueAt<std::uint16_t>(source, las::kPointBytes);
+    header.points = valueAt<std::uint32_t>(source, las::kLegacyPoints);
+    if (major != 1 || header.minor > 4) {
+        return source.refused("this is LAS version " + std::to_string(major) + "." + std::to_string(header.minor) +
+                                  ", and versions up to 1.4 are known",
+                              "save it as LAS 1.2 or 1.4");
+    }
+    const std::uint64_t least = header.minor == 4 ? las::kHeader14 : las::kHeader12;
+    if (header.headerBytes < least || header.headerBytes > source.bytes.size())
+        return source.refused("the LAS header says it is " + std::to_string(header.headerBytes) + " bytes long", kCopyAgain);
+    if (header.minor >= 3 && header.headerBytes >= las::kHeader13) header.waveformAt = valueAt<std::uint64_t>(source, las::kWaveformAt);
+    if (header.minor == 4) {
+        header.extendedAt = valueAt<std::uint64_t>(source, las::kExtendedAt);
+        header.extended = valueAt<std::uint32_t>(source, las::kExtendedCount);
+        if (const auto points = valueAt<std::uint64_t>(source, las::kPoints); points != 0) header.points = points;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        header.scale[axis] = valueAt<double>(source, las::kScale + 8 * static_cast<std::size_t>(axis));
+        header.offset[axis] = valueAt<double>(source, las::kOffset + 8 * static_cast<std::size_t>(axis));
+    }
+    if (!isScale(header.scale) || !isReasonable(header.offset))
+        return source.refused("the scale or offset in the LAS header is no number that coordinates have", "export the file again");
+    return header;
+}
+
+Result<Done> checkPoints(const LasHeader& header, const Source& source) {
+    if (header.format >= las::kFormatBytes.size() || header.pointBytes < las::kFormatBytes[header.format]) {
+        return source.refused("points of format " + std::to_string(header.format) + " with " + std::to_string(header.pointBytes) +
+                                  " bytes are none that LAS knows",
+                              "save it as LAS 1.2 or 1.4");
+    }
+    if (header.points == 0) return source.refused("the file holds no points", "choose another file");
+    if (header.pointsAt < header.headerBytes || header.pointsAt > source.bytes.size())
+        return source.refused("the points begin at byte " + std::to_string(header.pointsAt) + ", which is not in the file", kCopyAgain);
+    const std::uint64_t held = source.bytes.size() - header.pointsAt;
+    if (held / header.pointBytes < header.points) {
+        return source.refused("the header promises " + std::to_string(header.points) + " points of " + std::to_string(header.pointBytes) +
+                                  " bytes and the file holds " + std::to_string(held) + " bytes of them",
+                              kCopyAgain);
+    }
+    return checkMemory(productOf({header.points, sizeof(Eigen::Vector3d)}), source.path.string());
+}
+
+/// Our own records of a file that this program saved.
+struct OwnRecords {
+    std::string description;
+    std::string provenance;
+    std::span<const std::byte> cells;
+    std::uint64_t missing = 0; ///< records that the header promises and the file does not hold
+};
+
+void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::span<const std::byte> content) {
+    std::array<char, 17> user{};
+    std::memcpy(user.data(), source.bytes.data() + at + las::kRecordUser, 16);
+    if (std::strcmp(user.data(), las::kOurUser) != 0) return;
+    const auto id = valueAt<std::uint16_t>(source, at + las::kRecordId);
+    if (id == las::kDescriptionId) own.description.assign(reinterpret_cast<const char*>(content.data()), content.size());
+    if (id == las::kCellsId) own.cells = content;
+    if (id == las::kProvenanceId) own.provenance.assign(reinterpret_cast<const char*>(content.data()), content.size());
+}
+
+/// Records behind the points (LAS 1.4). A damaged one ends the search: the points are there all the same, and how many are missing is told.
+OwnRecords ownRecords(const LasHeader& header, const Source& source) {
+    OwnRecords own;
+    own.missing = header.extended;
+    std::uint64_t at = header.extendedAt;
+    for (std::uint64_t n = 0; n < header.extended; ++n) {
+        if (at > source.bytes.size() || source.bytes.size() - at < las::kExtendedHeader) break;
+        const auto length = valueAt<std::uint64_t>(source, at + las::kRecordLength);
+        const std::uint64_t from = at + las::kExtendedHeader;
+        if (length > source.bytes.size() - from) break;
+        keepRecord(own, source, at, source.bytes.subspan(from, length));
+        --own.missing;
+        at = from + length;
+    }
+    return own;
+}
+
+Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
+    LasPoints read;
+    read.points.reserve(header.points);
+    read.intensity.reserve(header.points);
+    for (std::uint64_t n = 0; n < header.points; ++n) {
+        const std::uint64_t at = header.pointsAt + n * header.pointBytes;
+        const Eigen::Vector3d whole(valueAt<std::int32_t>(source, at), valueAt<std::int32_t>(source, at + 4),
+                                    valueAt<std::int32_t>(source, at + 8));
+        const unsigned flags = valueAt<std::uint8_t>(source, at + las::kFlags);
+        const bool isWithheld =
+            header.format >= 6 ? (flags & las::kWithheldFlag) != 0 : header.minor > 0 && (flags & las::kWithheldClass) != 0;
+        read.withheld += isWithheld ? 1 : 0;
+        read.points.push_back(isWithheld ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
+                                         : Eigen::Vector3d(whole.cwiseProduct(header.scale) + header.offset));
+        read.intensity.push_back(valueAt<std::uint16_t>(source, at + las::kIntensity));
+        if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
+            return source.cancelled();
+    }
+    return read;
+}
+
+/// What the file does not hold of what its header promises behind the points, or holds beyond it.
+void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own, const Source& source) {
+    if (own.missing > 0) {
+        table.remarks.push_back("The end of the file is damaged or missing: " + std::to_string(own.missing) + " of " +
+                                std::to_string(header.extended) +
+                                " records behind the points cannot be read. A grid, cell states or a place in the mine that they told are "
+                                "lost; copy the file again.");
+    }
+    if (table.format == "LAZ") return;
+    const std::uint64_t end = header.pointsAt + header.points * header.pointBytes; // checkPoints: the file holds as much
+    std::uint64_t next = source.bytes.size();
+    if (header.extended > 0) next = std::min(next, header.extendedAt);
+    if (header.waveformAt > 0) next = std::min(next, header.waveformAt);
+    if (next < end || next - end < header.pointBytes) return;
+    table.remarks.push_back("Behind the " + std::to_string(header.points) + " points that the header promises lie " +
+                            std::to_string(next - end) + " bytes, which may be more points; they were left out.");
+}
+
+/// Lines, beams and ranges of the points, where extra bytes hold them. Each record is `stride` bytes long and begins `from` bytes into its
+/// point.
+void readColumns(PointTable& table, const LasHeader& header, std::span<const std::byte> records, std::size_t stride, std::size_t from,
+                 const Source& source) {
+    if (header.format >= las::kFormatBytes.size()) return;
+    const std::vector<RecordField> fields = las::extraFields(source.bytes, header.headerBytes, header.records, header.pointsAt,
+                                                             las::kFormatBytes[header.format], header.pointBytes);
+    std::vector<std::string> names;
+    for (const RecordField& field : fields) names.push_back(field.name);
+    const NamedColumns named = columnsNamed(names);
+    if (!named.hasCell() || records.size() < table.points.size() * stride) return;
+    const auto value = [&](ColumnRole role, std::size_t n) {
+        const RecordField& field = fields[*named[role]];
+        return readScalar(field.scalar, records.data() + n * stride + (field.offset - from), false);
+    };
+    for (std::size_t n = 0; n < table.points.size(); ++n) {
+        table.line.push_back(indexOf(value(ColumnRole::Line, n)));
+        table.beam.push_back(indexOf(value(ColumnRole::Beam, n)));
+        if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm, n)));
+    }
+}
+
+/// Spreads the valid points over the cells that were saved with them.
+Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Source& source) {
+    const std::size_t cells = own.cells.size() / las::kCellBytes;
+    std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    std::vector<float> intensities(table.intensity.empty() ? 0 : cells, std::numeric_limits<float>::quiet_NaN());
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < cells; ++k) {
+        const std::byte* at = own.cells.data() + k * las::kCellBytes;
+        float range = 0;
+        std::memcpy(&range, at + 1, sizeof range);
+        table.state.push_back(std::to_integer<std::uint8_t>(at[0]));
+        table.rangeMm.push_back(range);
+        if (table.state.back() != static_cast<std::uint8_t>(CellState::Valid)) continue;
+        if (next < table.points.size()) {
+            points[k] = table.points[next];
+            if (!intensities.empty()) intensities[k] = table.intensity[next];
+        }
+        ++next;
+    }
+    if (next != table.points.size()) {
+        return source.refused("describes a scan of " + std::to_string(next) + " valid cells and holds " +
+                                  std::to_string(table.points.size()) + " points",
+                              "save the scan again");
+    }
+    table.points = std::move(points);
+    table.intensity = std::move(intensities);
+    table.description = own.description;
+    return Done{};
+}
+
+bool looksLikeLas(const Source& source) { return source.text().starts_with("LASF"); }
+
+std::string lasRecord(std::string_view bytes) {
+    const Source source{{}, std::as_bytes(std::span(bytes.data(), bytes.size())), nullptr};
+    const auto header = readLasHeader(source);
+    return header ? ownRecords(*header, source).provenance : std::string();
+}
+
+/// The points and what our own records say of them.
+Result<PointTable> readLasPoints(const Source& source) {
+    auto header = readLasHeader(source);
+    if (!header) return header.error();
+    PointTable table;
+    table.format = "LAS";
+    table.unitMm = 1000.0;
+    table.precision = {0.5 * header->scale.cwiseAbs().maxCoeff(), 1e-15};
+    const bool packed = (header->format & 0xC0U) != 0; // LAZ marks its point format so
+    if (packed) table.format = "LAZ";
+    header->format &= 0x3FU;
+    if (!packed) {
+        if (auto fits = checkPoints(*header, source); !fits) return fits.error();
+    }
+    auto read = packed ? readLazPoints(source) : readPoints(*header, source);
+    if (!read) return read.error();
+    table.points = std::move(read->points);
+    if (read->withheld > 0)
+        table.remarks.push_back(std::to_string(read->withheld) + " points are marked as withheld in the file and count as no return.");
+    // Who has no intensities leaves the field 0.
+    if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
+    const OwnRecords own = ownRecords(*header, source);
+    tellRest(table, *header, own, source);
+    if (own.description.empty() || own.cells.empty()) {
+        const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point
+        if (!packed)
+            readColumns(table, *header, source.bytes.subspan(header->pointsAt), header->pointBytes, 0, source);
+        else if (extra < header->pointBytes)
+            readColumns(table, *header, read->extra, extra, header->pointBytes - extra, source);
+    }
+    if (!own.description.empty() && !own.cells.empty()) {
+        if (auto enough = checkMemory(productOf({own.cells.size(), 8}), source.path.string()); !enough) return enough.error();
+        if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();
+    }
+    table.width = table.points.size();
+    return table;
+}
+
+} // namespace
+
+Format lasFormat() {
+    return {.title = "LAS point cloud",
+            .reads = {".las", ".laz"},
+            .writes = {".las"},
+            .recognises = looksLikeLas,
+            .points = readLasPoints,
+            .write = lasBytes,
+            .record = lasRecord,
+            .keepsIntensity = true,
+            .keepsPlace = true};
+}
+
+} // namespace edgescan

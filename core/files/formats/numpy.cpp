@@ -1,0 +1,228 @@
+// Arrays of numpy: ranges as lines x beams, points as records or with three numbers each; .npy, and .npz archives of them.
+#include "core/base/memory.h"
+#include "core/base/physical_limits.h"
+#include "core/containers/compression/zip_archive.h"
+#include "core/files/formats/format.h"
+#include "core/files/formats/numpy_header.h"
+#include "core/files/formats/range_geometry.h"
+#include "core/files/point_tables/point_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::uint64_t kFewestBeams = 16; // narrower tables are points, as in text
+
+/// The number of cell (i, j) or of part c of point n, whatever the order of the indexes.
+struct NumpyNumbers {
+    const NumpyArray* array;
+    std::array<std::uint64_t, 3> stride{0, 0, 0}; ///< items per step of each index
+
+    explicit NumpyNumbers(const NumpyArray& from) : array(&from) {
+        std::uint64_t step = 1;
+        const std::size_t sides = std::min<std::size_t>(from.shape.size(), 3);
+        for (std::size_t n = 0; n < sides; ++n) {
+            const std::size_t index = from.fortranOrder ? n : sides - 1 - n;
+            stride[index] = step;
+            step *= from.shape[index];
+        }
+    }
+    [[nodiscard]] std::uint64_t item(std::uint64_t i, std::uint64_t j, std::uint64_t k = 0) const {
+        return i * stride[0] + j * stride[1] + k * stride[2];
+    }
+    [[nodiscard]] double value(std::uint64_t item) const { return array->scalar.valueAt(array->data.data() + item * array->itemBytes); }
+};
+
+/// How exactly the numbers of a type are written; whole ones are what they are.
+Precision precisionOf(const NumpyScalar& scalar) {
+    if (scalar.kind != 'f') return {0.0, 0x1p-53};
+    return {0.0, scalar.isHalf() ? 0x1p-11 : kFloatError};
+}
+
+Result<Scan> rangeScan(const NumpyArray& array, const Source& source) {
+    const std::uint64_t lines = array.shape[0];
+    const std::uint64_t beams = array.shape[1];
+    if (auto known = checkAnglesKnown(beams, "numpy array", source); !known) return known.error();
+    if (auto enough = checkMemory(lines * beams * 24, source.path.string()); !enough) return enough.error();
+    const NumpyNumbers numbers(array);
+    BareRanges ranges{{}, lines, beams, precisionOf(array.scalar)};
+    ranges.values.reserve(lines * beams);
+    for (std::uint64_t i = 0; i < lines; ++i) {
+        for (std::uint64_t j = 0; j < beams; ++j) ranges.values.push_back(numbers.value(numbers.item(i, j)));
+        if (i % 64 == 0 && !source.goOn("reading ranges", static_cast<double>(i) / static_cast<double>(lines))) return source.cancelled();
+    }
+    auto scan = scanFromRanges(std::move(ranges), "numpy array", source, [](std::size_t line, std::size_t beam) {
+        return "the array at [" + std::to_string(line) + ", " + std::to_string(beam) + "]";
+    });
+    if (scan) scan->format = "numpy";
+    return scan;
+}
+
+/// x y z in the last index, or in the columns of a table.
+Result<PointTable> plainPoints(const NumpyArray& array, const Source& source) {
+    const bool grid = array.shape.size() == 3;
+    const std::uint64_t height = grid ? array.shape[0] : 1;
+    const std::uint64_t width = grid ? array.shape[1] : array.shape[0];
+    if (auto enough = checkMemory(height * width * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough.error();
+    PointTable table;
+    table.format = "numpy";
+    table.width = width;
+    table.height = height;
+    table.precision = precisionOf(array.scalar);
+    table.points.reserve(height * width);
+    const NumpyNumbers numbers(array);
+    for (std::uint64_t i = 0; i < height; ++i) {
+        for (std::uint64_t j = 0; j < width; ++j) {
+            const auto part = [&](std::uint64_t c) { return numbers.value(grid ? numbers.item(i, j, c) : numbers.item(j, c)); };
+            table.points.emplace_back(part(0), part(1), part(2));
+            if (table.points.size() % 65536 == 0 && !source.goOn("reading points", 0.3)) return source.cancelled();
+        }
+    }
+    const std::uint64_t parts = array.shape.back();
+    if (parts > 3) {
+        table.remarks.push_back("The first three of " + std::to_string(parts) +
+                                " columns were taken as x, y and z; the others are not read.");
+    }
+    return table;
+}
+
+/// Records with x, y and z; the fields of a record may be called as in other formats.
+Result<PointTable> recordPoints(const NumpyArray& array, const Source& source) {
+    const std::uint64_t points = array.items();
+    std::vector<RecordField> fields;
+    std::string names;
+    bool bigEndian = false;
+    for (const NumpyField& field : array.fields) {
+        names += (names.empty() ? "" : ", ") + field.name;
+        const auto scalar = field.scalar.scalar();
+        if (!scalar) continue;
+        std::string name = field.name;
+        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+        bigEndian = bigEndian || field.scalar.bigEndian;
+        fields.push_back({name, *scalar, 0, field.offset, array.itemBytes});
+    }
+    const auto picked = pickFields(fields);
+    if (!picked)
+        return source.refused("the records of this numpy array have no x, y and z, only " + names, "save points with fields x, y and z");
+    const bool mixed =
+        std::ranges::any_of(array.fields, [&](const NumpyField& f) { return f.scalar.bytes > 1 && f.scalar.bigEndian != bigEndian; });
+    if (mixed) return source.refused("the fields of this numpy array have different byte orders", "save it again with one");
+    if (auto enough = checkMemory(points * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough.error();
+    PointTable table;
+    table.format = "numpy";
+    if (!readRecords(table, *picked, points, array.data, bigEndian, source)) return source.cancelled();
+    table.width = points;
+    if (array.shape.size() == 2) {
+        table.width = array.shape[1];
+        table.height = array.shape[0];
+    }
+    return table;
+}
+
+enum class Holds : std::uint8_t { Ranges, Points, Records, Neither };
+
+/// Three rows of numbers: the x, y and z of points, the wrong way round, unless somebody gives the angles of three lines.
+bool mayBePointsAcross(const NumpyArray& array, const ReadingOptions& options) {
+    return array.fields.empty() && array.shape.size() == 2 && array.shape[0] == 3 && array.shape[1] >= kFewestBeams && !options.beamStepDeg;
+}
+
+Holds whatIsIn(const NumpyArray& array, const ReadingOptions& options) {
+    const std::size_t sides = array.shape.size();
+    if (!array.fields.empty()) return sides == 1 || (sides == 2 && !array.fortranOrder) ? Holds::Records : Holds::Neither;
+    if (sides == 3 && array.shape[2] == 1) return Holds::Ranges;
+    if (sides == 3 && array.shape[2] >= 3 && array.shape[2] < kFewestBeams) return Holds::Points;
+    if (sides != 2) return Holds::Neither;
+    if (array.shape[1] >= kFewestBeams || (options.beamStepDeg && options.lineStepDeg)) return Holds::Ranges;
+    return array.shape[1] >= 3 ? Holds::Points : Holds::Neither;
+}
+
+Result<Done> checkSides(const NumpyArray& array, const Source& source) {
+    const bool tooMany = array.items() > kMostPoints || std::ranges::any_of(array.shape, [](std::uint64_t n) {
+                             return !physical::kAlongOneSide.hold(static_cast<double>(n));
+                         });
+    if (tooMany) return source.refused("a numpy array of shape " + array.shapeText() + " is larger than any scan", "split it");
+    return Done{};
+}
+
+Result<Scan> readArray(const Source& source) {
+    const auto array = readNumpy(source);
+    if (!array) return array.error();
+    if (auto fits = checkSides(*array, source); !fits) return fits.error();
+    if (mayBePointsAcross(*array, *source.options)) {
+        return source.refused("a numpy array of shape " + array->shapeText() +
+                                  " may be points the wrong way round, or three lines of ranges",
+                              "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
+                              "--line-step --axis");
+    }
+    const Holds what = whatIsIn(*array, *source.options);
+    if (what == Holds::Ranges) return rangeScan(*array, source);
+    if (what == Holds::Neither) {
+        return source.refused("a numpy array of shape " + array->shapeText() +
+                                  " is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)",
+                              "save it in one of these shapes");
+    }
+    auto table = what == Holds::Records ? recordPoints(*array, source) : plainPoints(*array, source);
+    if (!table) return table.error();
+    return scanFromPoints(std::move(*table), source);
+}
+
+bool looksLikeNumpy(const Source& source) { return isNumpy(source.bytes); }
+
+/// The entry whose name says what it is, or the only one.
+const ZipEntry* scanEntry(const std::vector<ZipEntry>& arrays) {
+    if (arrays.size() == 1) return &arrays[0];
+    for (const std::string_view wanted : {"ranges", "range_mm", "range", "distances", "distance", "depth", "points", "xyz", "cloud"}) {
+        for (const ZipEntry& entry : arrays) {
+            std::string name = entry.name.substr(0, entry.name.size() - 4);
+            std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+            if (name == wanted) return &entry;
+        }
+    }
+    return nullptr;
+}
+
+std::vector<ZipEntry> arraysIn(const Source& source) {
+    auto entries = zipEntries(source.bytes, source.path.string());
+    if (!entries) return {};
+    std::erase_if(*entries, [](const ZipEntry& entry) { return !entry.name.ends_with(".npy"); });
+    return std::move(*entries);
+}
+
+bool looksLikeNpz(const Source& source) { return isZip(source.bytes) && (source.extension() == ".npz" || !arraysIn(source).empty()); }
+
+Result<Scan> readNpz(const Source& source) {
+    if (auto whole = zipEntries(source.bytes, source.path.string()); !whole) return whole.error();
+    const std::vector<ZipEntry> arrays = arraysIn(source);
+    std::string names;
+    for (const ZipEntry& entry : arrays) {
+        if (names.size() < 200) names += (names.empty() ? "" : ", ") + entry.name.substr(0, entry.name.size() - 4);
+    }
+    const ZipEntry* chosen = scanEntry(arrays);
+    if (arrays.empty()) return source.refused("this archive holds no numpy array", "choose another file");
+    if (chosen == nullptr) {
+        return source.refused("this archive holds " + std::to_string(arrays.size()) + " arrays (" + names +
+                                  ") and none is called ranges or points",
+                              "save the ranges alone, or call them ranges");
+    }
+    const auto bytes =
+        unzip(source.bytes, *chosen, source.path.string(), [&](double done) { return source.goOn("unpacking", 0.2 * done); });
+    if (!bytes) return bytes.error();
+    Source inside = source;
+    inside.bytes = *bytes;
+    if (!isNumpy(inside.bytes)) return source.refused("the part " + chosen->name + " of this archive is no numpy array", "save it again");
+    auto scan = readArray(inside);
+    if (scan && arrays.size() > 1)
+        scan->warnings.push_back("The archive holds the arrays " + names + "; " + chosen->name.substr(0, chosen->name.size() - 4) +
+                                 " was read.");
+    return scan;
+}
+
+} // namespace
+
+Format numpyFormat() { return {.title = "numpy array", .reads = {".npy"}, .recognises = looksLikeNumpy, .read = readArray}; }
+
+Format numpyArchiveFormat() { return {.title = "numpy archive", .reads = {".npz"}, .recognises = looksLikeNpz, .read = readNpz}; }
+
+} // namespace edgescan

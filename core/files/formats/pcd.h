@@ -1,0 +1,18 @@
+// What the reader and the writer of PCD share.
+#pragma once
+
+#include "core/files/point_tables/cloud_columns.h"
+
+#include <string>
+
+namespace edgescan {
+
+/// Behind these stand three numbers in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to
+/// x y z, and where the sensor stood, because VIEWPOINT holds the origin there.
+inline constexpr const char* kPcdOrigin = "edgescan-origin ";
+inline constexpr const char* kPcdSensor = "edgescan-sensor ";
+
+/// Binary, or text. Error: not enough memory.
+Result<std::string> pcdBytes(CloudColumns cloud, const std::string& where, bool ascii);
+
+} // namespace edgescan

@@ -1,0 +1,349 @@
+// Point lists as text: .xyz .txt .asc .csv .pts and 3DTK's .3d.
+
+#include "core/files/formats/format.h"
+
+#include "core/base/foreign_text.h"
+#include "core/base/memory.h"
+#include "core/files/point_tables/column_names.h"
+#include "core/files/point_tables/column_rows.h"
+#include "core/files/point_tables/own_scan.h"
+#include "core/files/point_tables/point_columns.h"
+#include "core/files/point_tables/text_words.h"
+#include "core/files/point_tables/unnamed_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kRowsLookedAt = 200;
+
+struct Columns {
+    std::array<std::size_t, 3> xyz{0, 1, 2};
+    NamedColumns named;
+    std::size_t needed = 3;    ///< columns a row must have
+    bool unnamedCells = false; ///< line and beam are the first two columns, which no heading names
+};
+
+/// Names of a table rather than a title between blanks or the numbers of its columns.
+bool areWords(const TextLayout& layout) {
+    const auto isNumber = [](const std::string& name) { return name.find_first_not_of("0123456789.") == std::string::npos; };
+    return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+constexpr std::size_t kMostWholeFirst = 4;
+
+/// Without names: how many columns of whole numbers, four at most, stand before three with decimals. They are an intensity, a class, a
+/// time, colours, or row and column of a grid (FARO), and not x.
+std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
+    if (layout.columns < 4 || !layout.names.empty()) return 0;
+    std::array<PrintedDigits, kMostWholeFirst + 3> digits;
+    const std::size_t first = layout.labels ? 1 : 0;
+    std::size_t looked = std::min(digits.size(), layout.columns);
+    std::size_t at = layout.firstByte;
+    for (std::size_t row = 0; row < kRowsLookedAt && at < source.text().size(); ++row) {
+        const TextLine line = textLineAt(source.text(), at);
+        at = line.next;
+        const auto cells = cellsIn(line.text, layout);
+        if (cells.empty()) continue;
+        if (cells.size() < first + 4) return 0;
+        looked = std::min(looked, cells.size() - first);
+        for (std::size_t i = 0; i < looked; ++i) countDigits(cells[first + i], digits[i]);
+    }
+    const auto isWhole = [](const PrintedDigits& d) { return d.decimals == 0 && !d.powers; };
+    const auto hasDecimals = [](const PrintedDigits& d) { return d.decimals >= 2; };
+    for (std::size_t whole = 1; whole <= kMostWholeFirst && whole + 3 <= looked && isWhole(digits[whole - 1]); ++whole) {
+        if (std::ranges::all_of(std::span(digits).subspan(whole, 3), hasDecimals)) return whole;
+    }
+    return 0;
+}
+
+Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
+    if (layout.columns < 3) {
+        return source.refusedAtLine(layout.firstLine, "holds " + std::to_string(layout.columns) + " numbers where a point needs three",
+                                    "choose a point list or a table of ranges");
+    }
+    Columns columns;
+    columns.named = columnsNamed(layout.names);
+    if (const auto other = contentsNamed(layout.names)) {
+        return source.refused("its heading names " + *other + " (" + joined(layout.names) + "), and points need x, y and z in metres",
+                              "write x, y and z, or ranges as a table with a row per scan line");
+    }
+    if (columns.named.hasPoint()) {
+        for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
+    }
+    if (const std::size_t whole = wholeNumbersFirst(source, layout); whole > 0) {
+        columns.xyz = {whole, whole + 1, whole + 2};
+        if (whole == 2) { // FARO: row and column; which of them counts the lines shows itself
+            columns.named.of[static_cast<std::size_t>(ColumnRole::Line)] = 1;
+            columns.named.of[static_cast<std::size_t>(ColumnRole::Beam)] = 0;
+            columns.unnamedCells = true;
+        }
+    }
+    columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
+    for (const auto& column : columns.named.of) {
+        const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
+                                  &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::FilledSdMm)];
+        if (column && !mayBeMissing) columns.needed = std::max(columns.needed, *column + 1);
+    }
+    return columns;
+}
+
+/// What was taken for x, y and z where no heading says it; empty where one does, or where numbers are all that there is.
+std::optional<std::string> guessedColumns(const Columns& columns, const TextLayout& layout, bool cells) {
+    static constexpr std::array<const char*, kMostWholeFirst + 1> kTaken{"", "the second to the fourth", "the third to the fifth",
+                                                                         "the fourth to the sixth", "the fifth to the seventh"};
+    static constexpr std::array<const char*, kMostWholeFirst + 1> kWhole{"", "the first holds", "the first two hold",
+                                                                         "the first three hold", "the first four hold"};
+    if (columns.named.hasPoint()) return std::nullopt;
+    if (cells)
+        return "No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and "
+               "z.";
+    if (const std::size_t whole = columns.xyz[0]; whole > 0) {
+        return std::string("No heading names the columns: ") + kTaken[whole] + " were taken for x, y and z, as " + kWhole[whole] +
+               " whole numbers only.";
+    }
+    if (areWords(layout)) {
+        return "The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " + layout.names[1] +
+               ", " + layout.names[2] + ").";
+    }
+    if (!layout.unusedHeading.empty()) {
+        return "The heading does not name as many columns as there are (" + layout.unusedHeading +
+               "): the first three were taken for x, y and z.";
+    }
+    return std::nullopt;
+}
+
+/// As many as the text has line ends, and a little more; of long texts by looking at pieces of it.
+std::size_t expectedRows(std::string_view text) {
+    constexpr std::size_t kPiece = std::size_t{1} << 14U, kPieces = 64;
+    const auto lineEnds = [](std::string_view part) { return static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n')); };
+    if (text.size() <= 2 * kPiece * kPieces) return lineEnds(text) + 1;
+    std::size_t seen = 0;
+    for (std::size_t n = 0; n < kPieces; ++n) seen += lineEnds(text.substr((text.size() - kPiece) / (kPieces - 1) * n, kPiece));
+    return static_cast<std::size_t>(1.03 * static_cast<double>(seen) * static_cast<double>(text.size()) / (kPiece * kPieces)) + 1;
+}
+
+/// Room for the rows expected, but for no more than the text's bytes suffice for.
+void reserveRows(PointTable& table, const Source& source, const TextLayout& layout, const NamedColumns& named, bool rangesOnly) {
+    const std::string_view text = source.text();
+    const std::size_t rows = std::min(expectedRows(text), text.size() / (2 * layout.columns) + 1);
+    if (!rangesOnly) table.points.reserve(rows);
+    if (named[ColumnRole::RangeMm]) table.rangeMm.reserve(rows);
+    if (named[ColumnRole::State]) table.state.reserve(rows);
+    if (named[ColumnRole::Intensity]) table.intensity.reserve(rows);
+    if (named.hasCell() && !rangesOnly) {
+        table.line.reserve(rows);
+        table.beam.reserve(rows);
+    }
+    if (named.hasScannerPoint()) table.scannerPoints.reserve(rows);
+}
+
+Result<PointTable> readTextPoints(const Source& source) {
+    if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
+        return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
+    if (const auto byte = firstByteThatIsNoText(source.text())) {
+        return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
+                                    "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
+    }
+    const auto found = textLayoutOf(source);
+    if (!found) return found.error();
+    const TextLayout& layout = *found;
+    const auto columns = columnsOf(layout, source);
+    if (!columns) return columns.error();
+    // A point takes six bytes of text at least and 24 in memory, a little more while it grows and is recognised.
+    if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 10, source.path.string()); !enough) return enough.error();
+    PointTable table;
+    table.format = "point list";
+    NamedColumns named = columns->named;
+    if (source.placesOnly) {
+        for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) named.of[role].reset();
+    }
+    const bool rangesOnly =
+        named[ColumnRole::RangeMm] && named[ColumnRole::State] && !named[ColumnRole::FilledSdMm] && takesRangesOnly(layout.description);
+    constexpr std::size_t kGivenAtOnce = 4096;
+    const bool givenAway = source.placesOnly && source.takePlaces && !columns->unnamedCells;
+    if (!givenAway) reserveRows(table, source, layout, named, rangesOnly);
+    const auto giveAway = [&] {
+        source.takePlaces(table.points);
+        table.points.clear();
+    };
+    RowReader rows(source, layout);
+    rows.measure(columns->xyz);
+    const std::size_t ofPlace = std::max({columns->xyz[0], columns->xyz[1], columns->xyz[2]}) + 1;
+    const std::size_t needed = source.placesOnly ? ofPlace : columns->needed;
+    if (source.placesOnly) rows.takeOnly(needed);
+    std::span<const double> row;
+    std::size_t rowsRead = 0;
+    while (rows.next(row)) {
+        if (row.size() < needed) {
+            if (layout.promisedRows && row.size() == 1 && rowsRead == *layout.promisedRows) {
+                return source.refusedAtLine(rows.lineNumber(),
+                                            "begins a further list, behind the " + std::to_string(rowsRead) + " points of the first",
+                                            "save each scan in a file of its own");
+            }
+            return source.refusedAtLine(rows.lineNumber(),
+                                        "holds " + std::to_string(row.size()) + " numbers where a point needs " + std::to_string(needed),
+                                        "the file may be cut off here, copy it again");
+        }
+        ++rowsRead;
+        if (!rangesOnly) table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
+        if (givenAway && table.points.size() == kGivenAtOnce) giveAway();
+        const auto value = [&](ColumnRole role) { return row[*named[role]]; };
+        if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
+        if (named[ColumnRole::State]) {
+            const double state = value(ColumnRole::State);
+            table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
+        }
+        if (const auto intensity = named[ColumnRole::Intensity]) {
+            table.intensity.push_back(*intensity < row.size() ? static_cast<float>(row[*intensity])
+                                                              : std::numeric_limits<float>::quiet_NaN());
+        }
+        if (const auto filled = named[ColumnRole::FilledSdMm])
+            table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
+        if (named.hasCell() && !rangesOnly) {
+            table.line.push_back(indexOf(value(ColumnRole::Line)));
+            table.beam.push_back(indexOf(value(ColumnRole::Beam)));
+        }
+        if (named.hasScannerPoint())
+            table.scannerPoints.emplace_back(value(ColumnRole::ScannerX), value(ColumnRole::ScannerY), value(ColumnRole::ScannerZ));
+        if (rowsRead % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
+    }
+    if (rows.problem()) return *rows.problem();
+    if (layout.promisedRows && *layout.promisedRows != rowsRead) {
+        return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " + std::to_string(rowsRead),
+                              "copy the file again");
+    }
+    if (givenAway) giveAway();
+    table.width = rowsRead;
+    table.precision = precisionOf(rows.digits());
+    table.unitMm = named.unitMm;
+    table.description = layout.description;
+    if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
+    const bool cells = columns->unnamedCells && areCells(table);
+    if (columns->unnamedCells && !cells) {
+        table.line.clear();
+        table.beam.clear();
+    }
+    table.mayBeTurned = !table.line.empty() && (cells || named.rowsAndColumns);
+    if (auto guess = guessedColumns(*columns, layout, cells)) table.remarks.push_back(std::move(*guess));
+    if (source.extension() == ".3d") {
+        table.format = "3DTK scan";
+        table.unitMm = 10.0; // 3DTK: centimetres, left-handed
+        table.leftHanded = true;
+    }
+    return table;
+}
+
+/// What tables have their coordinates in: without a comment line the names alone tell the frame.
+std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
+    if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
+    if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
+    return {"x_m", "y_m", "z_m"};
+}
+
+/// Rows without a point would be no numbers.
+void dropEmptyRows(CloudColumns& cloud) {
+    const CloudColumn* state = columnNamed(cloud, "state");
+    if (state == nullptr) return;
+    std::vector<bool> kept(rowsOf(cloud));
+    for (std::size_t row = 0; row < kept.size(); ++row) kept[row] = numberIn(*state, row) == 0 && pointIn(cloud, row).allFinite();
+    for (CloudColumn& column : cloud.columns) {
+        std::visit(
+            [&](auto& values) {
+                std::size_t row = 0;
+                std::erase_if(values, [&](const auto&) { return !kept[row++]; });
+            },
+            column.values);
+    }
+    cloud.width = static_cast<std::size_t>(std::ranges::count(kept, true));
+    cloud.height = 1;
+}
+
+/// Lists are read line by line whatever their length: the record takes one line, and whoever counts rows is hardly off.
+/// A spreadsheet cuts the comments of a `table` at their commas too, and would take a part for a formula.
+void appendListComments(std::string& text, const CloudColumns& cloud, bool table) {
+    const auto written = [&](const std::string& json) { return table ? jsonWithoutFormulas(json) : json; };
+    if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
+    for (const std::string& line : commentLines(written(cloud.description))) text += "# " + line + "\n";
+    if (!cloud.record.empty()) text += "# " + (kRecordMark + written(cloud.record)) + "\n";
+}
+
+void appendNames(std::string& text, const CloudColumns& cloud, char separator) {
+    const auto coordinates = coordinateNames(cloud.frame);
+    for (std::size_t i = 0; i < cloud.columns.size(); ++i) {
+        if (i > 0) text += separator;
+        text += i < 3 ? coordinates[i] : cloud.columns[i].name;
+    }
+    text += '\n';
+}
+
+/// Nothing but numbers, as every program takes it; with comments all columns, their names behind a mark of comment.
+Result<std::string> xyzBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
+    dropColumns(cloud, isColour);
+    std::string text;
+    if (cloud.choices.comments) {
+        appendListComments(text, cloud, false);
+        text += "# ";
+        appendNames(text, cloud, ' ');
+    } else {
+        makeAll(cloud);
+        dropEmptyRows(cloud);
+        cloud.columns.erase(cloud.columns.begin() + 3, cloud.columns.end());
+    }
+    appendRows(text, cloud, ' ');
+    return text;
+}
+
+/// A plain header row and rows.
+Result<std::string> csvBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkRoom(cloud, where, 12); !enough) return enough.error();
+    dropColumns(cloud, isColour);
+    std::string text;
+    if (cloud.choices.comments) {
+        appendListComments(text, cloud, true);
+    } else {
+        makeAll(cloud);
+        dropEmptyRows(cloud);
+        dropColumns(cloud, [](std::string_view name) { return name == "state"; });
+    }
+    appendNames(text, cloud, ',');
+    appendRows(text, cloud, ',');
+    return text;
+}
+
+} // namespace
+
+Format pointListFormat() {
+    return {.title = "Point list",
+            .reads = {".xyz", ".txt", ".asc", ".pts"},
+            .writes = {".xyz", ".txt", ".asc"},
+            .points = readTextPoints,
+            .write = xyzBytes,
+            .keeps = Keeps::Beside,
+            .writesByLines = true};
+}
+
+Format pointTableFormat() {
+    return {.title = "Point table",
+            .writes = {".csv"},
+            .points = readTextPoints,
+            .write = csvBytes,
+            .keeps = Keeps::Beside,
+            .keepsIntensity = true,
+            .writesByLines = true};
+}
+
+Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }
+
+} // namespace edgescan

@@ -1,0 +1,316 @@
+// PTX (Leica Cyclone): scans as full grids about their scanner, with the pose of each; columns are lines, rows are beams. The number of
+// points that a header promises is compared with the text that is there before anything is allocated.
+
+#include "core/files/formats/format.h"
+
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/files/formats/written_place.h"
+#include "core/files/point_tables/column_rows.h"
+#include "core/files/point_tables/point_columns.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kHeaderLines = 10;
+constexpr auto kMostAlongOneSide = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
+constexpr float kNoIntensity = 0.5F;
+constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
+
+struct PtxHeader {
+    std::uint64_t columns = 0, rows = 0;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the scanner's, by the matrix
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    std::size_t firstByte = 0; ///< of the points
+    std::size_t firstLine = 0; ///< its number
+
+    [[nodiscard]] std::uint64_t points() const { return productOf({columns, rows}); }
+};
+
+std::optional<std::vector<double>> numbersIn(std::string_view line, std::size_t count) {
+    std::vector<double> numbers;
+    for (std::string_view word : wordsOf(line)) {
+        if (word.starts_with('+')) word.remove_prefix(1);
+        double value = 0;
+        const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (problem != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+        numbers.push_back(value);
+    }
+    if (numbers.size() != count) return std::nullopt;
+    return numbers;
+}
+
+std::optional<std::uint64_t> countIn(std::string_view line) {
+    const auto words = wordsOf(line);
+    return words.size() == 1 ? wholeNumber(words[0]) : std::nullopt;
+}
+
+/// The ten lines of a header from `from` on; empty when they are none.
+std::optional<PtxHeader> headerAt(std::string_view text, std::size_t from, std::size_t lineNumber) {
+    PtxHeader header;
+    std::size_t at = from;
+    const auto line = [&] {
+        const TextLine next = textLineAt(text, at);
+        at = next.next;
+        return next.text;
+    };
+    const auto columns = countIn(line());
+    const auto rows = countIn(line());
+    if (!columns || !rows) return std::nullopt;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (!numbersIn(line(), 3)) return std::nullopt; // position and axes: the matrix says the same
+    }
+    for (Eigen::Index i = 0; i < 4; ++i) {
+        const auto row = numbersIn(line(), 4);
+        if (!row) return std::nullopt;
+        for (Eigen::Index j = 0; j < 3; ++j) {
+            if (i < 3)
+                header.turn(j, i) = (*row)[static_cast<std::size_t>(j)]; // row vectors: p' = p M
+            else
+                header.place[j] = (*row)[static_cast<std::size_t>(j)];
+        }
+    }
+    header.columns = *columns;
+    header.rows = *rows;
+    header.firstByte = at;
+    header.firstLine = lineNumber + kHeaderLines;
+    return header;
+}
+
+/// Where the line after `count` lines begins; empty when the text ends before.
+std::optional<std::size_t> afterLines(std::string_view text, std::size_t at, std::uint64_t count) {
+    for (; count > 0; --count) {
+        if (at >= text.size()) return std::nullopt;
+        const std::size_t end = text.find('\n', at);
+        if (end == std::string_view::npos) return count == 1 ? std::optional(text.size()) : std::nullopt;
+        at = end + 1;
+    }
+    return at;
+}
+
+struct PtxScan {
+    PtxHeader header;
+    std::size_t endByte = 0;
+    std::size_t inFile = 0;  ///< scans that the file holds
+    bool restIsNone = false; ///< what follows a later scan is none
+};
+
+Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
+    return source.refused("scan " + std::to_string(index + 1) + " of this PTX file promises " + std::to_string(header.columns) +
+                              " columns of " + std::to_string(header.rows) + " points, and the file ends before them",
+                          "copy the file again");
+}
+
+Result<PtxScan> findScan(const Source& source) {
+    const std::string_view text = source.text();
+    const std::size_t wanted = source.options->scanIndex;
+    PtxScan found;
+    std::size_t at = 0;
+    std::size_t lineNumber = 1;
+    while (at < text.size()) {
+        const auto header = headerAt(text, at, lineNumber);
+        if (!header) {
+            if (text.find_first_not_of(" \t\r\n", at) == std::string_view::npos) break;
+            if (found.inFile > wanted + 1) { // what was asked for is whole
+                found.restIsNone = true;
+                break;
+            }
+            if (found.inFile == wanted + 1) {
+                return source.refusedAtLine(lineNumber,
+                                            "behind the " + std::to_string(found.header.columns) + " columns of " +
+                                                std::to_string(found.header.rows) + " points that the header promises there are more",
+                                            "export the file again");
+            }
+            return source.refusedAtLine(lineNumber, "scan " + std::to_string(found.inFile + 1) + " has no PTX header here",
+                                        "export the file again");
+        }
+        const std::uint64_t left = text.size() - header->firstByte;
+        // A point takes four numbers with a blank or line end behind each.
+        const bool lies = header->columns == 0 || header->rows == 0 || header->columns > kMostAlongOneSide ||
+                          header->rows > kMostAlongOneSide || header->points() > left / 6 + 1;
+        const auto end = lies ? std::nullopt : afterLines(text, header->firstByte, header->points());
+        if (!end && found.inFile <= wanted) return cutOff(*header, found.inFile, source);
+        if (found.inFile == wanted) {
+            found.header = *header;
+            found.endByte = *end;
+        }
+        ++found.inFile;
+        if (!end) break;
+        lineNumber = header->firstLine + static_cast<std::size_t>(header->points());
+        at = *end;
+        if (!source.goOn("reading points", 0.1 * static_cast<double>(at) / static_cast<double>(text.size()))) return source.cancelled();
+    }
+    if (found.inFile > wanted) return found;
+    return source.refused("the file holds " + std::to_string(found.inFile) + " scans, and number " + std::to_string(wanted + 1) +
+                              " was asked for",
+                          "choose a smaller --scan");
+}
+
+Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source& source) {
+    TextLayout layout;
+    layout.firstByte = header.firstByte;
+    layout.firstLine = header.firstLine;
+    RowReader rows(source, layout);
+    std::vector<double> row;
+    table.points.reserve(header.points());
+    while (rows.next(row)) {
+        if (row.size() < 3)
+            return source.refusedAtLine(rows.lineNumber(), "holds " + std::to_string(row.size()) + " numbers where a point needs three",
+                                        "copy the file again");
+        table.points.emplace_back(row[0], row[1], row[2]);
+        table.intensity.push_back(row.size() > 3 ? static_cast<float>(row[3]) : kNoIntensity);
+        if (table.points.size() % 16384 == 0 && !source.goOn("reading points", 0.1 + 0.4 * rows.fraction())) return source.cancelled();
+    }
+    if (rows.problem()) return *rows.problem();
+    if (table.points.size() != header.points()) {
+        return source.refused("the header promises " + std::to_string(header.points()) + " points and the file holds " +
+                                  std::to_string(table.points.size()),
+                              "copy the file again");
+    }
+    table.precision = precisionOf(rows.digits());
+    // Who writes PTX without intensities writes one half everywhere.
+    if (std::ranges::all_of(table.intensity, [](float value) { return value == kNoIntensity; })) table.intensity.clear();
+    return Done{};
+}
+
+/// The header's matrix as the scan's place, when it moves and turns and does nothing else.
+void placeByHeader(Scan& scan, const PtxHeader& header, const Source& source) {
+    if (scan.placement || (header.place.isZero(0.0) && header.turn.isIdentity(0.0))) return;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(header.turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose(); // printed with few digits: the nearest rotation
+    if (!((header.turn - turn).cwiseAbs().maxCoeff() < kMostOffRotation) || turn.determinant() < 0) {
+        scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
+        return;
+    }
+    placeAsWritten(scan, turn, header.place, "PTX", source);
+}
+
+bool looksLikePtx(const Source& source) {
+    return !firstByteThatIsNoText(source.text()) && headerAt(source.text().substr(0, 8192), 0, 1).has_value();
+}
+
+/// The points of the scan that the options ask for, moved by its matrix; without 0 0 0, which is no return.
+Result<PointTable> readPtxPoints(const Source& source) {
+    const auto found = findScan(source);
+    if (!found) return found.error();
+    PointTable table;
+    Source part = source;
+    part.bytes = source.bytes.first(found->endByte);
+    if (auto read = readPoints(table, found->header, part); !read) return read.error();
+    table.intensity.clear();
+    std::erase_if(table.points, [](const Eigen::Vector3d& p) { return p.isZero(0.0); });
+    for (Eigen::Vector3d& p : table.points) p = found->header.turn * p + found->header.place;
+    return table;
+}
+
+/// The scan that the options ask for, placed by its matrix.
+Result<Scan> readPtx(const Source& source) {
+    const auto found = findScan(source);
+    if (!found) return found.error();
+    const PtxHeader& header = found->header;
+    if (auto enough = checkMemory(productOf({header.points(), sizeof(Eigen::Vector3d)}), source.path.string()); !enough)
+        return enough.error();
+    PointTable table;
+    table.format = "PTX";
+    table.unitMm = 1000.0;
+    table.width = header.rows;
+    table.height = header.columns;
+    Source part = source;
+    part.bytes = source.bytes.first(found->endByte);
+    if (auto read = readPoints(table, header, part); !read) return read.error();
+    if (found->inFile > 1) {
+        table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
+                                std::to_string(source.options->scanIndex + 1) + ", --scan chooses another.");
+    }
+    if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
+    if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");
+    Result<Scan> scan = scanFromPoints(std::move(table), source);
+    if (scan) placeByHeader(*scan, header, source);
+    return scan;
+}
+
+constexpr std::size_t kNoRow = ~std::size_t{0};
+
+/// The row of each cell of the grid.
+std::vector<std::size_t> rowOfCell(const CloudColumns& cloud) {
+    std::vector<std::size_t> rows(cloud.lines * cloud.beams, kNoRow);
+    const CloudColumn* line = columnNamed(cloud, "line");
+    const CloudColumn* beam = columnNamed(cloud, "beam");
+    const CloudColumn* state = columnNamed(cloud, "state");
+    if (line == nullptr || beam == nullptr) return rows;
+    for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
+        if (state != nullptr && numberIn(*state, row) != 0) continue;
+        rows[static_cast<std::size_t>(numberIn(*line, row)) * cloud.beams + static_cast<std::size_t>(numberIn(*beam, row))] = row;
+    }
+    return rows;
+}
+
+void appendThree(std::string& text, const Eigen::Vector3d& v, int decimals) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ' ';
+        appendFixed(text, v[axis], decimals);
+    }
+}
+
+/// The whole grid about its sensor and in its axes, 0 0 0 where a cell has no point to save; the matrix turns and moves it into the frame
+/// of the columns.
+Result<std::string> ptxBytes(CloudColumns cloud, const std::string& where, bool) {
+    if (auto enough = checkMemory(productOf({cloud.lines, cloud.beams, 48}), where); !enough) return enough.error();
+    if (const CloudColumn* attached = columnNamed(cloud, "attached"); attached != nullptr)
+        return Error{"PTX holds one point per cell, and points behind the nearest of their cell were asked for", where,
+                     "use .pcd, .ply, .csv, .xyz, .las or .obj for them"};
+    std::string text = std::to_string(cloud.lines) + "\n" + std::to_string(cloud.beams) + "\n";
+    appendThree(text, cloud.sensorM, 6);
+    text += '\n';
+    for (int axis = 0; axis < 3; ++axis) { // the scanner's axes
+        appendThree(text, cloud.turn.col(axis), 9);
+        text += '\n';
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        appendThree(text, cloud.turn.col(axis), 9);
+        text += " 0\n";
+    }
+    appendThree(text, cloud.sensorM, 6);
+    text += " 1\n";
+    const CloudColumn* edge = columnNamed(cloud, "edge");
+    const CloudColumn* intensity = edge == nullptr ? columnNamed(cloud, "intensity") : nullptr;
+    const IntensitySpan span = intensity != nullptr ? intensitySpan(*intensity) : IntensitySpan{};
+    for (const std::size_t row : rowOfCell(cloud)) {
+        if (row == kNoRow) {
+            text += "0 0 0 0.5\n";
+            continue;
+        }
+        appendThree(text, cloud.turn.transpose() * (pointIn(cloud, row) - cloud.sensorM), 6);
+        text += ' ';
+        if (intensity != nullptr)
+            appendFixed(text, span.ofOne(numberIn(*intensity, row)), 6);
+        else
+            text += edge != nullptr && numberIn(*edge, row) != 0 ? "1" : "0.5"; // edges stand out
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace
+
+Format ptxFormat() {
+    return {.title = "Leica PTX",
+            .reads = {".ptx"},
+            .writes = {".ptx"},
+            .recognises = looksLikePtx,
+            .points = readPtxPoints,
+            .read = readPtx,
+            .write = ptxBytes,
+            .keeps = Keeps::NoReturns,
+            .keepsIntensity = true};
+}
+
+} // namespace edgescan

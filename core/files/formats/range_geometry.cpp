@@ -1,0 +1,120 @@
+// Angles from the options, or those of an LMS511; the unit from the numbers.
+#include "core/files/formats/range_geometry.h"
+
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/files/grid_recovery/unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kLms511Beams = 1141;
+
+struct Told {
+    std::size_t infinite = 0, negative = 0, absurd = 0;
+
+    void addTo(std::vector<std::string>& warnings) const {
+        const auto tell = [&](std::size_t count, const std::string& what) {
+            if (count > 0) warnings.push_back(std::to_string(count) + what);
+        };
+        tell(infinite, " infinite ranges were taken as no return.");
+        tell(negative, " ranges below 0, all the same number, were taken as no return.");
+        tell(absurd, " ranges longer than any scanner reaches were taken as no return.");
+    }
+};
+
+/// What is no range becomes 0.
+Result<Told> clearNoRanges(BareRanges& ranges, const Source& source, const std::function<std::string(std::size_t, std::size_t)>& at) {
+    Told told;
+    double marker = 0.0;
+    for (std::size_t k = 0; k < ranges.values.size(); ++k) {
+        double& value = ranges.values[k];
+        told.infinite += std::isinf(value) ? 1 : 0;
+        if (value < 0 && std::isfinite(value)) {
+            if (!isNoRangeMark(value) || (marker < 0 && value != marker)) {
+                return source.refused(at(k / ranges.beams, k % ranges.beams) + " holds " + shortestText(value) + ", which is no range",
+                                      "check that these are ranges; points need columns x, y and z");
+            }
+            marker = value;
+            ++told.negative;
+        }
+        if (!std::isfinite(value) || value < 0) value = 0;
+    }
+    return told;
+}
+
+} // namespace
+
+Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
+                            const std::function<std::string(std::size_t, std::size_t)>& at) {
+    auto told = clearNoRanges(ranges, source, at);
+    if (!told) return told.error();
+    auto angles = assumedAngles(ranges.lines, ranges.beams, what, source);
+    if (!angles) return angles.error();
+    std::vector<double> returns;
+    std::ranges::copy_if(ranges.values, std::back_inserter(returns), [](double range) { return range > 0; });
+    const RangeUnit unit = recogniseUnit(returns, ranges.precision, source.options->unitMm);
+    Scan scan;
+    const auto lines = static_cast<int>(ranges.lines);
+    const auto beams = static_cast<int>(ranges.beams);
+    scan.rangeMm = Grid<float>(lines, beams);
+    scan.state = Grid<CellState>(lines, beams, CellState::NoReturn);
+    for (std::size_t k = 0; k < ranges.values.size(); ++k) {
+        const double mm = ranges.values[k] * unit.mmPerUnit;
+        if (!(mm > 0)) continue;
+        if (!physical::kRangeMm.hold(mm)) {
+            ++told->absurd;
+            continue;
+        }
+        scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
+        scan.state[k] = CellState::Valid;
+    }
+    scan.geometry = std::move(angles->polar);
+    if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
+    if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
+    told->addTo(scan.warnings);
+    return scan;
+}
+
+Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source& source) {
+    if (beams == kLms511Beams) return Done{};
+    const ReadingOptions& options = *source.options;
+    std::string missing;
+    const auto need = [&](bool given, const char* flag) {
+        if (!given) missing += std::string(missing.empty() ? "" : " ") + flag;
+    };
+    need(options.beamStartDeg.has_value(), "--beam-start");
+    need(options.beamStepDeg.has_value(), "--beam-step");
+    need(options.lineStartDeg.has_value(), "--line-start");
+    need(options.lineStepDeg.has_value(), "--line-step");
+    need(options.axis.has_value(), "--axis");
+    if (missing.empty()) return Done{};
+    std::string sentence = "a ";
+    sentence += what;
+    sentence += " of " + std::to_string(beams) + " ranges per line does not say its angles";
+    return source.refused(sentence, "give " + missing);
+}
+
+Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const char* what, const Source& source) {
+    if (auto known = checkAnglesKnown(beams, what, source); !known) return known.error();
+    const ReadingOptions& options = *source.options;
+    AssumedAngles angles;
+    const double beamStart = options.beamStartDeg.value_or(-5.0);
+    const double beamStep = options.beamStepDeg.value_or(1.0 / 6.0);
+    const double lineStart = options.lineStartDeg.value_or(0.0);
+    const double lineStep = options.lineStepDeg.value_or(0.18);
+    for (std::size_t j = 0; j < beams; ++j) angles.polar.beamDeg.push_back(beamStart + static_cast<double>(j) * beamStep);
+    for (std::size_t i = 0; i < lines; ++i) angles.polar.lineDeg.push_back(lineStart + static_cast<double>(i) * lineStep);
+    angles.polar.axis = options.axis.value_or(Axis::Spin);
+    if (options.beamStartDeg && options.beamStepDeg && options.lineStartDeg && options.lineStepDeg && options.axis) return angles;
+    angles.warning = "The ";
+    angles.warning += what;
+    angles.warning += " does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, "
+                      "lines from 0 by 0.18 degree, axis spin).";
+    return angles;
+}
+
+} // namespace edgescan

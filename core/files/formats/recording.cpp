@@ -1,0 +1,31 @@
+// Recordings of a live scan (MCAP).
+#include "core/files/formats/format.h"
+
+#include "core/files/recording/replay.h"
+#include "core/files/recording/save_recording.h"
+
+namespace edgescan {
+namespace {
+
+bool looksLikeRecording(const Source& source) { return source.text().starts_with(kMcapMagic); }
+
+Result<std::vector<FileBytes>> recordingFile(const Scan& scan, const std::filesystem::path& path) {
+    const auto bytes = recordingOf(scan, path.string());
+    if (!bytes) return bytes.error();
+    return std::vector<FileBytes>{{path, std::string(bytes->begin(), bytes->end())}};
+}
+
+} // namespace
+
+Format recordingFormat() {
+    return {.title = "Recording",
+            .reads = {".mcap"},
+            .writes = {".mcap"},
+            .recognises = looksLikeRecording,
+            .read = readRecording,
+            .writeScan = recordingFile,
+            .keepsPlace = true,
+            .placesItself = true};
+}
+
+} // namespace edgescan

@@ -1,0 +1,320 @@
+// Tries the rotation axes, takes the best fit, and turns it the way a scanner would be described.
+#include "core/files/grid_recovery/recover_grid.h"
+
+#include "core/base/angles.h"
+#include "core/base/number_text.h"
+#include "core/files/grid_recovery/halves.h"
+#include "core/files/grid_recovery/parts.h"
+#include "core/files/grid_recovery/phases.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace edgescan {
+namespace {
+
+using namespace recognition;
+
+constexpr std::size_t kFewestPoints = 12;
+
+/// A rotation axis that PolarGeometry can express, if need be after `turn`.
+struct Hypothesis {
+    char letter;
+    Axis axis;
+    Eigen::Matrix3d turn;
+};
+
+std::vector<Hypothesis> hypothesesFor(std::optional<Axis> axis) {
+    Eigen::Matrix3d yToZ;
+    yToZ << 0, 0, 1, 1, 0, 0, 0, 1, 0; // x' = z, y' = x, z' = y
+    std::vector<Hypothesis> all{
+        {'z', Axis::Spin, Eigen::Matrix3d::Identity()}, {'x', Axis::Sweep, Eigen::Matrix3d::Identity()}, {'y', Axis::Spin, yToZ}};
+    if (axis) std::erase_if(all, [&](const Hypothesis& h) { return h.axis != *axis; });
+    return all;
+}
+
+std::vector<AxisPoint> seenAlong(const Hypothesis& hypothesis, std::span<const Eigen::Vector3d> points) {
+    std::vector<AxisPoint> seen;
+    seen.reserve(points.size());
+    for (const Eigen::Vector3d& given : points) {
+        if (!isReturn(given)) {
+            seen.emplace_back();
+            continue;
+        }
+        const Eigen::Vector3d p = hypothesis.turn * given;
+        // Right-handed with u along the axis, so that `plane` is the line angle of docs/coordinates.md, "Step 1".
+        if (hypothesis.axis == Axis::Spin)
+            seen.push_back({p.z(), p.x(), p.y()});
+        else
+            seen.push_back({p.x(), p.z(), -p.y()});
+    }
+    return seen;
+}
+
+void reverseBeams(Fit& fit) {
+    std::reverse(fit.tilt.begin(), fit.tilt.end());
+    for (int i = 0; i < fit.pointOf.lines; ++i) std::reverse(fit.pointOf.line(i), fit.pointOf.line(i) + fit.pointOf.beams);
+}
+void reverseLines(Fit& fit) {
+    std::reverse(fit.plane.begin(), fit.plane.end());
+    for (int i = 0; i < fit.pointOf.lines / 2; ++i) {
+        std::swap_ranges(fit.pointOf.line(i), fit.pointOf.line(i) + fit.pointOf.beams, fit.pointOf.line(fit.pointOf.lines - 1 - i));
+    }
+}
+/// The same plane seen from its other side.
+void turnOver(Fit& fit) {
+    for (double& plane : fit.plane) plane += kPi;
+    for (double& tilt : fit.tilt) tilt = -tilt;
+}
+
+/// +1 when the list runs along neighbouring cells, -1 when against, about 0 when it is shuffled.
+double runsAlong(const Grid<std::uint32_t>& pointOf, int lineStep, int beamStep) {
+    double votes = 0;
+    double pairs = 0;
+    for (int i = 0; i + lineStep < pointOf.lines; ++i) {
+        for (int j = 0; j + beamStep < pointOf.beams; ++j) {
+            const std::uint32_t here = pointOf.at(i, j);
+            const std::uint32_t next = pointOf.at(i + lineStep, j + beamStep);
+            if (here == kNone || next == kNone) continue;
+            votes += next > here ? 1 : -1;
+            ++pairs;
+        }
+    }
+    return pairs > 0 ? votes / pairs : 0.0;
+}
+
+/// A line angle can be given from either side of its plane. The side is chosen so that the fan looks along +z of the scanner (sweep) or
+/// outwards (spin); the beam angles of a fan that is even on both sides ascend.
+void describeLikeAScanner(Fit& fit, Axis axis) {
+    const double along = runsAlong(fit.pointOf, 0, 1);
+    if (along < -0.5) reverseBeams(fit);
+    if (runsAlong(fit.pointOf, 1, 0) < -0.5) reverseLines(fit);
+    const auto [least, most] = std::minmax(fit.tilt.front(), fit.tilt.back());
+    const double span = most - least;
+    const double centre = std::remainder((least + most) / 2, 2 * kPi);
+    const bool even = std::abs(centre) < 0.1 * span || span > 350 / kDegreesPerRadian;
+    const auto ascends = [&] { return (fit.tilt.back() > fit.tilt.front()) == (axis == Axis::Sweep); };
+    if (!even && centre < 0) turnOver(fit);
+    if (std::abs(along) <= 0.5 && !ascends())
+        reverseBeams(fit);
+    else if (even && !ascends())
+        turnOver(fit);
+}
+
+/// Shifted by whole turns so that the smallest beam angle lies in [-180, 180), or one turn lower where the largest would lie beyond 360.
+void shiftBeams(std::vector<double>& degrees) {
+    const auto [least, most] = std::minmax_element(degrees.begin(), degrees.end());
+    double turns = std::floor((*least + 180.0 + 1e-6) / 360.0);
+    if (*most - 360.0 * turns > 360.0) turns += 1.0;
+    for (double& angle : degrees) angle -= 360.0 * turns;
+}
+void shiftLines(std::vector<double>& degrees) {
+    const double turns = std::ceil((degrees.front() - 180.0 - 1e-6) / 360.0);
+    for (double& angle : degrees) angle -= 360.0 * turns;
+}
+
+PolarGeometry geometryOf(const Fit& fit, std::span<const AxisPoint> points, const Precision& precision, Axis axis) {
+    MeasuredAngles measured = measureAngles(fit, points, precision);
+    for (auto* angles : {&measured.plane, &measured.planeError, &measured.tilt, &measured.tiltError}) {
+        for (double& angle : *angles) angle *= kDegreesPerRadian;
+    }
+    if (axis == Axis::Spin) {
+        for (double& tilt : measured.tilt) tilt = 90.0 - tilt;
+    }
+    shiftBeams(measured.tilt);
+    shiftLines(measured.plane);
+    PolarGeometry geometry;
+    geometry.beamDeg = tidyAngles(measured.tilt, measured.tiltError);
+    geometry.lineDeg = tidyAngles(measured.plane, measured.planeError);
+    geometry.axis = axis;
+    return geometry;
+}
+
+/// Some drivers store every line twice. Drops the copies and returns how many there were.
+std::size_t dropCopiedLines(Fit& fit, std::span<const AxisPoint> points) {
+    const auto beams = static_cast<std::size_t>(fit.pointOf.beams);
+    const auto samePoint = [&](std::uint32_t a, std::uint32_t b) {
+        return a != kNone && b != kNone && points[a].u == points[b].u && points[a].v == points[b].v && points[a].w == points[b].w;
+    };
+    std::vector<bool> copied(fit.plane.size(), false);
+    for (std::size_t i = 1; i < fit.plane.size(); ++i) {
+        const std::uint32_t* line = fit.pointOf.line(static_cast<int>(i));
+        const bool returns = std::any_of(line, line + beams, [&](std::uint32_t k) { return k != kNone && !points[k].missing(); });
+        copied[i] = returns && !copied[i - 1] && std::equal(line, line + beams, line - beams, samePoint);
+    }
+    const auto copies = static_cast<std::size_t>(std::count(copied.begin(), copied.end(), true));
+    if (copies * 10 < copied.size() * 4) return 0;
+    Fit kept = fit;
+    kept.plane.clear();
+    kept.pointOf.cells.clear();
+    for (std::size_t i = 0; i < copied.size(); ++i) {
+        if (copied[i]) continue;
+        kept.plane.push_back(fit.plane[i]);
+        kept.pointOf.cells.insert(kept.pointOf.cells.end(), fit.pointOf.line(static_cast<int>(i)),
+                                  fit.pointOf.line(static_cast<int>(i)) + beams);
+    }
+    kept.pointOf.lines = static_cast<int>(kept.plane.size());
+    fit = std::move(kept);
+    return copies;
+}
+
+/// A single line is a line only if its beams are regular: any flat curve about the origin is monotone.
+bool believable(const Fit& fit) {
+    if (fit.plane.size() > 1) return true;
+    const double step = medianStep(fit.tilt);
+    std::size_t regular = 0;
+    for (std::size_t j = 1; j < fit.tilt.size(); ++j) {
+        const double ratio = std::abs(fit.tilt[j] - fit.tilt[j - 1]) / step;
+        regular += std::abs(ratio - std::max(1.0, std::round(ratio))) < 0.25 ? 1 : 0;
+    }
+    return regular * 10 >= (fit.tilt.size() - 1) * 9;
+}
+
+/// Lines or beams of which no point was left are put back empty, where the others show the step.
+std::vector<double> spread(const std::vector<double>& angles, const std::vector<std::size_t>& places) {
+    std::vector<double> all(places.back() + 1);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const auto gap = static_cast<double>(places[i] - places[i - 1]);
+        for (std::size_t k = places[i - 1]; k <= places[i]; ++k) {
+            all[k] = angles[i - 1] + (angles[i] - angles[i - 1]) * static_cast<double>(k - places[i - 1]) / gap;
+        }
+    }
+    return all;
+}
+std::size_t putBackMissing(Fit& fit) {
+    std::vector<std::size_t> lines = placesOnSteps(fit.plane);
+    std::vector<std::size_t> beams = placesOnSteps(fit.tilt);
+    if (lines.empty() && beams.empty()) return 0;
+    const auto unchanged = [](std::vector<std::size_t>& places, std::size_t count) {
+        if (!places.empty()) return false;
+        for (std::size_t i = 0; i < count; ++i) places.push_back(i);
+        return true;
+    };
+    if (!unchanged(lines, fit.plane.size())) fit.plane = spread(fit.plane, lines);
+    if (!unchanged(beams, fit.tilt.size())) fit.tilt = spread(fit.tilt, beams);
+    Grid<std::uint32_t> pointOf(static_cast<int>(fit.plane.size()), static_cast<int>(fit.tilt.size()), kNone);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t j = 0; j < beams.size(); ++j) {
+            pointOf.at(static_cast<int>(lines[i]), static_cast<int>(beams[j])) = fit.pointOf.at(static_cast<int>(i), static_cast<int>(j));
+        }
+    }
+    const std::size_t added = fit.plane.size() - lines.size() + fit.tilt.size() - beams.size();
+    fit.pointOf = std::move(pointOf);
+    return added;
+}
+
+/// Smallest and largest step.
+std::pair<double, double> stepsIn(const std::vector<double>& angles) {
+    double least = 1e9;
+    double most = 0;
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        least = std::min(least, std::abs(angles[i] - angles[i - 1]));
+        most = std::max(most, std::abs(angles[i] - angles[i - 1]));
+    }
+    return {least, most};
+}
+
+struct Found {
+    Fit fit;
+    Hypothesis hypothesis;
+    std::vector<AxisPoint> points;
+};
+
+std::string percent(double share) { return fixedText(std::floor(share * 100), 0); }
+
+std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypothesis>& hypotheses, std::size_t returns) {
+    std::string text = "the " + std::to_string(returns) + " points do not lie on beam x line angles about the origin:";
+    for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+        text += std::string(h > 0 ? ", " : " ") + "about " + hypotheses[h].letter + " ";
+        if (seen[h].lines == 0)
+            text += "no scan lines stand out";
+        else if (seen[h].beams == 0)
+            text += percent(seen[h].onGrid) + " % lie on the best " + std::to_string(seen[h].lines) + " line angles";
+        else
+            text += percent(seen[h].onGrid) + " % lie on the best " + std::to_string(seen[h].beams) + " beam angles";
+    }
+    return text + " (99 % are needed)";
+}
+
+/// Tells how the list differed from a full grid in order.
+void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
+    const auto tell = [&](std::size_t count, const char* sentence) {
+        if (count > 0) grid.remarks.push_back(std::to_string(count) + sentence);
+    };
+    if (!grid.complete) {
+        grid.remarks.push_back("The list was not a full grid in order: " + std::to_string(grid.pointOf.lines) + " lines x " +
+                               std::to_string(grid.pointOf.beams) + " beams were recovered from the angles of its points.");
+    }
+    tell(grid.copiedLines, " lines repeated the line before and were left out.");
+    tell(grid.copied, " points stood in the list before, as when a driver stores lines twice, and were taken once.");
+    tell(putBack, " lines or beams without any point were put back empty, to keep the steps even.");
+    tell(grid.unplaced, " points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.");
+    tell(grid.doubled, " points lay in a cell with a nearer one, which was taken.");
+    const auto [least, most] = stepsIn(grid.geometry.lineDeg);
+    if (most > 1.2 * least) {
+        grid.remarks.push_back("The line angles are uneven: steps from " + significantText(least, 4) + " to " + significantText(most, 4) +
+                               " degrees, kept as they are.");
+    }
+}
+
+RecognisedGrid finished(Found found, const PointList& list) {
+    RecognisedGrid grid;
+    grid.copiedLines = found.fit.complete ? dropCopiedLines(found.fit, found.points) : 0;
+    if (!found.fit.complete) unfoldHalves(found.fit);
+    const std::size_t putBack = found.fit.complete ? 0 : putBackMissing(found.fit);
+    describeLikeAScanner(found.fit, found.hypothesis.axis);
+    grid.geometry = geometryOf(found.fit, found.points, list.precision, found.hypothesis.axis);
+    grid.turn = found.hypothesis.turn;
+    grid.complete = found.fit.complete;
+    grid.unplaced = found.fit.unplaced;
+    grid.doubled = found.fit.doubled;
+    grid.copied = found.fit.copied;
+    if (!found.hypothesis.turn.isIdentity()) {
+        grid.remarks.emplace_back("The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.");
+    }
+    grid.pointOf = std::move(found.fit.pointOf);
+    if (!grid.complete) foldPhases(grid);
+    tellRepairs(grid, putBack);
+    return grid;
+}
+
+} // namespace
+
+bool isReturn(const Eigen::Vector3d& point) {
+    if (!point.allFinite()) return false;
+    const double largest = point.cwiseAbs().maxCoeff();
+    return largest > 1e-9 && largest < 1e12; // squares of both stay far from the ends of double
+}
+
+Result<RecognisedGrid> recogniseGrid(const PointList& list) {
+    const auto returns = static_cast<std::size_t>(std::count_if(list.points.begin(), list.points.end(), isReturn));
+    if (returns < kFewestPoints) {
+        return Error{"holds " + std::to_string(returns) + " points with a return, too few to find a scanner's grid", "",
+                     "check that the file is complete"};
+    }
+    if (list.points.size() >= kNone) return Error{"holds more points than can be put on a grid", "", "split the file"};
+    const auto hypotheses = hypothesesFor(list.axis);
+    std::optional<Found> best;
+    std::array<NoFit, 3> seen{};
+    // Every cell in order; lines in order, with points left out; any order. An organised cloud is in order or no grid of angles.
+    enum Way : std::size_t { kEveryCell, kRuns, kGroups };
+    for (const Way way : {kEveryCell, kRuns, kGroups}) {
+        if (way != kEveryCell && list.rowLength > 0) break;
+        for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+            const double done = (static_cast<double>(h) / static_cast<double>(hypotheses.size()) + static_cast<double>(way)) / 3;
+            if (list.progress && !list.progress("finding the grid", done)) return Error{"cancelled", "", ""};
+            std::vector<AxisPoint> points = seenAlong(hypotheses[h], list.points);
+            auto fit = way == kEveryCell ? fitFileOrder(points, list.precision, list.rowLength)
+                       : way == kRuns    ? fitRuns(points, list.precision, seen[h])
+                                         : fitGroups(points, list.precision, seen[h]);
+            if (!fit || !believable(*fit) || (best && best->fit.residual <= fit->residual)) continue;
+            best = Found{std::move(*fit), hypotheses[h], std::move(points)};
+            if (best->fit.plane.size() > 1) break; // only a single line can fit more than one axis
+        }
+        if (best) return finished(std::move(*best), list);
+    }
+    return Error{sentenceFor(seen, hypotheses, returns), "", "open the scan as the scanner stored it, with its origin at the scanner"};
+}
+
+} // namespace edgescan

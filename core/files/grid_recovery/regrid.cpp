@@ -1,0 +1,242 @@
+// Looks at a cloud from the sensor, chooses a view and a step, and lets the nearest return win each cell.
+#include "core/files/grid_recovery/regrid.h"
+
+#include "core/base/angles.h"
+#include "core/base/memory.h"
+#include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
+#include "core/files/grid_recovery/regrid_parts.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace edgescan {
+namespace {
+
+using namespace regridding;
+
+constexpr std::size_t kFewestReturns = 64;
+constexpr double kNarrowestDeg = 2.0; // all points in less than that: the sensor cannot have stood there
+constexpr double kLeastClosed = 0.55; // as many neighbours are filled where points are strewn at random, one to every second cell
+constexpr double kLeastFill = 0.01;
+constexpr double kMostCells = 3e8;
+constexpr std::uint64_t kBytesPerCell = 48; // until the cells are a scan: their points alone take 24
+constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
+
+std::string number(double value) { return significantText(value, 3); }
+
+/// The axes of the picture: forward, left, up as rows. Up is the z axis unless the cloud lies above or below the sensor.
+Eigen::Matrix3d viewOf(const std::vector<Eigen::Vector3d>& directions) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    std::size_t steep = 0;
+    for (const Eigen::Vector3d& d : directions) {
+        sum += d;
+        steep += std::abs(d.z()) > 0.77 ? 1 : 0; // more than 50 degrees up or down
+    }
+    const Eigen::Vector3d mean = sum / static_cast<double>(directions.size());
+    const Eigen::Vector3d level(mean.x(), mean.y(), 0.0);
+    const bool allRound = mean.norm() < 0.35;
+    const bool upright = allRound || steep * 50 < directions.size();
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d forward = level.norm() > 0.2 ? Eigen::Vector3d(level.normalized()) : Eigen::Vector3d::UnitX();
+    if (!upright) {
+        forward = mean.normalized();
+        // Looking down (or up) the picture lies like a map: x to the right.
+        if (std::abs(forward.z()) > 0.95) up = Eigen::Vector3d::UnitY();
+        up = (up - up.dot(forward) * forward).normalized();
+    }
+    Eigen::Matrix3d view;
+    view << forward.transpose(), up.cross(forward).transpose(), up.transpose();
+    return view;
+}
+
+struct Directions {
+    std::vector<Eigen::Vector3d> unit;
+    std::vector<double> range;
+    std::vector<std::uint32_t> point;
+};
+Directions directionsOf(const LooseCloud& cloud) {
+    Directions seen;
+    for (std::size_t k = 0; k < cloud.points.size(); ++k) {
+        const Eigen::Vector3d ray = cloud.points[k] - cloud.sensor;
+        if (!isReturn(cloud.points[k]) || !isReturn(ray)) continue;
+        seen.range.push_back(ray.norm());
+        seen.unit.push_back(ray / seen.range.back());
+        seen.point.push_back(static_cast<std::uint32_t>(k));
+    }
+    return seen;
+}
+
+std::vector<Sight> sightsOf(const Directions& seen, const Eigen::Matrix3d& view) {
+    std::vector<Sight> sights;
+    sights.reserve(seen.unit.size());
+    for (std::size_t n = 0; n < seen.unit.size(); ++n) {
+        const Eigen::Vector3d d = view * seen.unit[n];
+        sights.push_back({-std::atan2(d.y(), d.x()), -std::asin(std::clamp(d.z(), -1.0, 1.0)), seen.range[n], seen.point[n]});
+    }
+    return sights;
+}
+
+template <class Value>
+std::array<double, 4> extentOf(const std::vector<Sight>& sights, Value value) {
+    std::vector<double> values;
+    values.reserve(sights.size());
+    for (const Sight& s : sights) values.push_back(value(s));
+    return {quantile(values, 0.0), quantile(values, 0.0005), quantile(values, 0.9995), quantile(values, 1.0)};
+}
+
+/// All points, unless a few strays would at least double the window.
+Window windowOf(const std::vector<Sight>& sights) {
+    const auto across = extentOf(sights, [](const Sight& s) { return s.across; });
+    const auto down = extentOf(sights, [](const Sight& s) { return s.down; });
+    const Window all{across[0], across[3], down[0], down[3]};
+    const double marginAcross = 0.05 * (across[2] - across[1]);
+    const double marginDown = 0.05 * (down[2] - down[1]);
+    const Window most{std::max(all.left, across[1] - marginAcross), std::min(all.right, across[2] + marginAcross),
+                      std::max(all.top, down[1] - marginDown), std::min(all.bottom, down[2] + marginDown)};
+    return most.width() * most.height() * 2 < all.width() * all.height() ? most : all;
+}
+
+std::string windowText(const Window& window) {
+    return number(window.width() * kDegreesPerRadian) + " x " + number(window.height() * kDegreesPerRadian) + " degrees";
+}
+
+/// Two digits are enough for a step that is estimated.
+double tidyStep(double radians) {
+    const double degrees = radians * kDegreesPerRadian;
+    const double scale = std::pow(10.0, std::floor(std::log10(degrees)) - 1);
+    return std::round(degrees / scale) * scale / kDegreesPerRadian;
+}
+
+struct Lattice {
+    Window window;
+    double across = 0.0, down = 0.0; ///< steps, radians; of a fan `down` is 1 line
+    int lines = 0, beams = 0;
+
+    [[nodiscard]] std::size_t cellOf(const Sight& s) const {
+        const int i = std::min(lines - 1, static_cast<int>((s.down - window.top) / down));
+        const int j = std::min(beams - 1, static_cast<int>((s.across - window.left) / across));
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(beams) + static_cast<std::size_t>(j);
+    }
+};
+
+Result<Lattice> latticeOver(const Window& window, double across, double down) {
+    Lattice lattice{window, across, down, 0, 0};
+    const double lines = std::max(1.0, std::ceil(window.height() / down - 1e-9));
+    const double beams = std::max(1.0, std::ceil(window.width() / across - 1e-9));
+    if (lines * beams > kMostCells) {
+        return Error{"cells of " + number(across * kDegreesPerRadian) + " degrees over " + windowText(window) + " would be " +
+                         number(lines * beams / 1e6) + " million cells",
+                     "", "give a larger --grid-step"};
+    }
+    if (auto enough = checkMemory(static_cast<std::uint64_t>(lines * beams) * kBytesPerCell, ""); !enough) return enough.error();
+    lattice.lines = static_cast<int>(lines);
+    lattice.beams = static_cast<int>(beams);
+    return lattice;
+}
+
+void fillCells(Regridded& grid, const std::vector<Sight>& sights, const Lattice& lattice) {
+    grid.pointOf = Grid<std::uint32_t>(lattice.lines, lattice.beams, Regridded::kNoPoint);
+    std::vector<std::uint32_t> winner(grid.pointOf.size(), Regridded::kNoPoint); // index into sights
+    for (std::uint32_t n = 0; n < sights.size(); ++n) {
+        if (!lattice.window.holds(sights[n])) {
+            ++grid.outside;
+            continue;
+        }
+        std::uint32_t& cell = winner[lattice.cellOf(sights[n])];
+        if (cell == Regridded::kNoPoint || sights[n].range < sights[cell].range) cell = n;
+    }
+    for (std::uint32_t n = 0; n < sights.size(); ++n) {
+        if (!lattice.window.holds(sights[n])) continue;
+        const std::size_t k = lattice.cellOf(sights[n]);
+        if (winner[k] == n)
+            grid.pointOf[k] = sights[n].point;
+        else
+            grid.hidden.push_back({static_cast<std::uint32_t>(k), sights[n].point});
+    }
+    std::stable_sort(grid.hidden.begin(), grid.hidden.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
+    grid.filled = sights.size() - grid.outside - grid.hidden.size();
+    const auto [nearest, farthest] = std::minmax_element(sights.begin(), sights.end(), [](auto& a, auto& b) { return a.range < b.range; });
+    grid.nearest = nearest->range;
+    grid.farthest = farthest->range;
+}
+
+Result<Regridded> onFan(const LooseCloud& cloud, const Fan& fan) {
+    const Window window = windowOf(fan.sights);
+    Window lines = window; // lines stay whole, however few points they have
+    lines.top = -0.5;
+    lines.bottom = static_cast<double>(fan.lineAngle.size()) - 0.5;
+    const double step = cloud.stepDeg ? *cloud.stepDeg / kDegreesPerRadian : tidyStep(spacingOf(fan.sights, lines, 1.0));
+    const auto lattice = latticeOver(lines, step, 1.0);
+    if (!lattice) return lattice.error();
+    Regridded grid;
+    grid.fan = true;
+    grid.returns = fan.sights.size();
+    grid.beamStepDeg = step * kDegreesPerRadian;
+    grid.lineStepDeg =
+        std::abs(fan.lineAngle.back() - fan.lineAngle.front()) * kDegreesPerRadian / static_cast<double>(fan.lineAngle.size() - 1);
+    grid.closed = coverOf(fan.sights, lines, step, 1.0, true).closed;
+    fillCells(grid, fan.sights, *lattice);
+    return grid;
+}
+
+Result<Regridded> onSphere(const LooseCloud& cloud, const Directions& seen) {
+    const std::vector<Sight> sights = sightsOf(seen, viewOf(seen.unit));
+    const Window window = windowOf(sights);
+    if (std::max(window.width(), window.height()) * kDegreesPerRadian < kNarrowestDeg) {
+        const auto [nearest, farthest] = std::minmax_element(seen.range.begin(), seen.range.end());
+        return Error{"all " + std::to_string(sights.size()) + " points lie in one direction from there, within " + windowText(window) +
+                         " and " + significantText(*nearest, 6) + " to " + significantText(*farthest, 6) + " away",
+                     "", kGiveSensor};
+    }
+    const double step = cloud.stepDeg ? *cloud.stepDeg / kDegreesPerRadian : tidyStep(spacingOf(sights, window, 0.0));
+    const auto lattice = latticeOver(window, step, step);
+    if (!lattice) return lattice.error();
+    Regridded grid;
+    grid.returns = sights.size();
+    grid.beamStepDeg = grid.lineStepDeg = step * kDegreesPerRadian;
+    grid.closed = coverOf(sights, window, step, step, false).closed;
+    fillCells(grid, sights, *lattice);
+    return grid;
+}
+
+} // namespace
+
+std::string accountOf(const Regridded& grid) {
+    const auto cells = std::to_string(grid.pointOf.lines) + " x " + std::to_string(grid.pointOf.beams);
+    std::string text = std::to_string(grid.returns) + " points in, seen over " + number(grid.beamStepDeg * grid.pointOf.beams) + " x " +
+                       number(grid.lineStepDeg * grid.pointOf.lines) + " degrees; " + std::to_string(grid.filled) + " of " + cells +
+                       " cells filled (fill ratio " + fixedText(100 * grid.fillRatio(), 1) + " %; of the cells around a filled one " +
+                       fixedText(100 * grid.closed, 0) + " %), " + std::to_string(grid.hidden.size()) +
+                       " points attached to a cell with a nearer one";
+    if (grid.outside > 0) text += ", " + std::to_string(grid.outside) + " points far from all others left out";
+    return text;
+}
+
+Result<Regridded> regrid(const LooseCloud& cloud) {
+    if (cloud.points.size() >= Regridded::kNoPoint) return Error{"holds more points than can be put on a grid", "", "split the file"};
+    if (cloud.stepDeg && !(*cloud.stepDeg > 0 && *cloud.stepDeg <= 45))
+        return Error{"a grid step of " + number(*cloud.stepDeg) + " degrees makes no grid", "",
+                     "give --grid-step between 0 and 45 degrees"};
+    const Directions seen = directionsOf(cloud);
+    if (seen.unit.size() < kFewestReturns) {
+        return Error{"only " + std::to_string(seen.unit.size()) + " points have a return, too few to make a grid of them", "",
+                     "check that the file is complete"};
+    }
+    if (cloud.progress && !cloud.progress("projecting the points", 0.3)) return Error{"cancelled", "", ""};
+    const auto fan = findFan(cloud);
+    auto grid = fan ? onFan(cloud, *fan) : onSphere(cloud, seen);
+    if (!grid) return grid;
+    if (grid->closed < (cloud.stepDeg ? 0.0 : kLeastClosed) || grid->fillRatio() < kLeastFill) {
+        return Error{"seen from there the points make no picture: " + accountOf(*grid), "",
+                     cloud.stepDeg ? "give a larger --grid-step, or another --sensor" : kGiveSensor};
+    }
+    if (cloud.progress && !cloud.progress("projecting the points", 1.0)) return Error{"cancelled", "", ""};
+    return grid;
+}
+
+} // namespace edgescan

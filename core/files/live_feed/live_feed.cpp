@@ -1,0 +1,164 @@
+// A scanner from its socket to a growing scan.
+#include "core/files/live_feed/live_feed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
+constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
+
+} // namespace
+
+LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed, std::size_t keptBytes)
+    : changed_(std::move(changed)), sweepSettings_(sweep), recent_(kKeptNs, keptBytes), feed_(sweep) {
+    SessionEvents events;
+    events.stateChanged = [this](const SessionState& state) {
+        {
+            const std::lock_guard lock(mutex_);
+            state_ = state;
+            if (state.phase == SessionPhase::Lost) feed_.assembler().reconnected();
+        }
+        changed_();
+    };
+    events.identified = [this](const ScannerIdentity& identity) {
+        {
+            const std::lock_guard lock(mutex_);
+            identity_ = identity;
+        }
+        changed_();
+    };
+    events.frameReceived = [this](const ColaFrame& frame) { received(frame); };
+    events.frameSent = [this](const ColaFrame& frame) { record(sentMessage(frame, clock_)); };
+    session_ = std::make_unique<ScannerSession>(std::move(scanner), std::move(events));
+}
+
+LiveFeed::~LiveFeed() { session_->stop(); }
+
+void LiveFeed::record(RecordingMessagePtr message) {
+    const std::lock_guard lock(mutex_);
+    recent_.push(message);
+    if (recorder_) recorder_->post(std::move(message));
+}
+
+void LiveFeed::received(const ColaFrame& frame) {
+    const RecordingMessagePtr message = receivedMessage(frame, clock_);
+    record(message); // before anything looks into it
+    bool line = false;
+    {
+        const std::lock_guard lock(mutex_);
+        const int before = feed_.assembler().sweepNumber();
+        line = feed_.frame(frame, clock_.ns(frame.received));
+        // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
+        if (feed_.assembler().sweepNumber() != before) sweepFirst_ = message;
+        if (line) {
+            ++lines_;
+            lineNs_.push_back(frame.received.monotonicNs);
+            if (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
+        }
+    }
+    if (line) changed_();
+}
+
+std::shared_ptr<const Scan> LiveFeed::snapshot() {
+    const std::lock_guard lock(mutex_);
+    return feed_.assembler().snapshot();
+}
+
+SweepSoFar LiveFeed::sweep() {
+    const std::lock_guard lock(mutex_);
+    return {feed_.assembler().snapshot(), feed_.assembler().progress()};
+}
+
+LiveStatus LiveFeed::status() const {
+    LiveStatus status;
+    status.statistics = session_->statistics();
+    const std::lock_guard lock(mutex_);
+    status.session = state_;
+    status.scanner = identity_;
+    status.sweep = feed_.assembler().progress();
+    status.lines = lines_;
+    status.undecodable = feed_.undecodable();
+    if (!lineNs_.empty()) {
+        status.secondsSinceLine = static_cast<double>(hostNow().monotonicNs - lineNs_.back()) * 1e-9;
+        const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
+        if (seconds > 0.0) status.linesPerSecond = static_cast<double>(lineNs_.size() - 1) / seconds;
+    }
+    if (recorder_) status.recording = recorder_->state();
+    return status;
+}
+
+std::vector<FinishedSweep> LiveFeed::takeFinished() {
+    const std::lock_guard lock(mutex_);
+    return feed_.assembler().takeFinished();
+}
+
+Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (recorder_ || starting_) return Error{"a recording is being written already", path.string(), "stop it first"};
+        starting_ = true;
+    }
+    auto writer = RecordingWriter::start(path, metadataOf(sweepSettings())); // waits for the disk: what arrives must not wait with it
+    const std::lock_guard lock(mutex_);
+    starting_ = false;
+    if (!writer) return writer.error();
+    recorder_ = std::move(*writer);
+    for (RecordingMessagePtr& message : messagesOfSweep()) recorder_->post(std::move(message));
+    return Done{};
+}
+
+std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {
+    // By the message itself: telegrams that arrived together share their time.
+    std::vector<RecordingMessagePtr> messages = recent_.messages();
+    const auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
+    // The first sweep, or one that began before what is remembered: all.
+    if (first != messages.end()) messages.erase(messages.begin(), first);
+    return messages;
+}
+
+SweepSettings LiveFeed::sweepSettings() const {
+    const std::lock_guard lock(mutex_);
+    return sweepSettings_;
+}
+
+std::optional<int> LiveFeed::useSweep(const SweepSettings& sweep) {
+    int gone = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        if (sweep == sweepSettings_) return std::nullopt;
+        sweepSettings_ = sweep;
+        gone = feed_.assembler().progress().received;
+        feed_ = SweepFeed(sweep);
+        for (const RecordingMessagePtr& message : messagesOfSweep())
+            static_cast<void>(feed_.message({message->topic, message->hostNs, message->hostNs, message->payload}));
+        gone = std::max(0, gone - feed_.assembler().progress().received);
+    }
+    changed_();
+    return gone;
+}
+
+Result<RecordingState> LiveFeed::stopRecording() {
+    std::unique_ptr<RecordingWriter> recorder;
+    {
+        const std::lock_guard lock(mutex_);
+        recorder = std::move(recorder_);
+    }
+    if (!recorder) return RecordingState{};
+    if (const Result<Done> closed = recorder->close(); !closed) return closed.error();
+    return recorder->state();
+}
+
+Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
+    return saveMessages(path, metadataOf(sweepSettings()), recent_.messages());
+}
+
+void LiveFeed::stop() {
+    session_->stop();
+    const std::lock_guard lock(mutex_);
+    feed_.assembler().finish();
+}
+
+} // namespace edgescan

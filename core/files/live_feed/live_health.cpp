@@ -1,0 +1,138 @@
+// The health of a live scan in words.
+#include "core/files/live_feed/live_health.h"
+
+#include "core/base/number_text.h"
+#include "core/scan/grid/placement.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace edgescan {
+namespace {
+
+std::string ageText(double seconds) {
+    if (seconds < 120.0) return fixedText(std::floor(seconds), 0) + " s";
+    if (seconds < 7200.0) return fixedText(std::floor(seconds / 60.0), 0) + " min";
+    return fixedText(std::floor(seconds / 3600.0), 0) + " h";
+}
+
+/// Seconds since the newest line that is shown arrived; empty before the first.
+std::optional<double> ageOf(const LiveStatus& status, const SweepProgress* shown) {
+    if (!status.secondsSinceLine || shown == nullptr) return status.secondsSinceLine;
+    return *status.secondsSinceLine + static_cast<double>(status.sweep.newestNs - shown->newestNs) * 1e-9;
+}
+
+Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
+    const SessionPhase phase = status.session.phase;
+    if (phase == SessionPhase::Stopped) return Liveness::Stopped;
+    if (!ageSeconds) return phase == SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
+    if (phase == SessionPhase::Lost || phase == SessionPhase::Connecting) return Liveness::Lost;
+    const bool late = phase != SessionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
+    return late ? Liveness::Stale : Liveness::Live;
+}
+
+std::string badgeOf(Liveness liveness, std::optional<double> ageSeconds) {
+    const std::string age = ageSeconds ? " " + ageText(*ageSeconds) : std::string();
+    switch (liveness) {
+    case Liveness::Connecting:
+        return "CONNECTING";
+    case Liveness::Live:
+        return "LIVE";
+    case Liveness::Stale:
+        return "STALE" + age;
+    case Liveness::Lost:
+        return "LOST" + age;
+    case Liveness::Stopped:
+        break;
+    }
+    return "STOPPED";
+}
+
+std::string noReturnOf(const SweepProgress& sweep) {
+    const std::size_t all = std::accumulate(sweep.cells.begin(), sweep.cells.end(), std::size_t{0});
+    if (all == 0) return {};
+    const auto none = static_cast<double>(sweep.cells[static_cast<std::size_t>(CellState::NoReturn)]);
+    return "no return " + fixedText(100.0 * none / static_cast<double>(all), 1) + " %";
+}
+
+std::string endOf(const LiveStatus& status, Liveness liveness) {
+    const SweepProgress& sweep = status.sweep;
+    if (sweep.expected == 0) return {};
+    const int left = sweep.expected - sweep.lines;
+    if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
+    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // when no line comes nobody knows when the last one will
+    return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
+}
+
+void tellWindow(LiveHealth& health, const SweepProgress& sweep) {
+    const bool error = sweep.device.contaminationError || sweep.deviceEver.contaminationError;
+    const bool warning = sweep.device.contaminationWarning || sweep.deviceEver.contaminationWarning;
+    health.window = error ? Condition::Failure : warning ? Condition::OutOfSpec : Condition::Good;
+    health.contamination = error ? "WINDOW TOO DIRTY" : warning ? "WINDOW DIRTY" : "window clean";
+    const bool now = error ? sweep.device.contaminationError : sweep.device.contaminationWarning;
+    if ((error || warning) && !now) health.contamination += " earlier in this sweep";
+}
+
+/// What is wrong with the telegrams themselves.
+void tellTelegrams(LiveHealth& health, const LiveStatus& status, const SweepProgress& sweep) {
+    health.remarks = sweep.irregular.sentences();
+    if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
+    const auto tell = [&](std::uint64_t count, const char* what) {
+        if (count > 0) health.remarks.push_back(std::to_string(count) + what);
+    };
+    tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
+    tell(status.statistics.stream.skipped, " bytes since the start were no telegram and were skipped.");
+    if (health.remarks.empty()) return;
+    health.telegrams = Condition::OutOfSpec;
+    const std::size_t count = health.remarks.size();
+    health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
+                    : !sweep.assumed.empty()          ? "MOUNTING ASSUMED"
+                    : count == 1                      ? "1 remark"
+                                                      : std::to_string(count) + " remarks";
+}
+
+void tellRecording(LiveHealth& health, const RecordingState& recording) {
+    if (recording.problem) {
+        health.recorded = Condition::Failure;
+        health.recording = (recording.ended ? "RECORDING ENDED: " : "RECORDING HAS GAPS: ") + recording.problem->sentence();
+        return;
+    }
+    health.recording = "recording " + fixedText(static_cast<double>(recording.bytes) / 1e6, 1) + " MB";
+    const std::string lag = lagText(recording);
+    if (lag.empty()) return;
+    health.recorded = Condition::OutOfSpec;
+    health.recording += ", " + lag;
+}
+
+} // namespace
+
+LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const SweepProgress* shown) {
+    const SweepProgress& sweep = status.sweep;
+    const SweepProgress& lines = shown != nullptr ? *shown : sweep;
+    const std::optional<double> age = ageOf(status, shown);
+    LiveHealth health;
+    health.liveness = livenessOf(status, age);
+    health.badge = badgeOf(health.liveness, age);
+    health.sentence = status.session.sentence;
+    if (status.scanner) health.scanner = status.scanner->words();
+    if (status.lines > 0) {
+        health.lines = lines.text();
+        health.noReturn = noReturnOf(lines);
+        health.end = endOf(status, health.liveness);
+        tellWindow(health, sweep);
+        health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
+        health.deviceState = health.device == Condition::Good ? "device ok"
+                             : sweep.device.error             ? "DEVICE ERROR"
+                                                              : "DEVICE ERROR earlier in this sweep";
+    }
+    if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + rowsText(lines.lost, 4);
+    tellTelegrams(health, status, lines);
+    if (placement == nullptr)
+        health.pose = "no pose";
+    else
+        health.pose = std::isnan(placement->ageSeconds) ? "pose of unknown age" : "pose " + ageText(placement->ageSeconds) + " old";
+    if (status.recording) tellRecording(health, *status.recording);
+    return health;
+}
+
+} // namespace edgescan

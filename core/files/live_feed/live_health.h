@@ -1,0 +1,58 @@
+// What the operator is told of a live scan, in words and states: a function of the status alone.
+// (docs/operator.md, "S2", "S4", "S5"; states as in NE 107.)
+#pragma once
+
+#include "core/files/live_feed/live_feed.h"
+
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/operator.md, "S4")
+
+enum class Liveness : std::uint8_t {
+    Connecting, ///< no line came yet
+    Live,
+    Stale, ///< connected, but no line for too long
+    Lost,  ///< not connected
+    Stopped,
+};
+
+enum class Condition : std::uint8_t {
+    Good,
+    OutOfSpec, ///< maintenance is due or a result is doubtful
+    Failure,   ///< results are not to be used
+};
+
+struct LiveHealth {
+    Liveness liveness = Liveness::Connecting;
+    std::string badge;    ///< "LIVE", "STALE 3 s", "LOST 12 s", "CONNECTING", "STOPPED"
+    std::string sentence; ///< of the session: what happened and what to do
+    std::string scanner;  ///< what the device says it is; empty before it said so
+
+    std::string lines;                ///< "1000/1000 lines", "INCOMPLETE 312/1000 lines"
+    std::string lost;                 ///< "3 lost: lines 5 and 9 to 10"; empty when none
+    std::string noReturn;             ///< "no return 4.2 %"
+    std::string remark;               ///< "2 remarks", "COUNTERS IN DOUBT"; empty where all telegrams are as they should be
+    std::vector<std::string> remarks; ///< each in a sentence
+    Condition telegrams = Condition::Good;
+    Condition window = Condition::Good;
+    std::string contamination; ///< "window clean", "WINDOW DIRTY", "WINDOW TOO DIRTY"; also of an earlier line of the sweep
+    Condition device = Condition::Good;
+    std::string deviceState; ///< "device ok", "DEVICE ERROR"
+    std::string pose;        ///< "no pose", "pose 12 s old"
+    std::string end;         ///< "ends in 27 s", "whole"; empty when it is not known
+    std::string recording;   ///< "recording 1.2 MB", "RECORDING ENDED: why"; empty when none is written
+    Condition recorded = Condition::Good;
+
+    /// What is on the screen is older than it seems.
+    [[nodiscard]] bool stale() const { return liveness == Liveness::Stale || liveness == Liveness::Lost; }
+    bool operator==(const LiveHealth&) const = default;
+};
+
+/// `placement`: of the scan shown; null: none. `shown`: of the growing sweep that the picture on the screen was computed from, where it
+/// follows the scanner: lines and age are those of the picture, which may be older than what has arrived.
+[[nodiscard]] LiveHealth healthOf(const LiveStatus& status, const Placement* placement = nullptr, const SweepProgress* shown = nullptr);
+
+} // namespace edgescan

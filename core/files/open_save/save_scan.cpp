@@ -1,0 +1,133 @@
+// Chooses the writer by extension.
+#include "core/files/open_save/save_scan.h"
+
+#include "core/base/whole_file.h"
+#include "core/files/formats/formats.h"
+
+#include <span>
+#include <utility>
+
+namespace edgescan {
+namespace {
+
+Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
+    const std::string extension = path.extension().string();
+    return {extension.empty() ? "the file name has no extension that names a format"
+                              : "\"" + extension + "\" is no format that can be written",
+            path.string(), "use " + writtenExtensions(wholeScans)};
+}
+
+/// The format of a cloud; null when the file's name asks for none.
+const Format* cloudFormat(const std::filesystem::path& path) {
+    const Format* format = writtenFormat(path);
+    return format != nullptr && format->write != nullptr ? format : nullptr;
+}
+
+Result<std::string> bytesOf(CloudColumns columns, const Format& format, const std::filesystem::path& path, const SaveOptions& options) {
+    columns.record = options.record;
+    columns.choices = options.choices;
+    return format.write(std::move(columns), path.string(), options.ascii);
+}
+
+Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const std::filesystem::path& path) {
+    if (mask.lines == scan.lines() && mask.beams == scan.beams()) return Done{};
+    return Error{"the edge mask has " + std::to_string(mask.lines) + " x " + std::to_string(mask.beams) + " cells and the scan " +
+                     std::to_string(scan.lines()) + " x " + std::to_string(scan.beams()),
+                 path.string(), "detect the edges of this scan again"};
+}
+
+Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result<std::string> bytes) {
+    if (!bytes) return bytes.error();
+    std::vector<FileBytes> files; // a list in braces would copy all bytes
+    files.push_back({path, std::move(*bytes)});
+    return files;
+}
+
+} // namespace
+
+Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where) {
+    if (frame == CoordinateFrame::Scanner || scan.placement) return Done{};
+    return Error{"the scan has no pose, so its place in the mine grid is not known", where,
+                 "give a pose and the robot's calibration, or save in the scanner's frame"};
+}
+
+Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+    const Format* format = writtenFormat(path);
+    if (format == nullptr) return unknownFormat(path, true);
+    if (scan.cells() == 0) return Error{"the scan has no cells", path.string(), "open a scan first"};
+    if (format->writeScan != nullptr && options.frame == CoordinateFrame::Scanner) return format->writeScan(scan, path);
+    if (format->write == nullptr)
+        return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
+                     "save it without a frame, or as " + writtenExtensions(false)};
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    const bool allPoints = options.includeAttached && !scan.attached.empty();
+    CloudColumns columns = allPoints               ? validPoints(scan, nullptr, options.frame, true)
+                           : format->writesByLines ? everyCellByLines(scan, options.frame)
+                                                   : everyCell(scan, options.frame);
+    return oneFile(path, bytesOf(std::move(columns), *format, path, options));
+}
+
+std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+    std::vector<std::string> lost;
+    const Format* format = writtenFormat(path);
+    if (format == nullptr) return lost;
+    const auto cells = countCells(scan);
+    const std::size_t valid = cells[static_cast<std::size_t>(CellState::Valid)];
+    const std::size_t noReturn = cells[static_cast<std::size_t>(CellState::NoReturn)];
+    const std::size_t without = scan.cells() - valid;
+    const bool attached = !scan.attached.empty();
+    if (attached && !options.includeAttached)
+        lost.push_back(std::to_string(scan.attached.size()) +
+                       " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
+    const bool keepsBeside = format->keeps == Keeps::Beside;
+    const bool beside = keepsBeside && !options.choices.comments;
+    const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);
+    if (list)
+        lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
+    else if ((format->keeps == Keeps::NoReturns || beside) && without > noReturn)
+        lost.push_back("This file knows only points and no returns: " + std::to_string(without - noReturn) +
+                       " cells of other states become no returns.");
+    if (beside && !list)
+        lost.push_back("The file holds numbers only: keep " + path.filename().string() +
+                       ".provenance.json beside it, which holds the grid, or write it with --comments.");
+    if (scan.intensity.size() > 0 && !format->keepsIntensity && !(keepsBeside && options.choices.comments))
+        lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
+    if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(keepsBeside && options.choices.comments))
+        lost.emplace_back(
+            "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");
+    return lost;
+}
+
+Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
+    const auto files = scanFiles(scan, path, options);
+    if (!files) return files.error();
+    std::vector<FileContent> contents;
+    for (const FileBytes& file : *files) contents.push_back({file.path, std::as_bytes(std::span(file.bytes))});
+    return contents.size() == 1 ? writeWholeFile(path, contents.front().bytes) : writeWholeFiles(contents);
+}
+
+Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
+                               const SaveOptions& options) {
+    const Format* format = cloudFormat(path);
+    if (format == nullptr) return unknownFormat(path, false);
+    if (edgeMask != nullptr) {
+        if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
+    }
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.rocks, options.filledSdMm,
+                               options.confidence),
+                   *format, path, options);
+}
+
+Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
+                              const SaveOptions& options) {
+    const Format* format = cloudFormat(path);
+    if (format == nullptr) return unknownFormat(path, false);
+    if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
+    if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
+    return bytesOf(
+        edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.filledSdMm, options.confidence),
+        *format, path, options);
+}
+
+} // namespace edgescan

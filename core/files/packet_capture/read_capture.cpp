@@ -1,0 +1,259 @@
+// From streams of bytes to a recording in memory, and from there like any recording.
+#include "core/files/packet_capture/read_capture.h"
+
+#include "core/base/memory.h"
+#include "core/files/packet_capture/tcp_streams.h"
+#include "core/files/recording/replay.h"
+#include "core/files/recording/writer.h"
+#include "core/scan/grid/acquisition.h"
+#include "core/scanner/cola/frames.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/sweep_assembly/sweep_settings.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace edgescan {
+namespace {
+
+ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
+
+/// Telegrams out of one or more streams of one scanner.
+struct Heard {
+    std::vector<RecordingMessagePtr> messages;
+    std::size_t scans = 0;
+    std::uint64_t skipped = 0; ///< bytes that belong to no telegram
+    Dialect dialect = Dialect::B;
+
+    void take(ColaFrame&& frame, std::int64_t hostNs) {
+        const bool scan = isScanTelegram(frame.payload());
+        if (scan && scans++ == 0) dialect = frame.dialect;
+        messages.push_back(
+            std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, hostNs, std::move(frame.bytes)}));
+    }
+};
+
+Heard heardIn(const TcpStream& stream) {
+    Heard heard;
+    ColaStream frames;
+    std::int64_t latestNs = 0; // packets that came out of order must not turn time back
+    for (const StreamPiece& piece : stream.pieces) {
+        latestNs = std::max(latestNs, piece.timeNs);
+        for (ColaFrame& frame : frames.push(piece.bytes, {latestNs, latestNs})) {
+            const std::int64_t receivedNs = frame.received.utcNs;
+            heard.take(std::move(frame), receivedNs);
+        }
+    }
+    heard.skipped = frames.counts().skipped + frames.waiting();
+    return heard;
+}
+
+/// What the user said of the mounting; what is left out is assumed where recordings are opened.
+SweepMetadata metadataFor(const Heard& heard, const ReadingOptions& options) {
+    SweepSettings settings;
+    if (options.axis) settings.axis = *options.axis;
+    if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
+    if (options.lineStepDeg) settings.degPerLine = *options.lineStepDeg;
+    const SweepMetadata all = metadataOf(settings);
+    SweepMetadata said;
+    const auto say = [&](bool given, const char* key) {
+        if (given) said[key] = all.at(key);
+    };
+    say(options.axis.has_value(), "stepper.axis");
+    say(options.lineStartDeg.has_value(), "stepper.phi0_deg");
+    say(options.lineStepDeg.has_value(), "stepper.deg_per_step");
+    say(options.lineStepDeg.has_value(), "stepper.dir");
+    said["lidar.dialect"] = heard.dialect == Dialect::A ? "cola-a" : "cola-b";
+    return said;
+}
+
+Result<Scan> scanOfHeard(Heard heard, const char* format, const Source& source) {
+    const std::string where = source.path.string();
+    std::uint64_t bytes = 0;
+    for (const auto& message : heard.messages) bytes += message->payload.size();
+    if (auto enough = checkMemory(3 * bytes, where); !enough) return enough.error();
+    const auto recording = Recording::fromBytes(recordingBytes(metadataFor(heard, *source.options), heard.messages), where);
+    if (!recording) return recording.error();
+    heard.messages.clear();
+    auto scan = scanOf(*recording, where, *source.options, source.played);
+    if (!scan) return scan;
+    scan->format = format;
+    return scan;
+}
+
+/// The scanner's own clock as time, for a stream that has none: it wraps every 71.6 minutes and begins anew with the scanner.
+class DeviceTime {
+public:
+    std::int64_t of(const ColaFrame& frame) {
+        constexpr std::int64_t kStartNs = kNsPerSecondWhole; // no date is known
+        if (isScanTelegram(frame.payload())) {
+            const auto telegram = decodeScanTelegram(frame);
+            if (telegram) takeUs(telegram->transmittedUs);
+        }
+        return kStartNs + us_ * 1000;
+    }
+
+private:
+    static constexpr std::int64_t kNsPerSecondWhole = 1'000'000'000;
+
+    void takeUs(std::uint32_t now) {
+        const std::int64_t ahead = last_ ? static_cast<std::int32_t>(now - *last_) : 0;
+        us_ += std::max<std::int64_t>(0, ahead); // a clock that was set back stands still for once
+        last_ = now;
+    }
+
+    std::optional<std::uint32_t> last_;
+    std::int64_t us_ = 0;
+};
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// The streams of one scanner, one behind the other: it may have been connected to anew.
+struct Speaker {
+    Endpoint from;
+    std::vector<const TcpStream*> streams;
+    Heard heard;
+};
+
+using Candidate = std::pair<const TcpStream*, Heard>;
+
+/// The streams of a sender that do not overlap in time, in the order of time; of two that do (two programs listened at once) the fuller.
+std::vector<Candidate> oneAfterTheOther(std::vector<Candidate> streams) {
+    std::ranges::stable_sort(streams, std::greater{}, [](const Candidate& c) { return c.second.scans; });
+    std::map<std::int64_t, std::int64_t> busy; // from when to when, of those that are taken
+    std::vector<Candidate> taken;
+    for (Candidate& candidate : streams) {
+        if (!taken.empty() && candidate.second.scans == 0) break;
+        const auto [begin, end] = std::minmax(candidate.first->pieces.front().timeNs, candidate.first->pieces.back().timeNs);
+        const auto next = busy.lower_bound(begin);
+        const bool overlaps = (next != busy.end() && next->first <= end) || (next != busy.begin() && std::prev(next)->second >= begin);
+        if (overlaps) continue;
+        busy[begin] = end;
+        taken.push_back(std::move(candidate));
+    }
+    std::ranges::stable_sort(taken, {}, [](const Candidate& c) { return c.first->pieces.front().timeNs; });
+    return taken;
+}
+
+/// Joins the streams of each sender.
+std::vector<Speaker> speakersOf(const TcpStreams& tcp) {
+    std::map<Endpoint, std::vector<Candidate>> bySender;
+    for (const TcpStream& stream : tcp.streams) bySender[stream.from].emplace_back(&stream, heardIn(stream));
+    std::vector<Speaker> speakers;
+    for (auto& [from, streams] : bySender) {
+        Speaker speaker{from, {}, {}};
+        for (auto& [stream, heard] : oneAfterTheOther(std::move(streams))) {
+            speaker.streams.push_back(stream);
+            if (speaker.heard.scans == 0) speaker.heard.dialect = heard.dialect;
+            speaker.heard.scans += heard.scans;
+            speaker.heard.skipped += heard.skipped;
+            std::ranges::move(heard.messages, std::back_inserter(speaker.heard.messages));
+        }
+        speakers.push_back(std::move(speaker));
+    }
+    return speakers;
+}
+
+void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, const TcpStreams& tcp, const Speaker& speaker) {
+    std::uint64_t missing = 0;
+    std::size_t gaps = 0, repeated = 0, late = 0;
+    for (const TcpStream* stream : speaker.streams) {
+        missing += stream->missing;
+        gaps += stream->gaps;
+        repeated += stream->repeated;
+        late += stream->late;
+    }
+    if (file.cutOff) warnings.emplace_back("The capture was cut off: everything up to the cut is here.");
+    if (missing > 0) {
+        warnings.push_back(std::to_string(missing) + " bytes that the scanner sent are missing in the capture, in " +
+                           counted(gaps, "place", "places") + ": the telegrams there are lost.");
+    }
+    if (missing == 0 && speaker.heard.skipped > 0)
+        warnings.push_back(std::to_string(speaker.heard.skipped) + " bytes that the scanner sent belong to no whole telegram.");
+    if (repeated > 0 || late > 0) {
+        warnings.push_back(counted(late, "packet", "packets") + " came out of order and " + std::to_string(repeated) +
+                           " brought bytes again; they were put in order.");
+    }
+    if (tcp.fragments > 0) warnings.push_back(counted(tcp.fragments, "fragment", "fragments") + " of IP packets were not put together.");
+}
+
+} // namespace
+
+bool looksLikePackets(const Source& source) { return isPacketFile(bytesOf(source)); }
+
+bool looksLikeColaStream(const Source& source) {
+    constexpr std::size_t kFirstPart = 4 * kLongestFrame;
+    const ByteView bytes = bytesOf(source);
+    if (bytes.empty() || source.text().substr(0, kFirstPart).find('\x02') == std::string_view::npos) return false;
+    ColaStream stream;
+    return !stream.push(bytes.first(std::min(bytes.size(), kFirstPart))).empty();
+}
+
+Result<Scan> readPacketCapture(const Source& source) {
+    const std::string where = source.path.string();
+    constexpr std::uint64_t kMemoryPerByte = 4; // the shortest packets that carry anything take 70 bytes, and we a little more of each
+    if (auto enough = checkMemory(source.bytes.size() * kMemoryPerByte, where); !enough) return enough.error();
+    const auto file = readPackets(bytesOf(source), where);
+    if (!file) return file.error();
+    if (!source.goOn("putting packets together", 0.1)) return source.cancelled();
+    const TcpStreams tcp = tcpStreams(file->packets);
+    std::vector<Speaker> speakers = speakersOf(tcp);
+    const auto best = std::ranges::max_element(speakers, {}, [](const Speaker& s) { return s.heard.scans; });
+    if (best == speakers.end() || best->heard.scans == 0) {
+        return source.refused("this capture holds " + counted(file->packets.size(), "packet", "packets") + ", " +
+                                  std::to_string(tcp.packets) + " of them TCP, and no scan telegram of a SICK scanner",
+                              "capture the connection to the scanner's port (2111 or 2112) while it scans");
+    }
+    std::vector<std::string> warnings;
+    const auto others = std::ranges::count_if(speakers, [](const Speaker& s) { return s.heard.scans > 0; }) - 1;
+    if (tcp.streams.size() > 1) {
+        warnings.push_back(
+            "The capture holds " + std::to_string(tcp.streams.size()) + " streams; that of " + best->from.text() + " with " +
+            counted(best->heard.scans, "scan telegram", "scan telegrams") + " was opened" +
+            (others > 0 ? ", and " + counted(static_cast<std::size_t>(others), "other sender has", "other senders have") + " some too."
+                        : "."));
+    }
+    tellLosses(warnings, *file, tcp, *best);
+    auto scan = scanOfHeard(std::move(best->heard), "capture", source);
+    if (scan) scan->warnings.insert(scan->warnings.begin(), warnings.begin(), warnings.end());
+    return scan;
+}
+
+Result<Scan> readColaCapture(const Source& source) {
+    constexpr std::size_t kAtOnce = 1U << 20U;
+    const ByteView bytes = bytesOf(source);
+    Heard heard;
+    ColaStream stream;
+    DeviceTime time;
+    for (std::size_t at = 0; at < bytes.size(); at += kAtOnce) {
+        for (ColaFrame& frame : stream.push(bytes.subspan(at, std::min(kAtOnce, bytes.size() - at)))) {
+            const std::int64_t hostNs = time.of(frame);
+            heard.take(std::move(frame), hostNs);
+        }
+        if (!source.goOn("finding telegrams", 0.1)) return source.cancelled();
+    }
+    if (heard.scans == 0) {
+        return source.refused("these are " + counted(heard.messages.size(), "telegram", "telegrams") +
+                                  " of a SICK device and none is a scan",
+                              "capture while the scanner sends scans (sEN LMDscandata 1)");
+    }
+    const std::uint64_t skipped = stream.counts().skipped + stream.waiting();
+    auto scan = scanOfHeard(std::move(heard), "CoLa stream", source);
+    if (!scan) return scan;
+    if (skipped > 0)
+        scan->warnings.insert(scan->warnings.begin(), std::to_string(skipped) + " bytes of the stream belong to no whole telegram.");
+    if (scan->acquisition) { // the scanner's clock tells how long things took, not when they were
+        auto named = std::make_shared<Acquisition>(*scan->acquisition);
+        named->startUtc.clear();
+        named->endUtc.clear();
+        named->clockSource.clear();
+        named->lineTimesS.clear();
+        scan->acquisition = std::move(named);
+    }
+    return scan;
+}
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// What was taken for granted when a scan was opened, what speaks against it, and how else it can be read.
+#pragma once
+
+#include "core/files/plausibility/sentence.h"
+#include "core/scan/grid/reading_options.h"
+
+#include <string_view>
+#include <vector>
+
+namespace edgescan {
+
+/// The scan read in another way.
+struct OtherReading {
+    Sentence words; ///< "sweep instead of spin: 41 of 96 pieces would be flat instead of 6"
+    ReadingOptions options;
+};
+
+/// One thing that a reader has to know.
+struct OpeningPoint {
+    enum class Source {
+        Said,    ///< by the file
+        Typed,   ///< by whoever opened it
+        Guessed, ///< found out from the numbers, or taken as usual
+    };
+    const char* what; ///< "Unit", "Mounting", ...
+    Source source = Source::Said;
+    Sentence taken{};                   ///< what it was taken as, in words
+    Sentence against{};                 ///< what the scan says against it, one sentence; empty: nothing
+    std::vector<OtherReading> others{}; ///< the likelier first; may be empty
+};
+
+/// Unit, mounting, angles, order of the lines, grid, and lines out of place, in this order, where they can be otherwise. `options` are
+/// those that the scan was opened with. A file that has to be opened for it is not touched: all is told from the scan. Well below a second.
+[[nodiscard]] std::vector<OpeningPoint> openingCheck(const Scan& scan, const ReadingOptions& options);
+
+/// The point that tells of beams and lines out of place.
+inline constexpr std::string_view kDisplacedPoint = "Beams and lines";
+
+/// Something speaks against one of them.
+[[nodiscard]] bool looksWrong(const std::vector<OpeningPoint>& points);
+/// One of them was found out rather than said.
+[[nodiscard]] bool looksGuessed(const std::vector<OpeningPoint>& points);
+
+} // namespace edgescan

@@ -1,0 +1,252 @@
+// One table of names.
+#include "core/files/point_tables/column_names.h"
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan {
+namespace {
+
+struct KnownName {
+    const char* name;
+    ColumnRole role;
+};
+
+using Role = ColumnRole;
+
+// A role's usual name first. Lower case, letters and digits only.
+constexpr KnownName kNames[]{
+    {"x", Role::X},
+    {"easting", Role::X},
+    {"eastings", Role::X},
+    {"east", Role::X},
+    {"e", Role::X},
+    {"xcoord", Role::X},
+    {"xcoordinate", Role::X},
+    {"coordx", Role::X},
+    {"posx", Role::X},
+    {"rechtswert", Role::X},
+    {"ostwert", Role::X},
+    {"y", Role::Y},
+    {"northing", Role::Y},
+    {"northings", Role::Y},
+    {"north", Role::Y},
+    {"n", Role::Y},
+    {"ycoord", Role::Y},
+    {"ycoordinate", Role::Y},
+    {"coordy", Role::Y},
+    {"posy", Role::Y},
+    {"hochwert", Role::Y},
+    {"nordwert", Role::Y},
+    {"z", Role::Z},
+    {"elevation", Role::Z},
+    {"elev", Role::Z},
+    {"height", Role::Z},
+    {"altitude", Role::Z},
+    {"alt", Role::Z},
+    {"rl", Role::Z},
+    {"reducedlevel", Role::Z},
+    {"level", Role::Z},
+    {"h", Role::Z},
+    {"el", Role::Z},
+    {"zcoord", Role::Z},
+    {"zcoordinate", Role::Z},
+    {"coordz", Role::Z},
+    {"posz", Role::Z},
+    {"up", Role::Z},
+    {"u", Role::Z},
+    {"line", Role::Line},
+    {"lineindex", Role::Line},
+    {"scanline", Role::Line},
+    {"row", Role::Line},
+    {"rowindex", Role::Line},
+    {"ring", Role::Line},
+    {"lineno", Role::Line},
+    {"rows", Role::Line},
+    {"beam", Role::Beam},
+    {"beamindex", Role::Beam},
+    {"column", Role::Beam},
+    {"columnindex", Role::Beam},
+    {"col", Role::Beam},
+    {"colindex", Role::Beam},
+    {"beamno", Role::Beam},
+    {"rangemm", Role::RangeMm},
+    {"state", Role::State},
+    {"scannerx", Role::ScannerX},
+    {"scannery", Role::ScannerY},
+    {"scannerz", Role::ScannerZ},
+    {"hoehe", Role::Z},
+    {"filledsd", Role::FilledSdMm}, // filled_sd_mm without its unit
+    {"intensity", Role::Intensity},
+    {"scalarintensity", Role::Intensity}, // as CloudCompare names it in PLY
+    {"reflectance", Role::Intensity},
+    {"reflectivity", Role::Intensity},
+    {"rssi", Role::Intensity},
+    {"rssi1", Role::Intensity},
+    {"remission", Role::Intensity},
+    {"amplitude", Role::Intensity},
+    {"este", Role::X}, // Spanish and Portuguese; French below
+    {"leste", Role::X},
+    {"norte", Role::Y},
+    {"cota", Role::Z},
+    {"elevacion", Role::Z},
+    {"elevacao", Role::Z},
+    {"altura", Role::Z},
+    {"altitud", Role::Z},
+    {"est", Role::X},
+    {"nord", Role::Y},
+    {"cote", Role::Z},
+    {"xpt", Role::X}, // Datamine
+    {"ypt", Role::Y},
+    {"zpt", Role::Z},
+    {"x1", Role::X}, // of the first return, as Ouster writes it
+    {"y1", Role::Y},
+    {"z1", Role::Z},
+};
+
+/// Letters with marks in UTF-8 or Latin-1 that names of columns are spelled with, and what they are spelled without: Höhe, Elevación.
+struct MarkedLetter {
+    std::string_view bytes;
+    std::string_view plain;
+};
+constexpr MarkedLetter kMarkedLetters[]{{"\xc3\xb6", "oe"}, {"\xf6", "oe"}, {"\xc3\xb3", "o"}, {"\xf3", "o"},
+                                        {"\xc3\xa7", "c"},  {"\xe7", "c"},  {"\xc3\xa3", "a"}, {"\xe3", "a"}};
+
+std::string withoutMarks(std::string_view text) {
+    std::string plain;
+    while (!text.empty()) {
+        const auto* const marked = std::ranges::find_if(kMarkedLetters, [&](const auto& m) { return text.starts_with(m.bytes); });
+        plain += marked == std::end(kMarkedLetters) ? text.substr(0, 1) : marked->plain;
+        text.remove_prefix(marked == std::end(kMarkedLetters) ? 1 : marked->bytes.size());
+    }
+    return plain;
+}
+
+/// Letters and digits between anything else, in lower case.
+std::vector<std::string> wordsOf(std::string_view given) {
+    std::vector<std::string> words(1);
+    for (char c : withoutMarks(given)) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (letter)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+std::string plain(std::string_view text) {
+    std::string letters;
+    for (const std::string& word : wordsOf(text)) letters += word;
+    return letters;
+}
+
+std::optional<double> unitNamed(const std::string& text) {
+    if (text == "mm" || text == "millimetre" || text == "millimetres" || text == "millimeter" || text == "millimeters") return 1.0;
+    if (text == "cm" || text == "centimetre" || text == "centimetres" || text == "centimeter" || text == "centimeters") return 10.0;
+    if (text == "km" || text == "kilometre" || text == "kilometres" || text == "kilometer" || text == "kilometers") return 1e6;
+    if (text == "ft" || text == "feet" || text == "foot" || text == "ift") return 304.8;
+    if (text == "usft" || text == "ftus" || text == "ussurveyfeet") return 1200.0 / 3937.0 * 1000.0;
+    if (text == "in" || text == "inch" || text == "inches") return 25.4;
+    if (text == "m" || text == "metre" || text == "metres" || text == "meter" || text == "meters") return 1000.0;
+    return std::nullopt;
+}
+
+/// "Easting [m]", "x_mm", "z(m)", "Xmm": the name without its unit, and millimetres per unit.
+struct Name {
+    std::string_view given; ///< without the unit
+    std::optional<double> unitMm;
+};
+Name nameOf(std::string_view given) {
+    const std::size_t cut = given.find_last_of("_ ([/");
+    if (cut != std::string_view::npos && cut > 0) {
+        if (const auto unit = unitNamed(plain(given.substr(cut)))) {
+            if (plain(given.substr(0, cut)) != "range") return {given.substr(0, cut), unit}; // range_mm is a name of its own
+        }
+    }
+    const bool glued = given.size() > 1 && std::string_view("xyzXYZ").find(given.front()) != std::string_view::npos;
+    if (const auto unit = glued ? unitNamed(plain(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
+    return {given, std::nullopt};
+}
+
+/// Words that say what all three columns are of, and not which one a column is.
+bool saysNothing(std::string_view word) {
+    static constexpr std::string_view kWords[]{"point",      "points", "pos",         "position",  "positions", "coord", "coords",
+                                               "coordinate", "field",  "coordinates", "cartesian", "xyz",       "m",     "pt"};
+    return std::ranges::find(kWords, word) != std::end(kWords);
+}
+
+std::size_t rankIn(const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find_if(kNames, [&](const KnownName& k) { return name == k.name; }) - kNames);
+}
+
+/// "Point X", "pos_x", "field.x", "cartesianX", ParaView's "Points:0".
+std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
+    const bool some = std::erase_if(words, saysNothing) > 0;
+    if (words.size() != 1) return std::nullopt;
+    const std::string_view word = words[0];
+    for (const auto& [digit, axis] : {std::pair{'0', "x"}, {'1', "y"}, {'2', "z"}}) {
+        const bool alone = word.size() == 1 && (word[0] == digit || word[0] == axis[0]);
+        const bool joined = word.back() == axis[0] && saysNothing(word.substr(0, word.size() - 1));
+        if ((some && alone) || joined) return axis;
+    }
+    return std::nullopt;
+}
+
+/// Place in the table; a name that is only found without some of its words stands behind all that are found whole.
+std::optional<std::size_t> rankOf(std::string_view given) {
+    const std::size_t whole = rankIn(plain(given));
+    if (whole < std::size(kNames)) return whole;
+    const std::size_t bracket = given.find_first_of("([", 1); // "Easting (X)"
+    const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(plain(given.substr(0, bracket)));
+    if (before < std::size(kNames)) return std::size(kNames) + before;
+    const auto axis = axisAmongWords(wordsOf(given));
+    return axis ? std::optional(2 * std::size(kNames) + rankIn(*axis)) : std::nullopt;
+}
+
+bool isOneOf(const std::string& name, std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+} // namespace
+
+NamedColumns columnsNamed(std::span<const std::string> names) {
+    NamedColumns found;
+    std::array<std::size_t, kColumnRoles> rank{};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto itsRank = rankOf(nameOf(names[i]).given);
+        if (!itsRank) continue;
+        const auto role = static_cast<std::size_t>(kNames[*itsRank % std::size(kNames)].role);
+        if (found.of[role] && rank[role] <= *itsRank) continue;
+        found.of[role] = i;
+        rank[role] = *itsRank;
+    }
+    if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = plain(names[*line]).starts_with("row");
+    if (!found.hasPoint()) return found;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (const auto unit = nameOf(names[*found.of[axis]]).unitMm) found.unitMm = unit;
+    }
+    return found;
+}
+
+std::optional<std::string> contentsNamed(std::span<const std::string> names) {
+    const NamedColumns named = columnsNamed(names);
+    if (named.hasPoint()) return std::nullopt;
+    const auto has = [&](std::initializer_list<std::string_view> any) {
+        return std::ranges::any_of(names, [&](const std::string& name) {
+            const auto words = wordsOf(name);
+            return isOneOf(plain(name), any) || std::ranges::any_of(words, [&](const std::string& word) { return isOneOf(word, any); });
+        });
+    };
+    if (has({"lat", "latitude"}) && has({"lon", "long", "lng", "longitude"})) return "degrees of latitude and longitude";
+    if (has({"range", "ranges", "distance", "dist", "radius", "rho", "r", "rangemm"}) &&
+        has({"angle", "azimuth", "az", "theta", "phi", "bearing", "inclination", "zenith", "deg", "hz"}))
+        return "angles and ranges";
+    const int axes = int{named.of[0].has_value()} + int{named.of[1].has_value()} + int{named.of[2].has_value()};
+    if (axes == 2) return "two coordinates of a point and not the third";
+    return std::nullopt;
+}
+
+} // namespace edgescan

@@ -1,0 +1,58 @@
+// What a reader is given: the bytes of one file, where they came from, and what the user said.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scan/grid/reading_options.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace edgescan {
+
+class Replay;
+/// Called behind every line of a recording that is played.
+using LinePlayed = std::function<void(const Replay&)>;
+
+struct Source {
+    std::filesystem::path path;
+    std::span<const std::byte> bytes; ///< the whole file
+    const ReadingOptions* options = nullptr;
+    bool inMemory = false;   ///< there is no file, and no other may be touched
+    LinePlayed played = {};  ///< called behind every line of a recording
+    bool placesOnly = false; ///< of points x y z alone are wanted: what else stands beside them may be left out
+    /// Of these points: where it is set, a reader may give them away some at a time, in order, instead of keeping them in its table.
+    std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};
+
+    [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+    /// Named scan.pcd.gz: what is packed carries its own extension before the last one.
+    [[nodiscard]] bool isNamedPacked() const { return lowerCase(path.extension()) == ".gz"; }
+    /// Lower case, with the dot; of what is packed its own.
+    [[nodiscard]] std::string extension() const { return lowerCase(isNamedPacked() ? path.stem().extension() : path.extension()); }
+    [[nodiscard]] static std::string lowerCase(const std::filesystem::path& name) {
+        std::string text = name.string();
+        for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        return text;
+    }
+
+    [[nodiscard]] Error refused(std::string what, std::string hint) const { return {std::move(what), path.string(), std::move(hint)}; }
+    [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string hint) const {
+        return {std::move(what), path.string() + ": line " + std::to_string(lineNumber), std::move(hint)};
+    }
+    [[nodiscard]] Error refusedAtByte(std::size_t byte, std::string what, std::string hint) const {
+        return {std::move(what), path.string() + ": byte " + std::to_string(byte), std::move(hint)};
+    }
+
+    /// False when the user has cancelled.
+    [[nodiscard]] bool goOn(const char* stage, double fraction) const {
+        return options == nullptr || !options->progress || options->progress(stage, fraction);
+    }
+    [[nodiscard]] Error cancelled() const { return {"cancelled", path.string(), ""}; }
+};
+
+} // namespace edgescan

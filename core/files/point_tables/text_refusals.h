@@ -1,0 +1,20 @@
+// Why a text is no list of points, in a sentence that names the cause and the way out.
+#pragma once
+
+#include "core/files/point_tables/number_groups.h"
+#include "core/files/point_tables/source.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace edgescan {
+
+/// Text in which no row of numbers was found.
+[[nodiscard]] Error textWithoutNumbers(const Source& source);
+
+[[nodiscard]] Error thousandsApart(const Source& source, const GroupedNumber& number);
+
+/// A cell that is no number, in a line (from 1) of the text.
+[[nodiscard]] Error noNumber(const Source& source, std::size_t line, std::string_view cell);
+
+} // namespace edgescan

@@ -1,0 +1,54 @@
+// A recording that was read: its messages in order and what its metadata says.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/containers/mcap/reader.h"
+#include "core/files/recording/layout.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace edgescan {
+
+struct RecordedMessage {
+    RecordingTopic topic = RecordingTopic::ColaRx;
+    std::int64_t logNs = 0;     ///< when it was received, ns since 1970 UTC
+    std::int64_t publishNs = 0; ///< a line's own time
+    ByteView payload;
+};
+
+/// Never changed; messages point into the bytes it holds.
+class Recording {
+public:
+    /// Error: cannot be read, is no MCAP, or holds nothing of "sweep/1".
+    static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path);
+    static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where);
+
+    [[nodiscard]] const std::vector<RecordedMessage>& messages() const { return messages_; }
+    /// The record "sweep".
+    [[nodiscard]] const SweepMetadata& metadata() const { return metadata_; }
+    /// Everything else that the file says of itself.
+    [[nodiscard]] const McapContent& content() const { return content_; }
+    /// The file was closed properly and nothing in it is damaged.
+    [[nodiscard]] bool clean() const { return content_.clean && content_.badChunks == 0; }
+    /// What was cut off, damaged or not understood, in sentences.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    /// "; the chunk at byte 96 was left out: its checksum does not fit", for a sentence that says that something is not there; or nothing.
+    [[nodiscard]] std::string whatWasLeftOut() const;
+
+    Recording() = default;
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+
+private:
+    Result<Done> take(Bytes bytes, const std::string& where);
+
+    Bytes bytes_;
+    McapContent content_;
+    SweepMetadata metadata_;
+    std::vector<RecordedMessage> messages_;
+    std::vector<std::string> warnings_;
+};
+
+} // namespace edgescan

@@ -1,0 +1,174 @@
+// Playing recordings.
+#include "core/files/recording/replay.h"
+
+#include "core/files/recording/recorded_grid.h"
+#include "core/files/recording/recorded_robot.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+/// Where the payload of a frame begins, to know a scan telegram without taking the frame apart.
+bool isLine(const RecordedMessage& message) {
+    if (message.topic != RecordingTopic::ColaRx || message.payload.size() < 2) return false;
+    constexpr std::size_t kBinaryPayload = 8;
+    const bool binary = message.payload.size() > kBinaryPayload && message.payload[1] == 2;
+    return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
+}
+
+} // namespace
+
+bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
+    if (!isScanTelegram(frame.payload())) return false;
+    const auto telegram = decodeScanTelegram(frame);
+    if (!telegram) {
+        if (++undecodable_ == 1) whyUndecodable_ = telegram.error().what;
+        return false;
+    }
+    assembler_.push(*telegram, hostNs);
+    return true;
+}
+
+bool SweepFeed::message(const RecordedMessage& message) {
+    bool line = false;
+    if (message.topic == RecordingTopic::ColaRx) {
+        const std::uint64_t skipped = stream_.counts().skipped;
+        for (const ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
+        if (stream_.waiting() > 0 || stream_.counts().skipped > skipped) ++torn_;
+        if (stream_.waiting() > 0) stream_ = ColaStream(); // a message holds whole frames: the rest of it is damaged
+    } else if (message.topic == RecordingTopic::Stepper) {
+        if (const auto reading = parseStepper(message.payload, message.logNs)) assembler_.push(*reading);
+    }
+    return line;
+}
+
+namespace {
+
+/// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
+void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
+    if (options.axis) {
+        if (settings.axisAssumed) settings.axis = *options.axis;
+        settings.axisAssumed = false;
+    }
+    if (options.lineStepDeg) {
+        if (settings.stepAssumed && settings.degPerLine) settings.degPerLine = options.lineStepDeg;
+        settings.stepAssumed = false;
+    }
+}
+
+} // namespace
+
+Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options)
+    : recording_(std::move(recording)), warnings_(recording_->warnings()), feed_(settings_) {
+    SettingsFound found = settingsOf(recording_->metadata());
+    settings_ = found.settings;
+    sayAssumed(settings_, options);
+    warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
+    feed_ = SweepFeed(settings_);
+    for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
+        if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
+    }
+}
+
+std::int64_t Replay::timeNs(int line) const {
+    if (lineAt_.empty()) return 0;
+    const auto last = static_cast<int>(lineAt_.size()) - 1;
+    return recording_->messages()[lineAt_[static_cast<std::size_t>(std::clamp(line, 0, last))]].logNs;
+}
+
+void Replay::playOne() {
+    const std::size_t message = next_++;
+    feed_.message(recording_->messages()[message]);
+    const auto line = static_cast<std::size_t>(position_);
+    if (line < lineAt_.size() && lineAt_[line] == message) ++position_;
+    if (atEnd()) feed_.assembler().finish();
+}
+
+bool Replay::step() {
+    if (atEnd()) return false;
+    seek(position_ + 1);
+    return true;
+}
+
+void Replay::seek(int line) {
+    if (line < position_) {
+        feed_ = SweepFeed(settings_);
+        next_ = 0;
+        position_ = 0;
+    }
+    // What stands between this line and the next one (the stepper's report of it) belongs to this line.
+    const auto behind = static_cast<std::size_t>(std::max(line, 0));
+    const std::size_t end = behind < lineAt_.size() ? lineAt_[behind] : recording_->messages().size();
+    while (next_ < end) playOne();
+}
+
+Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options) {
+    const SweepMetadata& metadata = recording.metadata();
+    sweep.format = "recording";
+    if (const auto note = metadata.find("note"); note != metadata.end()) sweep.note = note->second;
+    if (metadata.contains(kMadeFromKey))
+        sweep.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
+    else
+        nameScanner(sweep, recording);
+    if (options.unitMm && *options.unitMm != sweep.unitMm)
+        return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};
+    auto whole = withRecordedGrid(std::move(sweep), metadata, where);
+    if (!whole) return whole;
+    if (options.axis) std::get<PolarGeometry>(whole->geometry).axis = *options.axis;
+    if (auto placed = placeRecordedSweep(*whole, recording, options, where); !placed) return placed.error();
+    return whole;
+}
+
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options,
+                    const LinePlayed& played) {
+    Replay replay(recording, options);
+    FinishedSweep best;
+    int sweeps = 0;
+    const auto collect = [&] {
+        for (FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
+            ++sweeps;
+            if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
+        }
+    };
+    while (replay.step()) {
+        collect();
+        if (played && replay.position() > 0) played(replay);
+    }
+    collect();
+    const std::int64_t undecodable = replay.feed().undecodable();
+    const TelegramAccount account = replay.progress().account;
+    if (!best.scan) {
+        const std::string why = replay.feed().whyUndecodable();
+        return Error{account.telegrams > 0
+                         ? "none of the " + std::to_string(account.telegrams) + " scan telegrams in this recording holds a line of ranges"
+                     : undecodable > 0 ? "none of the scan telegrams in this recording can be decoded" + (why.empty() ? why : ": " + why)
+                                       : "this recording holds no scan telegram" + recording->whatWasLeftOut(),
+                     where, "choose another recording"};
+    }
+    Scan scan = *best.scan;
+    scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
+    if (sweeps > 1) {
+        scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
+                                std::to_string(best.progress.number + 1) + ", the one with most lines, was opened.");
+    }
+    if (undecodable > 0)
+        scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +
+                                ".");
+    if (const std::int64_t torn = replay.feed().torn(); torn > 0)
+        scan.warnings.push_back(std::to_string(torn) + " messages hold bytes that are no whole telegram: what was in them is lost.");
+    if (!recording->clean() && best.progress.expected == 0)
+        scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
+                                " lines are there, how many there were is not known.");
+    return describedSweep(std::move(scan), *recording, where, options);
+}
+
+Result<Scan> readRecording(const Source& source) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
+    const auto recording = Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string());
+    if (!recording) return recording.error();
+    return scanOf(*recording, source.path.string(), *source.options, source.played);
+}
+
+} // namespace edgescan

@@ -1,0 +1,86 @@
+// A recording played through the same path as live: frames, telegrams, sweep assembly; at any speed, line by line.
+#pragma once
+
+#include "core/files/point_tables/source.h"
+#include "core/files/recording/recording.h"
+#include "core/scanner/sweep_assembly/sweep.h"
+
+#include <functional>
+
+namespace edgescan {
+
+/// Feeds what was received into an assembler: the one path for live, replay and opening.
+class SweepFeed {
+public:
+    explicit SweepFeed(const SweepSettings& settings) : assembler_(settings) {}
+
+    /// One received frame; bytes that are no scan telegram are ignored. True when it brought a line.
+    bool frame(const ColaFrame& frame, std::int64_t hostNs);
+    bool message(const RecordedMessage& message);
+
+    [[nodiscard]] SweepAssembler& assembler() { return assembler_; }
+    [[nodiscard]] const SweepAssembler& assembler() const { return assembler_; }
+    /// Scan telegrams that could not be decoded.
+    [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
+    /// Messages of a recording with bytes that are no whole frame.
+    [[nodiscard]] std::int64_t torn() const { return torn_; }
+    /// What was wrong with the first of them.
+    [[nodiscard]] const std::string& whyUndecodable() const { return whyUndecodable_; }
+
+private:
+    ColaStream stream_;
+    SweepAssembler assembler_;
+    std::int64_t undecodable_ = 0, torn_ = 0;
+    std::string whyUndecodable_;
+};
+
+/// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
+class Replay {
+public:
+    /// `options` say what of the mounting the recording only assumes.
+    explicit Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options = {});
+
+    [[nodiscard]] const Recording& recording() const { return *recording_; }
+    /// Lines, that is scan telegrams, in the recording.
+    [[nodiscard]] int lines() const { return static_cast<int>(lineAt_.size()); }
+    /// Lines played so far.
+    [[nodiscard]] int position() const { return position_; }
+    [[nodiscard]] bool atEnd() const { return next_ == recording_->messages().size(); }
+    /// When line `line` was received; recordings say so even where nothing else tells the time.
+    [[nodiscard]] std::int64_t timeNs(int line) const;
+
+    /// The next line with all that belongs to it. False at the end.
+    bool step();
+    /// To just behind `line` lines, forward or backward; the end is lines().
+    void seek(int line);
+
+    [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
+    [[nodiscard]] SweepProgress progress() const { return feed_.assembler().progress(); }
+    [[nodiscard]] SweepFeed& feed() { return feed_; }
+    /// What the recording and its settings gave reason to say.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    void playOne();
+
+    std::shared_ptr<const Recording> recording_;
+    SweepSettings settings_;
+    std::vector<std::string> warnings_;
+    std::vector<std::size_t> lineAt_; // message of each line
+    SweepFeed feed_;
+    std::size_t next_ = 0; // message
+    int position_ = 0;
+};
+
+/// A sweep of this recording, whole or growing, as it is shown and measured: with the grid, the scanner and the place that the recording
+/// names beside its telegrams. `where` goes into errors.
+Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
+
+/// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost
+/// lines, a cut. Error: no line in it.
+Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options = {},
+                    const LinePlayed& played = {});
+/// The same for openScan().
+Result<Scan> readRecording(const Source& source);
+
+} // namespace edgescan

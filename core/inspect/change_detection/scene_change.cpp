@@ -1,0 +1,243 @@
+// Cells against the nine cells of the other scan.
+#include "core/inspect/change_detection/scene_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+/// Per cell whether any cell within `reach` has it, by rows and then by columns.
+Grid<std::uint8_t> widened(const Grid<std::uint8_t>& from, int reach) {
+    if (reach == 0) return from;
+    Grid<std::uint8_t> rows(from.lines, from.beams), all(from.lines, from.beams);
+    for (int i = 0; i < from.lines; ++i) {
+        for (int j = 0; j < from.beams; ++j) {
+            if (from.at(i, j) == 0) continue;
+            std::fill(rows.line(i) + std::max(0, j - reach), rows.line(i) + std::min(from.beams - 1, j + reach) + 1, std::uint8_t{255});
+        }
+    }
+    for (int i = 0; i < from.lines; ++i) {
+        for (int n = std::max(0, i - reach); n <= std::min(from.lines - 1, i + reach); ++n) {
+            for (int j = 0; j < from.beams; ++j) all.at(i, j) |= rows.at(n, j);
+        }
+    }
+    return all;
+}
+
+Grid<std::uint8_t> measured(const Grid<CellState>& state) {
+    Grid<std::uint8_t> valid(state.lines, state.beams);
+    for (std::size_t k = 0; k < state.size(); ++k) valid[k] = state[k] == CellState::Valid ? 255 : 0;
+    return valid;
+}
+
+/// Nearest and farthest range of the nine cells, mm; both 0 where none has one.
+struct Span {
+    float least = 0.0F, most = 0.0F;
+    [[nodiscard]] bool known() const { return most > 0.0F; }
+};
+
+Span spanAt(const Scan& scan, int line, int beam) {
+    Span span;
+    for (int i = std::max(0, line - 1); i <= std::min(scan.lines() - 1, line + 1); ++i) {
+        for (int j = std::max(0, beam - 1); j <= std::min(scan.beams() - 1, beam + 1); ++j) {
+            if (scan.state.at(i, j) != CellState::Valid) continue;
+            const float r = scan.rangeMm.at(i, j);
+            span = span.known() ? Span{std::min(span.least, r), std::max(span.most, r)} : Span{r, r};
+        }
+    }
+    return span;
+}
+
+/// How far a range lies beyond a span, mm: above 0 farther, below 0 nearer, 0 within.
+double beyond(double rangeMm, const Span& span) {
+    if (rangeMm > static_cast<double>(span.most)) return rangeMm - static_cast<double>(span.most);
+    if (rangeMm < static_cast<double>(span.least)) return rangeMm - static_cast<double>(span.least);
+    return 0.0;
+}
+
+/// Of a cell that the later scan measured and the earlier one too, there or beside it: later less earlier, mm; 0 when nothing changed.
+double changeAt(const Scan& later, const Scan& earlier, int line, int beam, const ChangeNoise& noise) {
+    const double now = static_cast<double>(later.rangeMm.at(line, beam));
+    const Span before = spanAt(earlier, line, beam);
+    const double limit = kChangeSigmas * noise.at(now / 1000.0);
+    const double off = beyond(now, before);
+    if (std::abs(off) <= limit) return 0.0;
+    if (earlier.state.at(line, beam) != CellState::Valid) return off;
+    const double was = static_cast<double>(earlier.rangeMm.at(line, beam));
+    const double back = -beyond(was, spanAt(later, line, beam));
+    if (back * off <= 0.0 || std::abs(back) <= kChangeSigmas * noise.at(was / 1000.0)) return 0.0;
+    return now - was;
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// The cells that hang together with `start`; they are taken out of `open`.
+std::vector<std::uint32_t> takenFrom(Grid<std::uint8_t>& open, const Grid<RangeChange>& cells, std::uint32_t start) {
+    std::vector<std::uint32_t> found{start};
+    open[start] = 0;
+    const RangeChange kind = cells[start];
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        const int line = static_cast<int>(found[n]) / cells.beams;
+        const int beam = static_cast<int>(found[n]) % cells.beams;
+        for (int i = std::max(0, line - 1); i <= std::min(cells.lines - 1, line + 1); ++i) {
+            for (int j = std::max(0, beam - 1); j <= std::min(cells.beams - 1, beam + 1); ++j) {
+                const std::size_t k = cells.index(i, j);
+                if (open[k] == 0 || cells[k] != kind) continue;
+                open[k] = 0;
+                found.push_back(static_cast<std::uint32_t>(k));
+            }
+        }
+    }
+    return found;
+}
+
+ChangedRegion regionOf(const std::vector<std::uint32_t>& cells, const Scan& later, const AngularSteps& steps, const RangeChanges& changes,
+                       const ChangeNoise& noise) {
+    ChangedRegion region;
+    region.farther = changes.cells[cells.front()] == RangeChange::Farther;
+    region.cells = cells.size();
+    region.firstLine = later.lines();
+    region.firstBeam = later.beams();
+    std::vector<double> by;
+    double middleLine = 0.0, middleBeam = 0.0;
+    for (const std::uint32_t k : cells) {
+        const int line = static_cast<int>(k) / later.beams();
+        const int beam = static_cast<int>(k) % later.beams();
+        const double changeMm = static_cast<double>(changes.byMm[k]);
+        const double nearerM = (static_cast<double>(later.rangeMm[k]) - std::max(0.0, changeMm)) / 1000.0;
+        const double sideM = static_cast<double>(steps.beam[static_cast<std::size_t>(beam)]) * nearerM;
+        region.areaM2 += sideM * static_cast<double>(steps.lineAt(line, beam)) * nearerM;
+        by.push_back(std::abs(changeMm) / 1000.0);
+        middleLine += line / static_cast<double>(cells.size());
+        middleBeam += beam / static_cast<double>(cells.size());
+        region.firstLine = std::min(region.firstLine, line);
+        region.lastLine = std::max(region.lastLine, line);
+        region.firstBeam = std::min(region.firstBeam, beam);
+        region.lastBeam = std::max(region.lastBeam, beam);
+    }
+    const auto away = [&](std::uint32_t k) {
+        return std::hypot(static_cast<int>(k) / later.beams() - middleLine, static_cast<int>(k) % later.beams() - middleBeam);
+    };
+    region.cell = *std::ranges::min_element(cells, {}, [&](std::uint32_t k) { return std::pair(away(k), k); });
+    region.byM = medianOf(std::move(by));
+    region.rangeM = static_cast<double>(later.rangeMm[region.cell]) / 1000.0;
+    region.toleranceM = 2.0 * noise.at(region.rangeM) / 1000.0;
+    return region;
+}
+
+/// How far the ranges of all cells differ: what is more than the noise of both is how the one lies on the other.
+void takeAgreement(SceneChange& change, const Scan& later) {
+    constexpr double kToSigma = 1.4826; // from a median of absolutes, for a normal distribution
+    std::vector<double> off, ranges;
+    for (std::size_t k = 0; k < later.cells(); ++k) {
+        if (later.state[k] != CellState::Valid || change.earlier.scan->state[k] != CellState::Valid) continue;
+        off.push_back(std::abs(static_cast<double>(later.rangeMm[k]) - static_cast<double>(change.earlier.scan->rangeMm[k])));
+        ranges.push_back(static_cast<double>(later.rangeMm[k]) / 1000.0);
+    }
+    if (off.empty()) return;
+    change.differMm = medianOf(std::move(off));
+    const double spread = kToSigma * change.differMm;
+    const double expected = change.noise.at(medianOf(std::move(ranges)));
+    change.noise.placesMm = std::sqrt(std::max(0.0, spread * spread - expected * expected));
+}
+
+} // namespace
+
+double ChangeNoise::at(double rangeM) const {
+    return std::sqrt(std::pow(later.at(rangeM), 2) + std::pow(earlier.at(rangeM), 2) + placesMm * placesMm);
+}
+
+EdgeChanges edgeChanges(const Grid<std::uint8_t>& later, const Grid<std::uint8_t>& earlier, const Grid<CellState>& laterState,
+                        const Grid<CellState>& earlierState, int reach) {
+    EdgeChanges changes{{later.lines, later.beams, EdgeChange::None}};
+    const Grid<std::uint8_t> nearLater = widened(later, reach), nearEarlier = widened(earlier, reach);
+    const int looks = std::max(1, reach);
+    const Grid<std::uint8_t> laterSaw = widened(measured(laterState), looks), earlierSaw = widened(measured(earlierState), looks);
+    for (std::size_t k = 0; k < later.size(); ++k) {
+        const auto is = [&](EdgeChange change, std::size_t& count) {
+            changes.cells[k] = change;
+            ++count;
+        };
+        if (later[k] != 0 && nearEarlier[k] != 0)
+            is(EdgeChange::Kept, changes.kept);
+        else if (later[k] != 0)
+            earlierSaw[k] != 0 ? is(EdgeChange::Gained, changes.gained) : is(EdgeChange::Unseen, changes.unseen);
+        else if (earlier[k] != 0 && nearLater[k] == 0)
+            laterSaw[k] != 0 ? is(EdgeChange::Lost, changes.lost) : is(EdgeChange::Unseen, changes.unseen);
+    }
+    return changes;
+}
+
+RangeChanges rangeChanges(const Scan& later, const Scan& earlier, const ChangeNoise& noise) {
+    RangeChanges changes{{later.lines(), later.beams(), RangeChange::Unknown}, {later.lines(), later.beams()}};
+    std::size_t k = 0;
+    for (int line = 0; line < later.lines(); ++line) {
+        for (int beam = 0; beam < later.beams(); ++beam, ++k) {
+            const auto is = [&](RangeChange change, std::size_t& count) {
+                changes.cells[k] = change;
+                ++count;
+            };
+            const bool now = later.state[k] == CellState::Valid;
+            const bool was = earlier.state[k] == CellState::Valid;
+            if (!now) {
+                if (was) is(RangeChange::NoReturnNow, changes.noReturnNow);
+                continue;
+            }
+            if (!was && !spanAt(earlier, line, beam).known()) {
+                is(RangeChange::NoReturnBefore, changes.noReturnBefore);
+                continue;
+            }
+            const double by = changeAt(later, earlier, line, beam, noise);
+            if (by == 0.0) {
+                is(RangeChange::Same, changes.same);
+                continue;
+            }
+            changes.byMm[k] = static_cast<float>(by);
+            by > 0.0 ? is(RangeChange::Farther, changes.farther) : is(RangeChange::Nearer, changes.nearer);
+        }
+    }
+    return changes;
+}
+
+std::vector<ChangedRegion> changedRegions(const Scan& later, const RangeChanges& changes, const ChangeNoise& noise) {
+    Grid<std::uint8_t> open(later.lines(), later.beams());
+    for (std::size_t k = 0; k < open.size(); ++k)
+        open[k] = changes.cells[k] == RangeChange::Nearer || changes.cells[k] == RangeChange::Farther ? 1 : 0;
+    const AngularSteps steps = angularSteps(later);
+    std::vector<ChangedRegion> regions;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        if (open[k] == 0) continue;
+        const auto cells = takenFrom(open, changes.cells, static_cast<std::uint32_t>(k));
+        if (cells.size() >= kSmallestRegion) regions.push_back(regionOf(cells, later, steps, changes, noise));
+    }
+    std::ranges::stable_sort(regions, std::greater<>(), &ChangedRegion::areaM2);
+    return regions;
+}
+
+SceneChange withEdges(SceneChange change, const ScanEdges& later) {
+    const int reach = change.earlier.how.by == LinedUpBy::OneScan ? 0 : kEdgeReachCells;
+    change.edges = edgeChanges(*later.mask, *change.earlier.edges, later.scan->state, change.earlier.scan->state, reach);
+    return change;
+}
+
+Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const LineUpWish& wish) {
+    auto on = onGridOf(later.scan, earlier.scan, earlier.mask, wish);
+    if (!on) return on.error();
+    SceneChange change;
+    change.earlier = std::move(*on);
+    const Scan& before = *change.earlier.scan;
+    change = withEdges(std::move(change), later);
+    if (change.earlier.how.by == LinedUpBy::OneScan) return change;
+    change.noise = {rangeNoise(inverseRange(*later.scan)), rangeNoise(inverseRange(*earlier.scan)), 0.0};
+    takeAgreement(change, *later.scan);
+    change.ranges = rangeChanges(*later.scan, before, change.noise);
+    change.regions = changedRegions(*later.scan, change.ranges, change.noise);
+    return change;
+}
+
+} // namespace edgescan

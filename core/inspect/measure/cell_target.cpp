@@ -1,0 +1,54 @@
+// What is known of one cell.
+#include "core/inspect/measure/cell_target.h"
+
+#include "core/scan/georef/placed_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+/// Without a placement nothing is known of the horizon.
+std::optional<Dip> dipAt(const Scan& scan, const Probe& probe, const Eigen::Vector3d& normal) {
+    if (!scan.placement) return std::nullopt;
+    const Eigen::Vector3d tip = inMineLocal(scan, probe.line, probe.beam, probe.pointM + normal);
+    return dipOf(tip - inMineLocal(scan, probe.line, probe.beam, probe.pointM));
+}
+
+std::optional<double> strengthAt(const Detection& detection, const Probe& probe) {
+    if (!detection.responses) return std::nullopt;
+    const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
+    const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
+    // There the data end, or what lies behind a void tells: no response of the cell's own does.
+    if (probe.kind == DepthEdge::Border || probe.kind == DepthEdge::Silhouette) return std::nullopt;
+    if (probe.kind == DepthEdge::Jump) return jump;
+    if (probe.kind != DepthEdge::None) return fold;
+    const double strongest = std::max(jump, fold);
+    return strongest > 0 ? std::optional(strongest) : std::nullopt; // outdone by a neighbour: what it was itself is not kept
+}
+
+} // namespace
+
+RangeNoise noiseOf(const Detection& detection) {
+    return detection.surface ? detection.surface->noise : rangeNoise(inverseRange(*detection.scan));
+}
+
+CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::size_t k) {
+    const Scan& scan = *detection.scan;
+    CellTarget target;
+    target.probe = probeCell(detection, k);
+    target.strength = strengthAt(detection, target.probe);
+    if (target.probe.state != CellState::Valid) return target;
+    const CartesianTables tables(scan);
+    target.distanceM = target.probe.rangeMm / 1000.0;
+    const double sigmaM = noise.at(target.distanceM) / 1000.0;
+    target.toleranceM = kToldSigmas * sigmaM;
+    target.resolution = resolutionAt(scan, tables, k);
+    target.surface = surfaceAt(scan, tables, k, sigmaM);
+    if (target.surface) target.dip = dipAt(scan, target.probe, target.surface->normal);
+    target.boom = boomAt(scan, k, target.surface ? std::optional(target.surface->normal) : std::nullopt);
+    return target;
+}
+
+} // namespace edgescan

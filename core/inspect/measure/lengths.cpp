@@ -1,0 +1,181 @@
+// Lengths and angles: the error of each end carried on to first order.
+#include "core/inspect/measure/lengths.h"
+
+#include "core/base/angles.h"
+#include "core/base/number_text.h"
+#include "core/inspect/measure/surface_path.h"
+#include "core/rocks/attributes/attributes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr std::array<MeasureTraits, kMeasureKinds> kMeasures{{
+    {MeasureKind::Distance, "distance", "Distance", 2},
+    {MeasureKind::Vertical, "vertical", "Vertical Difference", 2},
+    {MeasureKind::Angle, "angle", "Angle", 3},
+    {MeasureKind::Spans, "spans", "Spans a × b", 4},
+    {MeasureKind::Path, "path", "Along the Surface", 2},
+    {MeasureKind::Throat, "throat", "Throat Width", 2},
+}};
+
+struct PickedEnd {
+    Eigen::Vector3d pointM;
+    Eigen::Matrix3d covariance;
+    double smallestM;
+    double rangeM;
+};
+
+std::optional<PickedEnd> endAt(const Scan& scan, const CartesianTables& tables, const RangeNoise& noise, std::uint32_t k) {
+    if (k >= scan.cells()) return std::nullopt;
+    const auto resolution = resolutionAt(scan, tables, k);
+    if (!resolution) return std::nullopt;
+    const double rangeM = static_cast<double>(scan.rangeMm[k]) / 1000.0;
+    const Eigen::Vector3d point = tables.point(k);
+    const Eigen::Vector3d direction = (point - tables.sensor()).normalized();
+    return PickedEnd{point, placeCovariance(direction, noise.at(rangeM) / 1000.0, *resolution), resolution->smallestM(), rangeM};
+}
+
+/// Of what changes with the ends by these gradients.
+double toleranceOf(std::span<const PickedEnd> ends, std::span<const Eigen::Vector3d> gradients) {
+    double variance = 0.0;
+    for (std::size_t n = 0; n < ends.size(); ++n) variance += gradients[n].dot(ends[n].covariance * gradients[n]);
+    return kToldSigmas * std::sqrt(variance);
+}
+
+MeasuredLength distanceOf(std::span<const PickedEnd> ends) {
+    const Eigen::Vector3d way = ends[1].pointM - ends[0].pointM;
+    MeasuredLength length;
+    length.valueM = way.norm();
+    length.smallestM = std::max(ends[0].smallestM, ends[1].smallestM);
+    length.isBelow = length.valueM < length.smallestM;
+    const Eigen::Vector3d along = length.valueM > 0.0 ? Eigen::Vector3d(way / length.valueM) : Eigen::Vector3d::UnitX();
+    const std::array<Eigen::Vector3d, 2> gradients{-along, along};
+    length.toleranceM = toleranceOf(ends, gradients);
+    return length;
+}
+
+MeasuredLength heightOf(std::span<const PickedEnd> ends, const Eigen::Vector3d& up) {
+    MeasuredLength length = distanceOf(ends); // what two cells resolve does not depend on what is asked of them
+    length.valueM = up.dot(ends[1].pointM - ends[0].pointM);
+    const std::array<Eigen::Vector3d, 2> gradients{-up, up};
+    length.toleranceM = toleranceOf(ends, gradients);
+    return length;
+}
+
+/// False where a side has no length.
+bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
+    const Eigen::Vector3d a = ends[0].pointM - ends[1].pointM;
+    const Eigen::Vector3d b = ends[2].pointM - ends[1].pointM;
+    if (!(a.norm() > 0.0) || !(b.norm() > 0.0)) return false;
+    const Eigen::Vector3d plane = a.cross(b);
+    const double angle = std::atan2(plane.norm(), a.dot(b));
+    // Only a movement across a side, in the plane of both, turns it. Where they lie in one line any plane does.
+    const Eigen::Vector3d axis = plane.norm() > 0.0 ? Eigen::Vector3d(plane.normalized()) : Eigen::Vector3d(a.unitOrthogonal());
+    const Eigen::Vector3d ofA = a.cross(axis) / a.squaredNorm();
+    const Eigen::Vector3d ofB = axis.cross(b) / b.squaredNorm();
+    const std::array<Eigen::Vector3d, 3> gradients{ofA, -ofA - ofB, ofB};
+    measured.angleDeg = degrees(angle);
+    measured.angleToleranceDeg = std::min(180.0, degrees(toleranceOf(ends, gradients)));
+    measured.angleIsBelow = distanceOf(ends.subspan(0, 2)).isBelow || distanceOf(ends.subspan(1, 2)).isBelow;
+    return true;
+}
+
+std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
+
+} // namespace
+
+std::span<const MeasureTraits> measureTraits() { return kMeasures; }
+
+const MeasureTraits& traitsOf(MeasureKind kind) { return kMeasures[static_cast<std::size_t>(kind)]; }
+
+std::optional<MeasureKind> measureKindNamed(std::string_view key) {
+    const auto row = std::ranges::find(kMeasures, key, &MeasureTraits::key);
+    return row == kMeasures.end() ? std::nullopt : std::optional(row->kind);
+}
+
+Eigen::Matrix3d placeCovariance(const Eigen::Vector3d& direction, double sigmaRangeM, const Resolution& resolution) {
+    // Anywhere in a disc of diameter d: d / 4. Anywhere in a cell of side s: s / sqrt(12).
+    const double acrossM2 = resolution.beamM * resolution.beamM / 16.0 + resolution.spacingM * resolution.spacingM / 12.0;
+    const Eigen::Matrix3d along = direction * direction.transpose();
+    return sigmaRangeM * sigmaRangeM * along + acrossM2 * (Eigen::Matrix3d::Identity() - along);
+}
+
+std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
+                                          std::span<const std::uint32_t> cells) {
+    if (cells.size() != traitsOf(kind).cells) return std::nullopt;
+    const CartesianTables tables(scan);
+    std::vector<PickedEnd> ends;
+    MeasuredCells measured;
+    measured.kind = kind;
+    for (const std::uint32_t k : cells) {
+        const auto end = endAt(scan, tables, noise, k);
+        if (!end) return std::nullopt;
+        ends.push_back(*end);
+        measured.rangesM.push_back(end->rangeM);
+    }
+    const std::span<const PickedEnd> all(ends);
+    switch (kind) {
+    case MeasureKind::Path: {
+        const auto path = surfacePath(scan, tables, noise, cells[0], cells[1]);
+        if (!path) return std::nullopt;
+        MeasuredLength length = distanceOf(all); // too near is too near, whatever the way
+        length.valueM = path->lengthM;
+        length.toleranceM = path->toleranceM;
+        measured.lengths = {length};
+        measured.leaps = path->leaps;
+        break;
+    }
+    case MeasureKind::Distance:
+    case MeasureKind::Throat:
+        measured.lengths = {distanceOf(all)};
+        break;
+    case MeasureKind::Vertical: {
+        const UpDirection up = upOf(scan);
+        measured.upAssumed = up.assumed;
+        measured.lengths = {heightOf(all, up.up)};
+        break;
+    }
+    case MeasureKind::Angle:
+        if (!takeAngle(all, measured)) return std::nullopt;
+        break;
+    case MeasureKind::Spans:
+        measured.lengths = {distanceOf(all.subspan(0, 2)), distanceOf(all.subspan(2, 2))};
+    }
+    return measured;
+}
+
+std::string lengthText(const MeasuredLength& length) {
+    if (length.isBelow) return "< " + millimetres(length.smallestM);
+    return fixedText(length.valueM, 3) + " m ± " + fixedText(length.toleranceM, 3);
+}
+
+std::string measureText(const MeasuredCells& measured) {
+    if (measured.kind == MeasureKind::Angle) {
+        if (measured.angleIsBelow) return "not resolved";
+        return fixedText(measured.angleDeg, 1) + "° ± " + fixedText(measured.angleToleranceDeg, 1);
+    }
+    std::string text;
+    for (const MeasuredLength& length : measured.lengths) text += (text.empty() ? "" : " × ") + lengthText(length);
+    return text;
+}
+
+std::string measureBasis(const MeasuredCells& measured) {
+    std::string text = "at";
+    for (std::size_t n = 0; n < measured.rangesM.size(); ++n) {
+        const char* between = n == 0 ? " " : n + 1 == measured.rangesM.size() ? " and " : ", ";
+        text += between + fixedText(measured.rangesM[n], 2);
+    }
+    text += " m";
+    if (measured.angleIsBelow) text += "; a side is below what is resolved there";
+    if (measured.leaps > 0)
+        text += "; " + std::to_string(measured.leaps) + (measured.leaps > 1 ? " jumps are" : " jump is") + " part of it";
+    if (measured.upAssumed) text += "; no pose: up is the scanner's z";
+    return text;
+}
+
+} // namespace edgescan

@@ -1,0 +1,159 @@
+// Targets and measurements as a file.
+#include "core/inspect/measure/notebook.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_fields.h"
+#include "core/base/json_text.h"
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kNotebookFormat = "edgescan-targets/1";
+constexpr const char* kNotebookHint = "move the file away to begin anew";
+constexpr std::size_t kMostRows = 40;
+constexpr std::size_t kLongestRow = 200; // bytes
+
+Json cellJson(std::uint32_t k, int beams) {
+    const auto width = static_cast<std::uint32_t>(beams);
+    return Json::array({k / width, k % width});
+}
+
+/// "[line, beam]" of the grid.
+std::uint32_t cellFrom(JsonFields& fields, const nlohmann::json& pair, const NotebookScan& scan) {
+    const bool isPair = pair.is_array() && pair.size() == 2 && pair[0].is_number_unsigned() && pair[1].is_number_unsigned();
+    if (!isPair || pair[0] >= scan.lines || pair[1] >= scan.beams) {
+        fields.refuse("cell", "must be [line, beam] of a cell of the scan");
+        return 0;
+    }
+    return pair[0].get<std::uint32_t>() * static_cast<std::uint32_t>(scan.beams) + pair[1].get<std::uint32_t>();
+}
+
+std::string shortText(JsonFields& fields, const char* key, std::size_t most) {
+    std::string text = fields.text(key);
+    if (text.size() > most) fields.refuse(key, "must be no longer than " + std::to_string(most) + " bytes");
+    return text;
+}
+
+PinnedTarget targetFrom(JsonFields& fields, const NotebookScan& scan) {
+    PinnedTarget target;
+    target.number = static_cast<int>(fields.wholeNumber("number", 1, 1'000'000));
+    target.name = shortText(fields, "name", kLongestTargetName);
+    target.cell = cellFrom(fields, fields.value("cell"), scan);
+    target.locked = fields.boolean("locked", false);
+    target.pinnedUtc = fields.text("pinned_utc");
+    if (!target.pinnedUtc.empty() && !parseUtc(target.pinnedUtc))
+        fields.refuse("pinned_utc", "must be a time such as 2026-11-20T10:15:30Z");
+    const nlohmann::json& rows = fields.value("as_pinned");
+    const auto isRow = [](const nlohmann::json& row) {
+        return row.is_array() && row.size() == 2 && row[0].is_string() && row[1].is_string() &&
+               row[0].get_ref<const std::string&>().size() <= kLongestRow && row[1].get_ref<const std::string&>().size() <= kLongestRow;
+    };
+    if (!rows.is_null() && (!rows.is_array() || rows.size() > kMostRows || !std::ranges::all_of(rows, isRow)))
+        fields.refuse("as_pinned", "must be a list of pairs of short texts");
+    else
+        for (const nlohmann::json& row : rows) target.asPinned.emplace_back(row[0].get<std::string>(), row[1].get<std::string>());
+    return target;
+}
+
+KeptMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
+    KeptMeasure measure;
+    const std::string key = fields.text("kind");
+    const auto kind = measureKindNamed(key);
+    if (!kind) fields.refuse("kind", "must be distance, vertical, angle or spans");
+    measure.kind = kind.value_or(MeasureKind::Distance);
+    const nlohmann::json& cells = fields.value("cells");
+    if (!cells.is_array() || cells.size() != traitsOf(measure.kind).cells)
+        fields.refuse("cells", "must have as many cells as its kind takes");
+    else
+        for (const nlohmann::json& cell : cells) measure.cells.push_back(cellFrom(fields, cell, scan));
+    return measure;
+}
+
+/// That it was made on this scan.
+Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::string& where) {
+    const NotebookScan of{fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, INT32_MAX)),
+                          static_cast<int>(fields.wholeNumber("beams", 1, INT32_MAX))};
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    if (of.sha256 == scan.sha256 && of.name == scan.name && of.lines == scan.lines && of.beams == scan.beams) return Done{};
+    return Error{"these targets were picked on another scan", where, kNotebookHint};
+}
+
+} // namespace
+
+int nextNumber(const Notebook& notebook) {
+    int most = 0;
+    for (const PinnedTarget& target : notebook.targets) most = std::max(most, target.number);
+    return most + 1;
+}
+
+NotebookScan notebookScan(const Scan& scan) { return {scan.sha256, scan.name, scan.lines(), scan.beams()}; }
+
+std::string notebookFileName(const NotebookScan& scan) {
+    if (scan.sha256.empty()) return {};
+    const std::string key = scan.sha256 + "\n" + scan.name;
+    return sha256Hex(std::as_bytes(std::span(key))) + ".json";
+}
+
+std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
+    Json targets = Json::array();
+    for (const PinnedTarget& target : notebook.targets) {
+        Json rows = Json::array();
+        for (const auto& [row, value] : target.asPinned) rows.push_back(Json::array({row, value}));
+        targets.push_back({{"number", target.number},
+                           {"name", target.name},
+                           {"cell", cellJson(target.cell, scan.beams)},
+                           {"locked", target.locked},
+                           {"pinned_utc", target.pinnedUtc},
+                           {"as_pinned", std::move(rows)}});
+    }
+    Json measures = Json::array();
+    for (const KeptMeasure& measure : notebook.measures) {
+        Json cells = Json::array();
+        for (const std::uint32_t k : measure.cells) cells.push_back(cellJson(k, scan.beams));
+        measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", std::move(cells)}});
+    }
+    const Json whole{{"format", kNotebookFormat},
+                     {"scan", {{"sha256", scan.sha256}, {"name", scan.name}, {"lines", scan.lines}, {"beams", scan.beams}}},
+                     {"targets", std::move(targets)},
+                     {"measures", std::move(measures)}};
+    return asciiJsonText(whole, 1) + "\n";
+}
+
+Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& scan, const std::string& where) {
+    const auto object = parseJson(text, where, kSettingsJson);
+    if (!object) return object.error();
+    if (!object->is_object() || !object->contains("format") || (*object)["format"] != kNotebookFormat)
+        return Error{std::string("these are no targets (") + kNotebookFormat + ")", where, kNotebookHint};
+    JsonFields fields(*object, where, kNotebookHint);
+    (void)fields.text("format");
+    if (auto same = checkScan(fields.object("scan"), scan, where); !same) return same.error();
+    Notebook notebook;
+    std::set<int> numbers;
+    for (JsonFields& each : fields.objects("targets")) {
+        notebook.targets.push_back(targetFrom(each, scan));
+        if (!numbers.insert(notebook.targets.back().number).second) each.refuse("number", "must stand once only");
+        each.done();
+    }
+    for (JsonFields& each : fields.objects("measures")) {
+        notebook.measures.push_back(measureFrom(each, scan));
+        each.done();
+    }
+    if (notebook.targets.size() > kMostTargets || notebook.measures.size() > kMostMeasures)
+        fields.refuse("targets", "must be no more than " + std::to_string(kMostTargets));
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return notebook;
+}
+
+} // namespace edgescan

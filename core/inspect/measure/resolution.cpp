@@ -1,0 +1,41 @@
+// What the sampling can tell at a cell.
+#include "core/inspect/measure/resolution.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+/// Mean angle to the neighbours one step before and behind; 0 where neither has a direction.
+double angleToNeighbours(const Scan& scan, const CartesianTables& tables, int line, int beam, int lineStep, int beamStep) {
+    const Eigen::Vector3d here = tables.direction(line, beam);
+    double sum = 0.0;
+    int known = 0;
+    for (const int sign : {-1, 1}) {
+        const int i = line + sign * lineStep;
+        const int j = beam + sign * beamStep;
+        if (!scan.rangeMm.contains(i, j)) continue;
+        const Eigen::Vector3d there = tables.direction(i, j);
+        if (!there.allFinite()) continue;
+        sum += std::atan2(here.cross(there).norm(), here.dot(there));
+        ++known;
+    }
+    return known == 0 ? 0.0 : sum / known;
+}
+
+} // namespace
+
+std::optional<Resolution> resolutionAt(const Scan& scan, const CartesianTables& tables, std::size_t k, const BeamWidth& beam) {
+    if (scan.state[k] != CellState::Valid) return std::nullopt;
+    const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
+    const int at = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
+    const double angle = std::max(angleToNeighbours(scan, tables, line, at, 0, 1), angleToNeighbours(scan, tables, line, at, 1, 0));
+    if (!(angle > 0.0)) return std::nullopt;
+    const double rangeM = static_cast<double>(scan.rangeMm[k]) / 1000.0;
+    return Resolution{rangeM * angle, beam.at(rangeM)};
+}
+
+} // namespace edgescan

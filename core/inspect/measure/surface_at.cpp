@@ -1,0 +1,137 @@
+// A plane m p = 1 by least squares: in the unknown m its error is that of the ranges alone.
+#include "core/inspect/measure/surface_at.h"
+
+#include "core/base/angles.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr int kFirstReach = 2; // cells: five by five to begin with
+constexpr int kMostReach = 12; // cells
+constexpr std::size_t kFewestCells = 8;
+constexpr double kWiden = 1.5;         // times what is resolved, to each side
+constexpr double kOnPlane = 4.0;       // standard deviations that a cell of the plane may lie off
+constexpr double kEdgeOnCosine = 0.02; // 89 degrees: the beam runs along the surface
+
+struct FittedPlane {
+    Eigen::Vector3d m = Eigen::Vector3d::Zero(); // m p = 1 on the plane, 1/m, from the sensor
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    double reliefM = HUGE_VAL;
+    std::size_t cells = 0;
+};
+
+class PlaneSeeker {
+public:
+    PlaneSeeker(const Scan& scan, const CartesianTables& tables, double sigmaM)
+        : scan_(scan), tables_(tables), sensor_(tables.sensor()), sigmaM_(std::max(sigmaM, 1e-4)) {}
+
+    /// Of the cells within `reach`, those that lie on `on`; all of them where it is null.
+    [[nodiscard]] std::vector<Eigen::Vector3d> around(int line, int beam, int reach, const FittedPlane* on) const {
+        std::vector<Eigen::Vector3d> points;
+        const double allowed = on == nullptr ? 0.0 : kOnPlane * std::max(sigmaM_, on->reliefM);
+        for (int i = line - reach; i <= line + reach; ++i) {
+            for (int j = beam - reach; j <= beam + reach; ++j) {
+                if (!scan_.rangeMm.contains(i, j) || scan_.state.at(i, j) != CellState::Valid) continue;
+                const Eigen::Vector3d p = tables_.point(i, j) - sensor_;
+                if (on != nullptr && std::abs(offPlane(*on, p)) > allowed) continue;
+                points.push_back(p);
+            }
+        }
+        return points;
+    }
+
+    [[nodiscard]] std::optional<FittedPlane> fitted(const std::vector<Eigen::Vector3d>& points) const {
+        if (points.size() < kFewestCells) return std::nullopt;
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& p : points) { // r (m p - 1) has the standard deviation of r
+            const double weight = p.squaredNorm();
+            normal += weight * p * p.transpose();
+            right += weight * p;
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(normal);
+        if (!(parts.eigenvalues().x() > 1e-12 * parts.eigenvalues().z())) return std::nullopt; // all on one line
+        FittedPlane plane;
+        const Eigen::Matrix3d inverse = normal.inverse();
+        plane.m = inverse * right;
+        plane.cells = points.size();
+        double sum = 0.0;
+        for (const Eigen::Vector3d& p : points) {
+            const double off = offPlane(plane, p);
+            sum += off * off;
+        }
+        plane.reliefM = std::sqrt(sum / static_cast<double>(points.size()));
+        const double spread = std::max(sigmaM_ * sigmaM_, sum / static_cast<double>(points.size() - 3));
+        plane.covariance = spread * inverse;
+        return plane;
+    }
+
+private:
+    /// Along the beam; without end where the beam never meets the plane.
+    [[nodiscard]] static double offPlane(const FittedPlane& plane, const Eigen::Vector3d& p) {
+        const double meets = plane.m.dot(p);
+        return meets > 0.0 ? p.norm() * (1.0 - 1.0 / meets) : HUGE_VAL;
+    }
+
+    const Scan& scan_;
+    const CartesianTables& tables_;
+    Eigen::Vector3d sensor_;
+    double sigmaM_;
+};
+
+/// The flattest of nine patches that hold the cell: at the foot of a step only those of one side are flat.
+std::optional<FittedPlane> firstPlane(const PlaneSeeker& seeker, int line, int beam) {
+    std::optional<FittedPlane> best;
+    for (const int down : {0, -kFirstReach, kFirstReach}) {
+        for (const int across : {0, -kFirstReach, kFirstReach}) {
+            const auto plane = seeker.fitted(seeker.around(line + down, beam + across, kFirstReach, nullptr));
+            if (plane && (!best || plane->reliefM < best->reliefM)) best = plane;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<SurfaceAtCell> surfaceAt(const Scan& scan, const CartesianTables& tables, std::size_t k, double sigmaM) {
+    const auto resolution = resolutionAt(scan, tables, k);
+    if (!resolution) return std::nullopt;
+    const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
+    const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
+    const PlaneSeeker seeker(scan, tables, sigmaM);
+    std::optional<FittedPlane> plane = firstPlane(seeker, line, beam);
+    const int reach =
+        std::clamp(static_cast<int>(std::ceil(kWiden * resolution->smallestM() / resolution->spacingM)), kFirstReach, kMostReach);
+    for (const int wider : {(kFirstReach + reach + 1) / 2, reach, reach}) {
+        if (!plane) return std::nullopt;
+        const FittedPlane before = *plane;
+        plane = seeker.fitted(seeker.around(line, beam, wider, &before));
+    }
+    if (!plane) return std::nullopt;
+    const Eigen::Vector3d away = tables.direction(line, beam);
+    const double length = plane->m.norm();
+    const Eigen::Vector3d normal = -plane->m / length; // m points away from the sensor
+    const double cosine = -normal.dot(away);
+    if (!(cosine > kEdgeOnCosine)) return std::nullopt;
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(across * plane->covariance * across, Eigen::EigenvaluesOnly);
+    return SurfaceAtCell{normal, degrees(std::acos(std::min(1.0, cosine))),
+                         degrees(std::sqrt(std::max(0.0, spread.eigenvalues().z())) / length), plane->reliefM,
+                         static_cast<int>(plane->cells)};
+}
+
+Dip dipOf(const Eigen::Vector3d& normalEnu) {
+    const Eigen::Vector3d up = normalEnu.z() < 0.0 ? Eigen::Vector3d(-normalEnu) : normalEnu; // of both sides the one that looks up
+    const double level = std::hypot(up.x(), up.y());
+    Dip dip{degrees(std::atan2(level, up.z())), 0.0};
+    if (level > 0.0) dip.directionDeg = std::fmod(degrees(std::atan2(up.x(), up.y())) + 360.0, 360.0);
+    return dip;
+}
+
+} // namespace edgescan

@@ -1,0 +1,144 @@
+// Gauss-Newton on distances to planes, with Tukey's weights.
+#include "core/inspect/registration/scan_alignment.h"
+
+#include "core/base/order_statistic.h"
+#include "core/inspect/registration/point_index.h"
+#include "core/inspect/registration/surfaces_apart.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+constexpr std::size_t kPointsTaken = 8000;
+constexpr unsigned kNeighbours = 12;
+constexpr double kFlattest = 0.15; // of the spread of a plane: third against second axis
+constexpr std::size_t kFewestPairs = 200;
+constexpr int kMostRounds = 40;
+constexpr double kStillM = 1e-6;
+constexpr double kTukey = 4.685;
+constexpr double kLeastScaleM = 0.003;
+constexpr double kLeastInformation = 1e-4; // smallest against largest eigenvalue, lengths in units of the scene's size
+
+struct Plane {
+    Eigen::Vector3d pointM, normal;
+};
+
+std::optional<Plane> planeAt(const PointIndex& index, const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& p, double reachM) {
+    const auto near = index.nearest(p, kNeighbours);
+    if (near.size() < kNeighbours || (points[near.front()] - p).norm() > reachM) return std::nullopt;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t n : near) middle += points[n] / kNeighbours;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const std::uint32_t n : near) spread += (points[n] - middle) * (points[n] - middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    if (!(axes.eigenvalues()[0] < kFlattest * kFlattest * axes.eigenvalues()[1])) return std::nullopt;
+    return Plane{middle, axes.eigenvectors().col(0)};
+}
+
+struct Pairs {
+    std::vector<Vector6> rows;
+    std::vector<double> offs; // metres
+};
+
+/// Turns about `about`, so that turning and moving have to do with each other as little as possible.
+Pairs pairsOf(const std::vector<Eigen::Vector3d>& moved, const Eigen::Vector3d& about, const PointIndex& index,
+              const std::vector<Eigen::Vector3d>& fixed, double reachM) {
+    Pairs pairs;
+    for (const Eigen::Vector3d& p : moved) {
+        const auto plane = planeAt(index, fixed, p, reachM);
+        if (!plane) continue;
+        Vector6 row;
+        row << (p - about).cross(plane->normal), plane->normal;
+        pairs.rows.push_back(row);
+        pairs.offs.push_back(plane->normal.dot(p - plane->pointM));
+    }
+    return pairs;
+}
+
+double medianOff(const Pairs& pairs) {
+    std::vector<double> offs;
+    for (const double off : pairs.offs) offs.push_back(std::abs(off));
+    return median(std::move(offs));
+}
+
+/// Turn in radians and move in metres; empty when the surfaces do not hold them.
+std::optional<Vector6> step(const Pairs& pairs, double sceneM) {
+    const double scale = kTukey * std::max(kLeastScaleM, 1.4826 * medianOff(pairs));
+    Matrix6 information = Matrix6::Zero();
+    Vector6 gradient = Vector6::Zero();
+    for (std::size_t n = 0; n < pairs.rows.size(); ++n) {
+        const double t = pairs.offs[n] / scale;
+        if (std::abs(t) >= 1) continue;
+        const double weight = (1 - t * t) * (1 - t * t);
+        information += weight * pairs.rows[n] * pairs.rows[n].transpose();
+        gradient -= weight * pairs.offs[n] * pairs.rows[n];
+    }
+    Vector6 unit;
+    unit << Eigen::Vector3d::Constant(1 / sceneM), Eigen::Vector3d::Ones();
+    const Eigen::SelfAdjointEigenSolver<Matrix6> axes(unit.asDiagonal() * information * unit.asDiagonal());
+    if (!(axes.eigenvalues()[0] > kLeastInformation * axes.eigenvalues()[5])) return std::nullopt;
+    return information.ldlt().solve(gradient);
+}
+
+std::vector<Eigen::Vector3d> someOf(const PlacedScan& placed) {
+    std::vector<Eigen::Vector3d> valid;
+    for (const Eigen::Vector3d& p : placed.pointsM) {
+        if (p.allFinite()) valid.push_back(p);
+    }
+    std::vector<Eigen::Vector3d> some;
+    const std::size_t stride = std::max<std::size_t>(1, valid.size() / kPointsTaken);
+    for (std::size_t n = stride / 2; n < valid.size(); n += stride) some.push_back(valid[n]);
+    return some;
+}
+
+} // namespace
+
+Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& moved, double reachM) {
+    const PointIndex index(fixed.pointsM);
+    const std::vector<Eigen::Vector3d> start = someOf(moved);
+    Eigen::Vector3d about = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : start) about += p / static_cast<double>(start.size());
+    double sceneM = 0;
+    for (const Eigen::Vector3d& p : start) sceneM += (p - about).norm() / static_cast<double>(start.size());
+    ScanAlignment result;
+    for (int round = 0;; ++round) {
+        std::vector<Eigen::Vector3d> now;
+        for (const Eigen::Vector3d& p : start) now.push_back(result.correction * p);
+        const Pairs pairs = pairsOf(now, result.correction * about, index, fixed.pointsM, reachM);
+        if (pairs.rows.size() < kFewestPairs)
+            return Error{"only " + std::to_string(pairs.rows.size()) + " points of the two scans lie close enough to each other", "",
+                         "give poses that bring them together, or a larger reach"};
+        result.pairs = pairs.rows.size();
+        const auto apart = [&] { return surfacesApartM(fixed, now, reachM).value_or(medianOff(pairs)); };
+        if (round == 0) result.residualBeforeM = apart();
+        const auto move = step(pairs, sceneM);
+        if (!move)
+            return Error{"the surfaces that both scans see do not hold the one against the other in every direction", "",
+                         "give exact poses and leave the refinement out"};
+        const Eigen::Vector3d turn = move->head<3>();
+        const Eigen::Vector3d middle = result.correction * about;
+        const Eigen::Matrix3d rotation =
+            turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() : Eigen::Matrix3d::Identity();
+        result.correction = RigidTransform{rotation, middle - rotation * middle + move->tail<3>()} * result.correction;
+        if (round + 1 >= kMostRounds || turn.norm() * sceneM + move->tail<3>().norm() < kStillM) {
+            result.residualM = apart();
+            return result;
+        }
+    }
+}
+
+PlacedScan corrected(PlacedScan placed, const RigidTransform& correction) {
+    for (Eigen::Vector3d& p : placed.pointsM) p = correction * p;
+    placed.sensorM = correction * placed.sensorM;
+    return placed;
+}
+
+} // namespace edgescan

@@ -1,0 +1,38 @@
+// Sessions of a sweep that is being recorded.
+#include "core/base/sha256.h"
+#include "core/inspect/session_file/session_file.h"
+
+#include <algorithm>
+#include <span>
+
+namespace edgescan {
+namespace {
+
+void cut(std::vector<CellRun>& runs, std::size_t cells) {
+    std::erase_if(runs, [cells](const CellRun& run) { return run.first >= cells; });
+    if (!runs.empty()) runs.back().count = static_cast<std::uint32_t>(std::min<std::size_t>(runs.back().count, cells - runs.back().first));
+}
+
+} // namespace
+
+ScanHead scanHead(const Scan& scan, int lines) {
+    const int taken = std::min(lines, scan.lines());
+    const std::size_t cells = static_cast<std::size_t>(taken) * static_cast<std::size_t>(scan.beams());
+    return {taken, sha256Hex(std::as_bytes(std::span(scan.rangeMm.cells).first(cells)))};
+}
+
+Sitting cutTo(Sitting sitting, std::size_t cells) {
+    const auto gone = [cells](std::uint32_t cell) { return cell >= cells; };
+    const auto someGone = [&gone](const auto& one) { return std::ranges::any_of(one.cells, gone); };
+    std::erase_if(sitting.notebook.targets, [&gone](const PinnedTarget& target) { return gone(target.cell); });
+    std::erase_if(sitting.notebook.measures, someGone);
+    if (sitting.active && gone(*sitting.active)) sitting.active.reset();
+    cut(sitting.selected, cells);
+    cut(sitting.hidden, cells);
+    std::erase_if(sitting.marks.wanted, gone);
+    std::erase_if(sitting.marks.unwanted, gone);
+    if (sitting.rocks) std::erase_if(sitting.rocks->edits, someGone);
+    return sitting;
+}
+
+} // namespace edgescan

@@ -1,0 +1,105 @@
+// Scans of sessions, and where they lie.
+#include "core/inspect/session_file/session_scan.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <system_error>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestPath = 4096;
+constexpr int kMostSide = 1'000'000;
+constexpr std::uint64_t kMostSittingCells = std::uint64_t{1} << 28U;
+const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SittingScan::Kind
+
+/// Relative where it stays meaningful when both are moved together: from the folder above `folder` downwards. Else empty.
+std::string relativePath(const fs::path& path, const fs::path& folder) {
+    const fs::path relative = path.lexically_relative(folder);
+    const auto up = std::ranges::count(relative, fs::path(".."));
+    return relative.empty() || up > 1 ? std::string() : relative.generic_string();
+}
+
+nlohmann::ordered_json pathJson(const fs::path& path, const fs::path& folder) {
+    nlohmann::ordered_json json{{"absolute", path.string()}};
+    if (const std::string relative = relativePath(path, folder); !relative.empty()) json["relative"] = relative;
+    return json;
+}
+
+/// Both places, the relative one first.
+std::vector<fs::path> pathsFrom(JsonFields fields, const fs::path& folder) {
+    std::vector<fs::path> paths;
+    for (const char* key : {"relative", "absolute"}) {
+        const std::string text = fields.text(key);
+        if (text.size() > kLongestPath || text.find('\0') != std::string::npos) fields.refuse(key, "must be a path");
+        if (text.empty() || fields.problem()) continue;
+        const fs::path path = (fs::path(key[0] == 'r' ? folder : fs::path()) / text).lexically_normal();
+        if (!path.is_absolute()) fields.refuse(key, "must be a whole path");
+        if (std::ranges::find(paths, path) == paths.end()) paths.push_back(path);
+    }
+    fields.done();
+    if (paths.empty()) fields.refuse("absolute", "must be a path");
+    return paths;
+}
+
+/// The first that exists, else the first.
+std::string pathThere(const std::vector<fs::path>& paths) {
+    std::error_code none;
+    for (const fs::path& path : paths) {
+        if (fs::exists(path, none)) return path.string();
+    }
+    return paths.empty() ? std::string() : paths.front().string();
+}
+
+} // namespace
+
+nlohmann::ordered_json sittingScanJson(const SittingScan& scan, const fs::path& folder) {
+    nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};
+    if (hasPath(scan.kind)) json["path"] = pathJson(scan.path, folder);
+    if (scan.kind == SittingScan::Kind::Recording) json["head"] = {{"lines", scan.head.lines}, {"sha256", scan.head.sha256}};
+    json["sha256"] = scan.identity.sha256;
+    json["name"] = scan.identity.name;
+    json["lines"] = scan.identity.lines;
+    json["beams"] = scan.identity.beams;
+    if (const std::string reading = readingOptionsText(scan.reading); !reading.empty()) {
+        if (const auto object = parseOrderedJson(reading, "session")) json["reading"] = *object;
+    }
+    if (!scan.reading.pose.empty()) json["pose"] = pathJson(scan.reading.pose, folder);
+    if (!scan.reading.calibration.empty()) json["calibration"] = pathJson(scan.reading.calibration, folder);
+    return json;
+}
+
+Result<PlacedSittingScan> sittingScanFrom(JsonFields fields, const fs::path& folder, const std::string& where) {
+    PlacedSittingScan placed;
+    SittingScan& scan = placed.scan;
+    scan.kind = static_cast<SittingScan::Kind>(fields.choice("kind", kScanKinds));
+    if (hasPath(scan.kind)) placed.places = pathsFrom(fields.object("path"), folder);
+    if (scan.kind == SittingScan::Kind::Recording) {
+        JsonFields head = fields.object("head");
+        scan.head = {static_cast<int>(head.wholeNumber("lines", 1, kMostSide)), head.text("sha256")};
+        head.done();
+    }
+    scan.path = pathThere(placed.places);
+    scan.identity = {fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, kMostSide)),
+                     static_cast<int>(fields.wholeNumber("beams", 1, kMostSide))};
+    if (static_cast<std::uint64_t>(scan.identity.lines) * static_cast<std::uint64_t>(scan.identity.beams) > kMostSittingCells)
+        fields.refuse("lines", "must be those of a scan of at most 2^28 cells");
+    if (const nlohmann::json& reading = fields.value("reading"); !reading.is_null()) {
+        auto options = parseReadingOptions(jsonText(reading), where);
+        if (!options) return options.error();
+        scan.reading = std::move(*options);
+    }
+    if (fields.has("pose")) scan.reading.pose = pathThere(pathsFrom(fields.object("pose"), folder));
+    if (fields.has("calibration")) scan.reading.calibration = pathThere(pathsFrom(fields.object("calibration"), folder));
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return placed;
+}
+
+} // namespace edgescan

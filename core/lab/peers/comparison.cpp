@@ -1,0 +1,260 @@
+// Every method on one scan in one run.
+#include "core/lab/peers/comparison.h"
+
+#include "core/base/order_statistic.h"
+#include "core/edges/gray/canny.h"
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/step_meaning.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/scan/angle_correction/interlace.h"
+#include "core/scan/grid/cartesian.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+// Thread CPU time of one step.
+template <class Step>
+auto timed(double& milliseconds, Step step) {
+    const double start = threadCpuMilliseconds();
+    auto result = step();
+    milliseconds += threadCpuMilliseconds() - start;
+    return result;
+}
+
+struct Run {
+    ComparedSteps steps;
+    Grid<std::uint8_t> mask;
+    Grid<std::uint8_t> classes;
+};
+
+// The steps of the thesis's table from the stages of the pipeline. Only methods on gray levels need the gray image.
+ComparedSteps stepsOf(const Detection& detection) {
+    ComparedSteps steps;
+    for (const StageTime& time : detection.timings) {
+        if (time.of == Stage::Gray)
+            steps.conversion += reads(detection.settings.method, kReadsGray) ? time.cpuMilliseconds : 0.0;
+        else if (time.of == Stage::Mask || time.of == Stage::Smoothing)
+            steps.noiseRemoval += time.cpuMilliseconds;
+        else if (time.of != Stage::Threshold)
+            steps.edges += time.cpuMilliseconds;
+    }
+    return steps;
+}
+
+Run runOnce(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    const auto detection = detectEdges(scan, settings);
+    Run run{stepsOf(*detection), *detection->mask, {}};
+    if (detection->classes) {
+        run.classes = Grid<std::uint8_t>(scan->lines(), scan->beams());
+        for (const std::uint32_t k : *detection->edges) run.classes[k] = static_cast<std::uint8_t>((*detection->classes)[k]);
+    }
+    const auto points = timed(run.steps.merge, [&] {
+        const CartesianTables tables(*scan);
+        std::vector<Eigen::Vector3d> all;
+        for (const std::uint32_t k : edgeCells(run.mask)) all.push_back(tables.point(std::size_t{k}));
+        return all;
+    });
+    return run;
+}
+
+ComparedMethod ownMethod(std::string name, std::string key, const Settings& settings) {
+    ComparedMethod method;
+    method.name = std::move(name);
+    method.key = std::move(key);
+    method.settings = settings;
+    return method;
+}
+
+std::vector<ComparedMethod> ownMethods() {
+    std::vector<ComparedMethod> methods{ownMethod("Canny, thesis to the letter", "thesis", findPreset("thesis")->settings)};
+    const Parameter& method = *findParameter("method");
+    const Parameter& mask = *findParameter("log-mask");
+    // In the order of the thesis's chapter, ours last.
+    std::vector<Method> order;
+    for (const MethodTraits& traits : methodTraits()) order.push_back(traits.method);
+    std::ranges::stable_sort(order, {}, [](Method m) {
+        return reads(m, kReadsSurface) ? -static_cast<int>(m) : hasOneThreshold(m) ? -100 : -99;
+    });
+    for (const Method m : order) {
+        Settings settings;
+        settings.method = m;
+        settings.lower = lowerWithSameStep(cannySettings(), settings);
+        const std::string key = formatValue(method, method.get(settings));
+        if (m == Method::EdgeScanPlus) {
+            Settings asMeasured = settings;
+            asMeasured.straighten = false;
+            methods.push_back(ownMethod("EdgeScan+, angles as measured", kAsMeasuredKey, asMeasured));
+        }
+        if (!reads(m, kReadsLaplacianMask)) {
+            methods.push_back(
+                ownMethod(m == Method::Canny ? "Canny, logarithmic gray levels" : choiceLabel(method, settings), key, settings));
+            continue;
+        }
+        for (const LogMask one : {LogMask::FourNeighbours, LogMask::EightNeighbours, LogMask::FiveByFive}) {
+            settings.logMask = one;
+            settings.lower = lowerWithSameStep(cannySettings(), settings);
+            const bool first = one == LogMask::FourNeighbours;
+            methods.push_back(ownMethod(choiceLabel(method, settings) + ", " + choiceLabel(mask, settings),
+                                        first ? key : key + "-" + formatValue(mask, mask.get(settings)), settings));
+        }
+    }
+    return methods;
+}
+
+// Beams are interlaced or lines slipped, and EdgeScan+ takes it into account.
+bool isDisplaced(const Scan& scan) {
+    InverseRange inverse = inverseRange(scan);
+    const SweepSlips slips = straighten(inverse);
+    return slips.interlaced || slips.slipCount > 0;
+}
+
+// Those that `only` names; all that say something about the scan where it is empty.
+std::vector<ComparedMethod> wantedMethods(const Scan& scan, const std::vector<std::string>& only) {
+    std::vector<ComparedMethod> methods = ownMethods();
+    const bool displaced = !only.empty() || isDisplaced(scan);
+    std::erase_if(methods, [&](const ComparedMethod& m) {
+        return only.empty() ? m.key == kAsMeasuredKey && !displaced : std::ranges::find(only, m.key) == only.end();
+    });
+    return methods;
+}
+
+void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) {
+    for (double ComparedSteps::*step :
+         {&ComparedSteps::conversion, &ComparedSteps::noiseRemoval, &ComparedSteps::edges, &ComparedSteps::merge}) {
+        std::vector<double> values;
+        for (const ComparedSteps& one : all) values.push_back(one.*step);
+        method.steps.*step = median(std::move(values));
+    }
+}
+
+// Of the threshold in the settings and of those that give from a third to three times as many edges as the truth has.
+std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const Settings& settings, const TruthSet& truth,
+                                           double tolerance) {
+    const ThresholdMap map = thresholdMapOf(*detectEdges(scan, settings));
+    const Parameter& swept = sweptParameter(settings.method);
+    std::vector<double> highest;
+    for (const double value : map.highest.cells) {
+        if (value >= 0 && std::isfinite(value)) highest.push_back(value);
+    }
+    std::ranges::sort(highest, std::greater<>());
+    const auto wanted = static_cast<double>(std::ranges::count_if(truth.edges.edgeClass.cells, [](std::uint8_t c) { return c != 0; }));
+    std::vector<double> thresholds{swept.get(settings)};
+    for (const double share : {0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.3, 1.6, 2.0, 3.0}) {
+        const auto place = static_cast<std::size_t>(share * wanted);
+        if (place >= highest.size()) break;
+        thresholds.push_back(highest[place]);
+    }
+    std::optional<BestThreshold> best;
+    for (const double threshold : thresholds) {
+        Grid<std::uint8_t> mask = edgesAt(map, threshold);
+        const Evaluation score = evaluateMask(mask, truth, scan.get(), tolerance);
+        if (best && best->score.score.all.f() >= score.score.all.f()) continue;
+        best = BestThreshold{swept.key, threshold, score, std::move(mask)};
+    }
+    return best;
+}
+
+// A point of every cell: what PCL begins with.
+double millisecondsOfPoints(const Scan& scan) {
+    double milliseconds = 0.0;
+    const auto points = timed(milliseconds, [&] {
+        const CartesianTables tables(scan);
+        std::vector<Eigen::Vector3f> all(scan.cells());
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = tables.point(k).cast<float>();
+        return all;
+    });
+    return milliseconds;
+}
+
+ComparedMethod peerMethod(Peer peer, const Scan& scan) {
+    ComparedMethod method;
+    method.name = method.key = peerName(peer);
+    method.mask = Grid<std::uint8_t>(scan.lines(), scan.beams());
+    return method;
+}
+
+ComparedMethod comparedPeer(Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
+    ComparedMethod method = peerMethod(peer, scan);
+    const Result<PeerEdges> found = runPeer(peer, seen, settings.peerLimits);
+    if (!found) {
+        method.note = found.error().sentence();
+        return method;
+    }
+    method.steps.conversion = millisecondsOfPoints(scan);
+    for (const StageTime& step : found->steps) {
+        const bool conversion = step.stage == "conversion" || step.stage == "range image";
+        (conversion ? method.steps.conversion : step.stage == "merge" ? method.steps.merge : method.steps.edges) += step.milliseconds;
+    }
+    method.mask = found->mask;
+    for (const PeerClass& kind : found->classes)
+        method.kinds.emplace_back(kind.name, kind.mask.size() - static_cast<std::size_t>(std::ranges::count(kind.mask.cells, 0)));
+    method.share = found->share;
+    if (peer == Peer::BoundaryRadius) method.name += " " + formatValue(*findParameter("lower"), settings.peerLimits.radiusM) + " m";
+    if (method.share < 1.0) {
+        method.note = "stopped after " + std::to_string(static_cast<int>(std::lround(100 * method.share))) +
+                      " % of the points; its times are worked out for all of them, --slow lets it end";
+        method.steps.edges /= method.share;
+    }
+    return method;
+}
+
+} // namespace
+
+std::vector<std::string> comparedKeys() {
+    std::vector<std::string> keys;
+    for (const ComparedMethod& method : ownMethods()) keys.push_back(method.key);
+    return keys;
+}
+
+std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
+                                           const ComparisonSettings& settings, const ComparisonProgress& progress) {
+    std::vector<ComparedMethod> methods = wantedMethods(*scan, settings.only);
+    const std::size_t own = methods.size();
+    const int repeats = std::max(1, settings.repeats);
+    const auto total = static_cast<double>(repeats) * static_cast<double>(own) + (settings.peers ? kPeers : 0);
+    double done = 0;
+    const auto goesOn = [&](const std::string& name) { return !progress || progress(name.c_str(), done++ / total); };
+    std::vector<std::vector<ComparedSteps>> steps(own);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        for (std::size_t n = 0; n < own; ++n) {
+            if (!goesOn(methods[n].name)) return {};
+            Run run = runOnce(scan, *methods[n].settings);
+            steps[n].push_back(run.steps);
+            methods[n].mask = std::move(run.mask);
+            methods[n].classes = std::move(run.classes);
+        }
+    }
+    for (std::size_t n = 0; n < own; ++n) medianSteps(methods[n], steps[n]);
+
+    if (settings.peers) {
+        const Result<Done> present = peersArePresent();
+        const PeerScan seen = present ? peerScan(*scan) : PeerScan{};
+        for (int n = 0; n < kPeers; ++n) {
+            const Peer peer = static_cast<Peer>(n);
+            if (!goesOn(peerName(peer))) return {};
+            if (present) {
+                methods.push_back(comparedPeer(peer, *scan, seen, settings));
+                continue;
+            }
+            methods.push_back(peerMethod(peer, *scan));
+            methods.back().share = 0.0;
+            methods.back().note = present.error().sentence();
+        }
+    }
+    for (ComparedMethod& method : methods) {
+        method.edges = edgeCells(method.mask).size();
+        if (truth == nullptr || method.share < 1.0 || (!method.settings && !method.note.empty())) continue;
+        method.score = evaluateMask(method.mask, *truth, scan.get(), settings.tolerance);
+        if (settings.bestThreshold && method.settings) method.best = bestThreshold(scan, *method.settings, *truth, settings.tolerance);
+    }
+    return methods;
+}
+
+} // namespace edgescan

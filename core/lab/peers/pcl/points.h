@@ -1,0 +1,48 @@
+// A scan as PCL sees it.
+#pragma once
+
+#include "core/lab/peers/peers.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vector>
+
+namespace edgescan {
+
+inline constexpr int kNormalWindow = 10; ///< cells that OrganizedEdgeFromNormals averages normals over: PCL's own
+
+using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// An organised cloud, beams wide and lines high; NaN where there is no range.
+[[nodiscard]] PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM);
+
+/// The cells with a range, and their points in the same order.
+struct MeasuredPoints {
+    std::vector<std::size_t> cells;
+    PclCloud::Ptr cloud;
+};
+[[nodiscard]] MeasuredPoints measuredPoints(const PeerScan& scan);
+
+/// Thread CPU time between two readings, by name.
+class StepClock {
+public:
+    StepClock();
+    /// Ends the step that began with the last call (or the construction).
+    void ended(const char* step);
+    [[nodiscard]] double secondsSinceStart() const;
+    [[nodiscard]] std::vector<StageTime> take() { return std::move(steps_); }
+
+private:
+    double start_, last_;
+    std::vector<StageTime> steps_;
+};
+
+// The peers, one file each. They may throw, and PCL may crash in any of them.
+[[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
+[[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
+[[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);
+[[nodiscard]] PeerEdges grownRegions(const PeerScan& scan);
+[[nodiscard]] PeerEdges convexPatches(const PeerScan& scan);
+
+} // namespace edgescan

@@ -1,0 +1,48 @@
+// Repeatability: of the edges that both scans could see, the share that both have.
+#pragma once
+
+#include "core/inspect/registration/placed_scan.h"
+#include "core/lab/peers/comparison.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+struct RepeatCount {
+    std::size_t edges = 0;   ///< of both scans
+    std::size_t visible = 0; ///< of these, at a place that the other scan saw: measured in that direction, and nothing in front
+    std::size_t found = 0;   ///< of these, with an edge of the other scan within the radius
+    [[nodiscard]] double share() const { return visible == 0 ? 0.0 : static_cast<double>(found) / static_cast<double>(visible); }
+};
+
+/// Masks: lines x beams of their scans, not 0 = edge. Counts edges of both, each looked for in the other.
+class RepeatCounter {
+public:
+    RepeatCounter(const PlacedScan& a, const PlacedScan& b, double radiusM);
+    [[nodiscard]] RepeatCount count(const Grid<std::uint8_t>& maskA, const Grid<std::uint8_t>& maskB) const;
+
+private:
+    const PlacedScan &a_, &b_;
+    double radiusM_;
+    std::vector<std::uint8_t> aSeenByB_, bSeenByA_; // by cell
+};
+
+struct MethodRepeatability {
+    std::string name, key;
+    RepeatCount asSet;                  ///< with its fixed settings
+    std::optional<RepeatCount> atEqual; ///< with the threshold that gives as many edges in each scan as the reference method has there
+    /// Thinned to lines one cell wide, with the threshold that gives as many cells then as the reference method's thinned mask has: a band
+    /// of several cells along one edge counts as one place.
+    std::optional<RepeatCount> atEqualPlaces;
+    std::string note; ///< why there is no result
+};
+
+/// Every method on both scans. The reference of equal numbers is EdgeScan+ with its fixed settings.
+[[nodiscard]] std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const PlacedScan& b, double radiusM,
+                                                                   const ComparisonSettings& settings,
+                                                                   const ComparisonProgress& progress = {});
+
+} // namespace edgescan

@@ -1,0 +1,25 @@
+// Repeatability of edges as a table and as JSON.
+#pragma once
+
+#include "core/inspect/registration/scan_alignment.h"
+#include "core/lab/repeatability/repeatability.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+/// What was matched, and how the scans came together.
+struct RepeatRun {
+    double radiusM = 0.0;
+    std::optional<ScanAlignment> alignment; ///< empty: the poses were taken as they are
+    std::vector<MethodRepeatability> methods;
+};
+
+[[nodiscard]] std::string repeatText(const RepeatRun& run);
+[[nodiscard]] nlohmann::ordered_json repeatReport(const RepeatRun& run);
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// How well a mask finds the true edges (docs/method.md, "Truth and score").
+#pragma once
+
+#include "core/lab/score/match.h"
+#include "core/lab/score/truth.h"
+
+#include <vector>
+
+namespace edgescan {
+
+/// Counts that can be added over scans.
+struct EdgeCounts {
+    std::size_t truth = 0;  ///< true cells of the group
+    std::size_t found = 0;  ///< of them matched
+    std::size_t false_ = 0; ///< detections that match nothing, outside what is not scored; shared by all groups
+
+    EdgeCounts& operator+=(const EdgeCounts& other);
+    [[nodiscard]] double precision() const; ///< found / (found + false); 1 when nothing was detected
+    [[nodiscard]] double recall() const;
+    [[nodiscard]] double f() const;
+};
+
+struct EdgeScore {
+    EdgeCounts occluding; ///< classes 1 + 4
+    EdgeCounts outline;   ///< 1 + 2 + 4
+    EdgeCounts crease;    ///< 3
+    EdgeCounts all;
+    EdgeCounts strictOutline; ///< outline, with detections on inner creases counted as false
+
+    EdgeScore& operator+=(const EdgeScore& other);
+};
+
+/// Which detections found which true cells.
+struct EdgeMatches {
+    Grid<std::uint8_t> thin;          ///< the mask, thinned
+    std::vector<MatchedPair> all;     ///< with every class
+    std::vector<MatchedPair> outline; ///< with the outline alone
+};
+
+/// `mask`: 255 = edge, thinned here. `tolerance`: cells.
+[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
+[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
+
+} // namespace edgescan

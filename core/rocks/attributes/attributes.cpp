@@ -1,0 +1,273 @@
+// Rows of rocks.
+#include "core/rocks/attributes/attributes.h"
+
+#include "core/rocks/attributes/cells.h"
+#include "core/rocks/attributes/free_below.h"
+#include "core/rocks/attributes/visible_spans.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/beam_width.h"
+#include "core/scan/grid/cartesian.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace edgescan {
+namespace {
+
+constexpr double kTolerance = 2.0; // times the resolution: it covers 89 % of a and 97 % of b
+constexpr float kLeastDepthMm = 100.0F;
+constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
+
+/// By label: the row of the rock that had the same leaves before; null where there was none.
+std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* before) {
+    std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
+    if (before == nullptr || before->map.regionOfLeaf.size() != map.regionOfLeaf.size()) return same;
+    std::vector<std::uint32_t> leavesNow(map.regions.size(), 0), leavesThen(before->map.regions.size(), 0);
+    std::vector<std::uint8_t> shared(map.regions.size(), 1); // all its leaves were in one region
+    const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfLeaf[map.regions[region].group]; };
+    for (std::size_t leaf = 1; leaf < map.regionOfLeaf.size(); ++leaf) {
+        const std::uint32_t now = map.regionOfLeaf[leaf];
+        const std::uint32_t then = before->map.regionOfLeaf[leaf];
+        ++leavesNow[now];
+        ++leavesThen[then];
+        if (now != 0 && then != thenOf(now)) shared[now] = 0;
+    }
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) {
+        const std::uint32_t then = thenOf(label);
+        if (shared[label] == 0 || then == 0 || then > before->map.rocks || leavesNow[label] != leavesThen[then]) continue;
+        same[label] = &before->rocks[then - 1];
+    }
+    return same;
+}
+
+class RowMaker {
+public:
+    RowMaker(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before)
+        : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)),
+          cells_(cellsOfRocks(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
+          up_(upOf(*leaves.inputs.scan).up) {}
+
+    [[nodiscard]] Rock row(std::uint32_t label) {
+        const RockRegion& region = map_.regions[label];
+        Rock rock;
+        rock.label = label;
+        rock.cells = region.sums.cells;
+        rock.areaM2 = region.sums.areaM2;
+        rock.unoccluded = region.near;
+        rock.confidence = region.confidence;
+        rock.score = region.score;
+        rock.byHand = region.byHand;
+        if (rock.cells == 0) return rock;
+        rock.centreM = tables_.sensor() + region.sums.sumM / static_cast<double>(rock.cells);
+        if (const Rock* known = known_[label])
+            take(*known, rock);
+        else
+            measure(rock);
+        return rock;
+    }
+
+private:
+    static void take(const Rock& known, Rock& rock) {
+        rock.cell = known.cell;
+        rock.longM = known.longM;
+        rock.wideM = known.wideM;
+        rock.distanceM = known.distanceM;
+        rock.toleranceM = known.toleranceM;
+        rock.freeBelowM = known.freeBelowM;
+    }
+
+    // Of the ranges of a rock, mm: those that 5, 50 and 95 % of them lie below.
+    struct Ranges {
+        float front, middle, back;
+
+        // Cells on the rim of a rock that saw past it: behind the rock by more than it is deep. Seen from the side a few of them would
+        // make a span twice as long.
+        [[nodiscard]] float farthest() const { return back + std::max(back - front, kLeastDepthMm); }
+    };
+    // Not empty; moved.
+    static Ranges rangesOf(std::vector<float>& rangesMm) {
+        const auto last = static_cast<double>(rangesMm.size() - 1);
+        const auto front = rangesMm.begin() + static_cast<std::ptrdiff_t>(0.05 * last);
+        const auto back = rangesMm.begin() + static_cast<std::ptrdiff_t>(0.95 * last);
+        const auto middle = rangesMm.begin() + static_cast<std::ptrdiff_t>(rangesMm.size() / 2);
+        std::nth_element(rangesMm.begin(), middle, rangesMm.end());
+        std::nth_element(rangesMm.begin(), front, middle);
+        if (back > middle) std::nth_element(middle + 1, back, rangesMm.end());
+        return {*front, *middle, *back};
+    }
+
+    // Points of a rock, one after the other.
+    struct RockPoints {
+        std::vector<std::uint32_t> cell;
+        std::vector<double> x, y, z; // m
+
+        [[nodiscard]] std::size_t count() const { return cell.size(); }
+        void resize(std::size_t count) {
+            cell.resize(count);
+            for (auto* values : {&x, &y, &z}) values->resize(count);
+        }
+        // How far the points lie along a direction, from a place on.
+        void along(const Eigen::Vector3d& way, const Eigen::Vector3d& from, std::vector<double>& lengths) const {
+            lengths.resize(count());
+            alongWay(way, from, lengths.data());
+        }
+
+    private:
+        void alongWay(const Eigen::Vector3d& way, const Eigen::Vector3d& from, double* __restrict lengths) const {
+            for (std::size_t n = 0; n < count(); ++n)
+                lengths[n] = (way[0] * (x[n] - from[0]) + way[1] * (y[n] - from[1])) + way[2] * (z[n] - from[2]);
+        }
+    };
+    // Those of its cells that are no farther than that.
+    void collect(std::uint32_t label, float farthestMm, RockPoints& points) const {
+        const Grid<float>& rangeMm = leaves_.inputs.scan->rangeMm;
+        const std::span<const std::uint32_t> cells = cells_.of(label);
+        points.resize(cells.size());
+        std::size_t count = 0;
+        const auto beams = static_cast<std::uint32_t>(rangeMm.beams);
+        std::uint32_t line = cells.front() / beams;
+        for (const std::uint32_t k : cells) { // ascending
+            if (rangeMm[k] > farthestMm) continue;
+            while (k >= (line + 1) * beams) ++line;
+            const Eigen::Vector3d point = tables_.point(static_cast<int>(line), static_cast<int>(k - line * beams));
+            points.cell[count] = k;
+            points.x[count] = point[0];
+            points.y[count] = point[1];
+            points.z[count++] = point[2];
+        }
+        points.resize(count);
+    }
+
+    // What needs every point.
+    void measure(Rock& rock) {
+        const Eigen::Vector3d sight = (rock.centreM - tables_.sensor()).normalized();
+        const Eigen::Vector3d right = sight.unitOrthogonal();
+        const Eigen::Vector3d below = sight.cross(right);
+        ranges_.clear();
+        for (const std::uint32_t k : cells_.of(rock.label)) ranges_.push_back(leaves_.inputs.scan->rangeMm[k]);
+        const Ranges ranges = rangesOf(ranges_);
+        collect(rock.label, ranges.farthest(), points_);
+        points_.along(right, rock.centreM, projected_.x);
+        points_.along(below, rock.centreM, projected_.y);
+        points_.along(up_, Eigen::Vector3d::Zero(), heights_);
+        double nearest = HUGE_VAL;
+        for (std::size_t n = 0; n < points_.count(); ++n) {
+            const double offX = points_.x[n] - rock.centreM[0];
+            const double offY = points_.y[n] - rock.centreM[1];
+            const double offZ = points_.z[n] - rock.centreM[2];
+            const double off = (offX * offX + offY * offY) + offZ * offZ;
+            if (!(off < nearest)) continue;
+            nearest = off;
+            rock.cell = points_.cell[n];
+        }
+        const auto lowest = static_cast<std::size_t>(std::min_element(heights_.begin(), heights_.end()) - heights_.begin());
+        const Eigen::Vector3d lowestPoint(points_.x[lowest], points_.y[lowest], points_.z[lowest]);
+        const Calipers calipers = calipersOf(projected_);
+        rock.longM = calipers.longest;
+        rock.wideM = calipers.shortest;
+        rock.distanceM = 0.001 * static_cast<double>(ranges.middle);
+        const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
+        rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
+        rock.freeBelowM = freeBelowM(leaves_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
+    }
+
+    const RockLeaves& leaves_;
+    const RockMap& map_;
+    std::vector<const Rock*> known_;
+    CellsOfRocks cells_;
+    CartesianTables tables_;
+    Eigen::Vector3d up_;
+    // Room for one rock after the other.
+    std::vector<float> ranges_;
+    RockPoints points_;
+    PlanePoints projected_;
+    std::vector<double> heights_;
+};
+
+void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
+    for (const RegionBorder& border : map.borders) {
+        const bool contact = touch(border);
+        if (border.b > map.rocks) { // ascending: b is the larger
+            if (contact && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
+            continue;
+        }
+        Rock& a = rocks[border.a - 1];
+        Rock& b = rocks[border.b - 1];
+        if (contact) {
+            a.contacts.push_back(b.label);
+            b.contacts.push_back(a.label);
+        }
+        const std::uint32_t nearer = nearerSide(border);
+        if (nearer == 0) continue;
+        const bool isABefore = nearer == border.a;
+        (isABefore ? a : b).before.push_back((isABefore ? b : a).label);
+        (isABefore ? b : a).behind.push_back((isABefore ? a : b).label);
+    }
+    for (Rock& rock : rocks) {
+        for (auto* list : {&rock.before, &rock.behind, &rock.contacts}) std::sort(list->begin(), list->end());
+    }
+}
+
+// Where the middle of the rock may be: behind that of its visible points.
+Eigen::Vector3d middleOf(const Rock& rock, const Eigen::Vector3d& sensor) {
+    return rock.centreM + kPushedBack * rock.wideM * (rock.centreM - sensor).normalized();
+}
+
+void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Eigen::Vector3d& up) {
+    for (Rock& rock : rocks) {
+        const Eigen::Vector3d here = middleOf(rock, sensor);
+        for (std::size_t m = 0; m < rock.contacts.size(); ++m) {
+            for (std::size_t n = m + 1; n < rock.contacts.size(); ++n) {
+                const Eigen::Vector3d one = middleOf(rocks[rock.contacts[m] - 1], sensor);
+                const Eigen::Vector3d other = middleOf(rocks[rock.contacts[n] - 1], sensor);
+                const Eigen::Vector3d p = one - here;
+                const Eigen::Vector3d q = other - here;
+                const double angle = std::atan2(p.cross(q).norm(), p.dot(q)) * 180.0 / std::numbers::pi;
+                if (rock.archDeg && angle <= *rock.archDeg) continue;
+                rock.archDeg = angle;
+                // The place of the line between them that is over or under the rock.
+                const Eigen::Vector3d line = other - one;
+                const Eigen::Vector3d level = line - up * up.dot(line);
+                const double along = std::clamp(level.dot(here - one) / std::max(level.squaredNorm(), 1e-12), 0.0, 1.0);
+                rock.hangsBelow = up.dot(here - (one + along * line)) < 0;
+            }
+        }
+    }
+}
+
+} // namespace
+
+UpDirection upOf(const Scan& scan) {
+    if (!scan.placement || scan.cells() == 0) return {};
+    const PlacedPoints placed(scan);
+    const int line = scan.lines() / 2;
+    const int beam = scan.beams() / 2;
+    const Eigen::Vector3d up = placed.scanner(line, beam, Eigen::Vector3d::UnitZ()) - placed.scanner(line, beam, Eigen::Vector3d::Zero());
+    return {up.normalized(), false};
+}
+
+std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before) {
+    RowMaker maker(leaves, map, before);
+    std::vector<Rock> rocks;
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
+    addNeighbours(map, rocks);
+    addArches(rocks, CartesianTables(*leaves.inputs.scan).sensor(), upOf(*leaves.inputs.scan).up);
+    return rocks;
+}
+
+RegionCounts regionCounts(const RockMap& map, RegionKind kind) {
+    RegionCounts counts;
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        if (map.regions[n].kind != kind || map.regions[n].sums.cells == 0) continue;
+        ++counts.regions;
+        counts.cells += map.regions[n].sums.cells;
+        counts.areaM2 += map.regions[n].sums.areaM2;
+    }
+    return counts;
+}
+
+} // namespace edgescan

@@ -1,0 +1,29 @@
+// Cells sorted by rock, by counting.
+#include "core/rocks/attributes/cells.h"
+
+namespace edgescan {
+
+CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const std::function<bool(std::uint32_t label)>& skipped) {
+    CellsOfRocks sorted;
+    std::vector<std::uint8_t> wanted(map.regions.size(), 0);
+    sorted.first.assign(static_cast<std::size_t>(map.rocks) + 2, 0);
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) {
+        wanted[label] = skipped && skipped(label) ? 0 : 1;
+        sorted.first[label + 1] = sorted.first[label] + (wanted[label] != 0 ? map.regions[label].sums.cells : 0);
+    }
+    if (sorted.first.back() == 0) return sorted;
+    sorted.cells.resize(sorted.first.back());
+    std::vector<std::size_t> at = sorted.first;
+    const Grid<Support>& support = leaves.inputs.surface->inverse.support;
+    for (const LeafRun& run : leaves.beamRuns) {
+        const std::uint32_t region = map.regionOfLeaf[run.leaf];
+        if (wanted[region] == 0) continue;
+        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(leaves.leaf.beams);
+        for (std::size_t k = line + run.begin; k < line + run.end; ++k) {
+            if (support[k] == Support::Measured) sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
+        }
+    }
+    return sorted;
+}
+
+} // namespace edgescan

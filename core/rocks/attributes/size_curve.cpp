@@ -1,0 +1,31 @@
+// Shares of rocks by visible width.
+#include "core/rocks/attributes/size_curve.h"
+
+#include "core/base/order_statistic.h"
+
+#include <algorithm>
+
+namespace edgescan {
+
+double SizeCurve::shareUpTo(double wideM) const {
+    if (widthsM.empty()) return 0.0;
+    const auto wider = std::upper_bound(widthsM.begin(), widthsM.end(), wideM);
+    return static_cast<double>(wider - widthsM.begin()) / static_cast<double>(widthsM.size());
+}
+
+SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
+    SizeCurve curve;
+    curve.oversizeM = oversizeM;
+    if (rocks.empty()) return curve;
+    for (const Rock& rock : rocks) curve.widthsM.push_back(rock.wideM);
+    std::sort(curve.widthsM.begin(), curve.widthsM.end());
+    std::vector<double> moved = curve.widthsM;
+    curve.p20M = quantile(moved, 0.2);
+    curve.p50M = quantile(moved, 0.5);
+    curve.p80M = quantile(moved, 0.8);
+    curve.topM = curve.widthsM.back();
+    if (oversizeM > 0) curve.oversizeShare = 1.0 - curve.shareUpTo(oversizeM);
+    return curve;
+}
+
+} // namespace edgescan

@@ -1,0 +1,56 @@
+// The border between two cells' regions, and the level that joins them.
+#include "core/rocks/attributes/why_border.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+std::string described(const BorderWhy& why, const RockSettings& settings) {
+    if (why.regions[0] == 0 || why.regions[1] == 0)
+        return "One of the cells belongs to no piece: nothing was measured there, or no piece fits.";
+    if (why.alwaysOne) return "Both cells lie in one piece that no level parts; a stroke can cut it.";
+    if (why.sameRegion())
+        return "They are one rock at level " + shortestText(settings.level) + ", and two below " + fixedText(*why.joinedFrom, 2) + ".";
+    std::string text = "They are two at level " + shortestText(settings.level);
+    text += why.joinedFrom ? ", and one from level " + fixedText(*why.joinedFrom, 2) + " on" : ", and no level joins them";
+    if (!why.border) return text + "; they have no border with each other.";
+    const RegionBorder& b = *why.border;
+    text += ": on " + std::to_string(b.cracks) + " cracks a jump or valley of " + fixedText(b.mean(b.sumE1), 2) + ", an edge of " +
+            fixedText(b.mean(b.sumE2), 2) + " and a valley " + fixedText(30 * b.mean(b.sumValley), 0) + " mm deep near the crack and " +
+            fixedText(125 * b.mean(b.sumWide), 0) + " mm on the whole give log odds of " + fixedText(b.meanZ(), 2) + ".";
+    return text;
+}
+
+} // namespace
+
+BorderWhy whyTwoRocks(const RockStudy& study, std::uint32_t one, std::uint32_t other) {
+    BorderWhy why;
+    why.cells = {one, other};
+    std::uint32_t a = study.leaves->leaf[one];
+    std::uint32_t b = study.leaves->leaf[other];
+    why.regions = {study.map.regionOfLeaf[a], study.map.regionOfLeaf[b]};
+    why.alwaysOne = a == b && a != kOpen;
+    if (a != kOpen && b != kOpen && a != b) {
+        for (const Merge& merge : study.tree->merges) {
+            if (a == merge.gone) a = merge.kept;
+            if (b == merge.gone) b = merge.kept;
+            if (a != b) continue;
+            why.alwaysOne = !std::isfinite(merge.height);
+            if (!why.alwaysOne) why.joinedFrom = merge.height;
+            break;
+        }
+    }
+    const auto [least, most] = std::minmax(why.regions[0], why.regions[1]);
+    for (const RegionBorder& border : study.map.borders) {
+        if (least == 0 || border.a != least || border.b != most) continue;
+        why.border = border.a == why.regions[0] ? border : border.turned();
+    }
+    why.verdict = described(why, study.settings);
+    return why;
+}
+
+} // namespace edgescan

@@ -1,0 +1,44 @@
+// Barriers and the distance to them.
+#include "core/rocks/segmentation/barrier.h"
+
+#include "core/scan/grid/opencv_view.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace edgescan {
+namespace {
+
+constexpr float kChainLow = 0.5F;
+constexpr float kChainHigh = 0.8F;
+constexpr int kChainCells = 3;
+constexpr std::uint8_t kFree = 255;
+
+// 0 at barriers, as OpenCV wants it.
+Grid<std::uint8_t> barriers(const RockInputs& inputs) {
+    const Grid<Support>& support = inputs.surface->inverse.support;
+    const auto beams = static_cast<std::size_t>(support.beams);
+    Grid<float> strength(support.lines, support.beams);
+    for (std::size_t k = 0; k < strength.size(); ++k) strength[k] = partingStrength(*inputs.responses, k);
+    Grid<std::uint8_t> free = linkedChains(strength, kChainHigh, kChainLow, kChainCells);
+    for (std::size_t k = 0; k < free.size(); ++k) free[k] = free[k] != 0 || support[k] == Support::Void ? 0 : kFree;
+    const DepthCracks& cracks = *inputs.cracks;
+    // There is no jump on the cracks that lead out of the sweep.
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        if (cracks.jumpBeams[k] > 1.0F) free[k] = free[k + 1] = 0;
+        if (cracks.jumpLines[k] > 1.0F) free[k] = free[k + beams] = 0;
+    }
+    return free;
+}
+
+} // namespace
+
+Grid<float> barrierDistance(const RockInputs& inputs) {
+    Grid<std::uint8_t> free = barriers(inputs);
+    Grid<float> distance(free.lines, free.beams);
+    if (free.size() == 0) return distance;
+    cv::Mat result = asMat(distance);
+    cv::distanceTransform(asMat(free), result, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+    return distance;
+}
+
+} // namespace edgescan

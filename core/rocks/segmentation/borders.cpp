@@ -1,0 +1,153 @@
+// Evidence on cracks, added up to borders.
+#include "core/rocks/segmentation/borders.h"
+
+#include "core/edges/edgescan_plus/range_field.h"
+#include "core/rocks/segmentation/barrier.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+// z = log odds "two rocks" (docs/rocks-method.md, "Step 4").
+constexpr double kWeightCrack = 7.0;
+constexpr double kWeightEdge = 9.0;
+constexpr double kWeightValley = 0.5;
+constexpr double kWeightWide = 1.5;
+constexpr double kOdds = -9.0;
+constexpr double kValleyUnitMm = 30.0;
+constexpr double kWideUnitMm = 125.0;
+constexpr double kMostUnits = 2.0;
+constexpr float kValleyM = 0.12F;
+constexpr float kWideM = 0.5F;
+constexpr float kFewestChord = 2;
+constexpr float kMostValley = 12;
+constexpr float kMostWide = 40;
+constexpr float kContactJump = 0.5F;
+constexpr float kContactFold = -0.3F;
+
+} // namespace
+
+CrackMeasure::CrackMeasure(const RockInputs& inputs, const Grid<std::uint32_t>& leaf)
+    : inputs_(inputs), cracks_(*inputs.cracks), leaf_(leaf) {}
+
+bool CrackMeasure::isContact(std::size_t p, std::size_t q, Along along) const {
+    const Grid<float>& fold = along == Along::Beams ? cracks_.foldBeams : cracks_.foldLines;
+    return jump(p, along) <= kContactJump && std::min(fold[p], fold[q]) < kContactFold;
+}
+
+// From p to q, which lie on the two sides of the crack; `before` cells of p's leaf follow on its far side, `after` of q's.
+struct CrackMeasure::Chord {
+    std::size_t p, q, step;
+    float nearest, angle;
+    int before, after;
+
+    // How many cells a length covers here.
+    [[nodiscard]] int cells(float lengthM, float most) const {
+        return static_cast<int>(std::clamp(std::round(lengthM * nearest / angle), kFewestChord, most));
+    }
+};
+
+CrackMeasure::Chord CrackMeasure::chordAt(int line, int beam, Along along) const {
+    const Grid<float>& u = cracks_.smoothed;
+    const bool isBeams = along == Along::Beams;
+    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
+    const std::size_t p = leaf_.index(line, beam);
+    const AngularSteps& steps = inputs_.surface->steps;
+    Chord chord{
+        p, p + step, step, std::max(u[p], u[p + step]), isBeams ? steps.beam[static_cast<std::size_t>(beam)] : steps.lineAt(line, beam),
+        0, 0};
+    const int reach = chord.cells(kWideM, kMostWide);
+    const int place = isBeams ? beam : line;
+    const int before = std::min(reach, place);
+    const int after = std::min(reach, (isBeams ? leaf_.beams : leaf_.lines) - place - 2);
+    const auto own = [&](std::size_t k, std::size_t of) { return leaf_[k] == leaf_[of]; };
+    while (chord.before < before && own(chord.p - static_cast<std::size_t>(chord.before + 1) * step, chord.p)) ++chord.before;
+    while (chord.after < after && own(chord.q + static_cast<std::size_t>(chord.after + 1) * step, chord.q)) ++chord.after;
+    return chord;
+}
+
+double CrackMeasure::depthMm(const Chord& chord, int cells) const {
+    const Grid<float>& u = cracks_.smoothed;
+    const int a = std::min(cells, chord.before);
+    const int b = std::min(cells, chord.after);
+    if (a == 0 || b == 0) return 0.0;
+    const auto from = static_cast<double>(u[chord.p - static_cast<std::size_t>(a) * chord.step]);
+    const auto to = static_cast<double>(u[chord.q + static_cast<std::size_t>(b) * chord.step]);
+    const double slope = (to - from) / static_cast<double>(a + b + 1);
+    const double underP = from + slope * a - static_cast<double>(u[chord.p]);
+    const double underQ = from + slope * (a + 1) - static_cast<double>(u[chord.q]);
+    return 1000.0 * std::max(underP, underQ) / (static_cast<double>(chord.nearest) * static_cast<double>(chord.nearest));
+}
+
+CrackEvidence CrackMeasure::at(int line, int beam, Along along) const {
+    const bool isBeams = along == Along::Beams;
+    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
+    const std::size_t p = leaf_.index(line, beam);
+    const std::size_t q = p + step;
+    const Grid<float>& fold = isBeams ? cracks_.foldBeams : cracks_.foldLines;
+    float edge = std::max(partingStrength(*inputs_.responses, p), partingStrength(*inputs_.responses, q));
+    const int place = isBeams ? beam : line;
+    if (place > 0) edge = std::max(edge, partingStrength(*inputs_.responses, p - step));
+    if (place + 2 < (isBeams ? leaf_.beams : leaf_.lines)) edge = std::max(edge, partingStrength(*inputs_.responses, q + step));
+    CrackEvidence evidence;
+    evidence.e1 = static_cast<double>(std::clamp(std::max({jump(p, along), -fold[p], -fold[q]}), 0.0F, 1.0F));
+    evidence.e2 = static_cast<double>(std::min(edge, 1.0F));
+    const Chord chord = chordAt(line, beam, along);
+    evidence.valleyMm = depthMm(chord, chord.cells(kValleyM, kMostValley));
+    evidence.v = std::clamp(evidence.valleyMm / kValleyUnitMm, -kMostUnits, kMostUnits);
+    evidence.wideMm = depthMm(chord, chord.cells(kWideM, kMostWide));
+    evidence.w = std::clamp(evidence.wideMm / kWideUnitMm, -kMostUnits, kMostUnits);
+    evidence.z = kWeightCrack * evidence.e1 + kWeightEdge * evidence.e2 + kWeightValley * evidence.v + kWeightWide * evidence.w + kOdds;
+    return evidence;
+}
+
+std::vector<LeafBorder> leafBorders(const RockInputs& inputs, const Grid<std::uint32_t>& leaf) {
+    const CrackMeasure measure(inputs, leaf);
+    std::vector<LeafBorder> cracks;
+    const auto look = [&](int line, int beam, Along along) {
+        const std::size_t p = leaf.index(line, beam);
+        const std::size_t q = p + (along == Along::Beams ? 1 : static_cast<std::size_t>(leaf.beams));
+        if (leaf[p] == leaf[q] || leaf[p] == kOpen || leaf[q] == kOpen) return;
+        const CrackEvidence evidence = measure.at(line, beam, along);
+        const auto whole = [](double value) { return static_cast<std::int64_t>(std::llround(value / kEvidenceStep)); };
+        LeafBorder crack{leaf[p],           leaf[q],          whole(evidence.z), 1, 0, 0, 0, whole(evidence.e1), whole(evidence.e2),
+                         whole(evidence.v), whole(evidence.w)};
+        if (measure.jump(p, along) > 1.0F) (measure.isNearer(p, q) ? crack.jumpsA : crack.jumpsB) = 1;
+        crack.valleys = measure.isContact(p, q, along) ? 1 : 0;
+        cracks.push_back(crack.a < crack.b ? crack : crack.turned());
+    };
+    for (int i = 0; i < leaf.lines; ++i) {
+        for (int j = 0; j < leaf.beams; ++j) {
+            if (j + 1 < leaf.beams) look(i, j, Along::Beams);
+            if (i + 1 < leaf.lines) look(i, j, Along::Lines);
+        }
+    }
+    return addedUp(std::move(cracks));
+}
+
+std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts) {
+    // Those with the same sides are found by a table of places in `parts`, half empty at least; the first one takes in the others.
+    constexpr std::uint32_t kEmpty = UINT32_MAX;
+    const auto pairOf = [](const LeafBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
+    const unsigned bits = std::bit_width(2 * parts.size() + 1);
+    std::vector<std::uint32_t> table(std::size_t{1} << bits, kEmpty);
+    std::uint32_t count = 0;
+    for (const LeafBorder& part : parts) {
+        std::size_t at = pairOf(part) * 0x9E3779B97F4A7C15U >> (64U - bits);
+        while (table[at] != kEmpty && pairOf(parts[table[at]]) != pairOf(part)) at = (at + 1) & (table.size() - 1);
+        if (table[at] == kEmpty) {
+            table[at] = count;
+            parts[count++] = part;
+        } else {
+            parts[table[at]].add(part);
+        }
+    }
+    parts.resize(count);
+    std::sort(parts.begin(), parts.end(), [&](const LeafBorder& x, const LeafBorder& y) { return pairOf(x) < pairOf(y); });
+    return parts;
+}
+
+} // namespace edgescan

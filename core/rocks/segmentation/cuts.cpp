@@ -1,0 +1,152 @@
+// Lines of cells through leaves.
+#include "core/rocks/segmentation/cuts.h"
+
+#include "core/rocks/segmentation/basins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace edgescan {
+namespace {
+
+constexpr int kSideReach = 2;        // cells beside a line that say which leaves lie on its sides
+constexpr std::uint32_t kMostly = 3; // times as many cells on one side as on the other
+
+struct LineCell {
+    int line, beam;
+    int overLine, overBeam; // direction of the stroke there
+};
+
+// Cells of the stroke, 8-connected: no way along the sides of cells leads through.
+std::vector<LineCell> cellsOf(const CutLine& cut, int lines, int beams) {
+    std::vector<LineCell> corners;
+    for (const std::uint32_t k : cut) {
+        if (k < static_cast<std::uint64_t>(lines) * static_cast<std::uint64_t>(beams))
+            corners.push_back(
+                {static_cast<int>(k / static_cast<std::uint32_t>(beams)), static_cast<int>(k % static_cast<std::uint32_t>(beams)), 0, 0});
+    }
+    std::vector<LineCell> cells;
+    for (std::size_t n = 1; n < corners.size(); ++n) {
+        const LineCell& from = corners[n - 1];
+        const int overLine = corners[n].line - from.line;
+        const int overBeam = corners[n].beam - from.beam;
+        const int steps = std::max(std::abs(overLine), std::abs(overBeam));
+        for (int s = 0; s <= steps; ++s) {
+            const double share = steps == 0 ? 0.0 : static_cast<double>(s) / steps;
+            cells.push_back({from.line + static_cast<int>(std::lround(share * overLine)),
+                             from.beam + static_cast<int>(std::lround(share * overBeam)), overLine, overBeam});
+        }
+    }
+    return cells;
+}
+
+// Gives the cells that were taken out to the nearest piece, from all pieces at once.
+void giveBack(const CellLinks& links, const std::vector<std::size_t>& taken, const Grid<std::uint32_t>& before,
+              Grid<std::uint32_t>& piece) {
+    const auto beams = static_cast<std::size_t>(piece.beams);
+    for (bool any = true; any;) {
+        any = false;
+        std::vector<std::pair<std::size_t, std::uint32_t>> given;
+        for (const std::size_t k : taken) {
+            if (piece[k] != kOpen) continue;
+            const auto line = k / beams;
+            const auto beam = k % beams;
+            const auto look = [&](bool exists, std::size_t there, bool linked) {
+                if (!exists || !linked || piece[there] == kOpen || before[there] != before[k]) return false;
+                given.emplace_back(k, piece[there]);
+                return true;
+            };
+            if (look(line > 0, k - beams, line > 0 && links.toNextLine(k - beams))) continue;
+            if (look(beam > 0, k - 1, beam > 0 && links.toNextBeam(k - 1))) continue;
+            if (look(beam + 1 < beams, k + 1, beam + 1 < beams && links.toNextBeam(k))) continue;
+            look(k + beams < piece.size(), k + beams, k + beams < piece.size() && links.toNextLine(k));
+        }
+        for (const auto& [k, to] : given) piece[k] = to;
+        any = !given.empty();
+    }
+}
+
+} // namespace
+
+std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams) {
+    std::vector<std::uint32_t> cells;
+    for (const LineCell& cell : cellsOf(line, lines, beams)) {
+        const std::uint32_t k =
+            static_cast<std::uint32_t>(cell.line) * static_cast<std::uint32_t>(beams) + static_cast<std::uint32_t>(cell.beam);
+        if (cells.empty() || cells.back() != k) cells.push_back(k);
+    }
+    return cells;
+}
+
+void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf) {
+    std::vector<std::size_t> taken;
+    Grid<std::uint8_t> isTaken(leaf.lines, leaf.beams);
+    for (const CutLine& cut : cuts) {
+        for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
+            const std::size_t k = leaf.index(cell.line, cell.beam);
+            if (leaf[k] == kOpen || isTaken[k] != 0) continue;
+            isTaken[k] = 1;
+            taken.push_back(k);
+        }
+    }
+    if (taken.empty()) return;
+    std::vector<std::uint8_t> isCut(leaf.size() + 1);
+    for (const std::size_t k : taken) isCut[leaf[k]] = 1;
+    // Pieces of the leaves that are crossed; all others stay as they are.
+    const auto beams = static_cast<std::size_t>(leaf.beams);
+    JoinedGroups groups(leaf.size());
+    const auto join = [&](std::size_t k, std::size_t next, bool linked) {
+        if (linked && leaf[k] == leaf[next] && isTaken[k] == 0 && isTaken[next] == 0)
+            groups.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(next));
+    };
+    for (std::size_t k = 0; k < leaf.size(); ++k) {
+        if (leaf[k] == kOpen || isCut[leaf[k]] == 0) continue;
+        if (k % beams + 1 < beams) join(k, k + 1, links.toNextBeam(k));
+        if (k + beams < leaf.size()) join(k, k + beams, links.toNextLine(k));
+    }
+    Grid<std::uint32_t> piece(leaf.lines, leaf.beams);
+    std::vector<std::uint32_t> someCell(leaf.size() + 1, UINT32_MAX); // of each leaf that stays
+    for (std::uint32_t k = 0; k < leaf.size(); ++k) {
+        if (leaf[k] == kOpen || isTaken[k] != 0) continue;
+        if (isCut[leaf[k]] == 0 && someCell[leaf[k]] == UINT32_MAX) someCell[leaf[k]] = k;
+        piece[k] = (isCut[leaf[k]] == 0 ? someCell[leaf[k]] : groups.of(k)) + 1;
+    }
+    giveBack(links, taken, leaf, piece);
+    for (const std::size_t k : taken) {
+        if (piece[k] == kOpen) piece[k] = static_cast<std::uint32_t>(k) + 1; // a leaf that is nothing but stroke
+    }
+    leaf = std::move(piece);
+    numberByFirstCell(leaf);
+}
+
+std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<const LeafBorder> borders, std::span<const CutLine> cuts) {
+    std::vector<LeafPair> pairs;
+    for (const CutLine& cut : cuts) {
+        std::map<std::uint32_t, std::array<std::uint32_t, 2>> sides; // cells beside the stroke, by leaf
+        for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
+            for (int i = cell.line - kSideReach; i <= cell.line + kSideReach; ++i) {
+                for (int j = cell.beam - kSideReach; j <= cell.beam + kSideReach; ++j) {
+                    const int side = (i - cell.line) * cell.overBeam - (j - cell.beam) * cell.overLine;
+                    if (side != 0 && leaf.contains(i, j) && leaf.at(i, j) != kOpen) ++sides[leaf.at(i, j)][side > 0 ? 1 : 0];
+                }
+            }
+        }
+        const auto sideOf = [&](std::uint32_t l) {
+            const auto found = sides.find(l);
+            if (found == sides.end()) return -1;
+            const auto [one, other] = found->second;
+            return one > kMostly * other ? 0 : other > kMostly * one ? 1 : -1;
+        };
+        for (const LeafBorder& border : borders) {
+            const int a = sideOf(border.a);
+            const int b = sideOf(border.b);
+            if (a >= 0 && b >= 0 && a != b) pairs.push_back({border.a, border.b, false});
+        }
+    }
+    return pairs;
+}
+
+} // namespace edgescan

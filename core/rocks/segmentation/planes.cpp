@@ -1,0 +1,88 @@
+// Sums over windows, a few columns at once.
+#include "core/rocks/segmentation/planes.h"
+
+#include "core/base/simd.h"
+
+#include <array>
+#include <cstring>
+
+namespace edgescan {
+namespace {
+
+constexpr double kRidge = 0.5; // added to the spreads, so that few cells on a line tilt nothing
+constexpr int kFewestForPlane = 6;
+constexpr int kWide = 2 * kPlaneReach + 1;
+constexpr std::size_t kLanesAtOnce = 4;
+constexpr std::size_t kGroups = kPlaneColumns / kLanesAtOnce;
+
+using FourNumbers = std::uint32_t __attribute__((vector_size(16)));
+using FourWide = double __attribute__((vector_size(32)));
+
+// Of each column, rows counted from 0 at the top. All sums are exact, in any order: u has 24 bits, and a double 53.
+struct ColumnSums {
+    std::array<std::uint32_t, kPlaneColumns> counts; // cells, their rows (from the 9th bit on) and squares of rows (from the 17th)
+    std::array<double, kPlaneColumns> u;
+    std::array<double, kPlaneColumns> upward; // sum of u x (kWide - row)
+};
+
+EDGESCAN_SIMD void addColumns(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        FourNumbers counts{};
+        FourWide total{}, upward{};
+        for (std::uint32_t row = 0; row < kWide; ++row) {
+            const std::size_t at = row * beams + group * kLanesAtOnce;
+            FourNumbers there;
+            FourNumbers bits;
+            std::memcpy(&there, leaf + at, sizeof there);
+            std::memcpy(&bits, u + at, sizeof bits);
+            const auto isOwn = reinterpret_cast<FourNumbers>(there == own);
+            counts += isOwn & (1U | row << 8U | row * row << 16U);
+            total += __builtin_convertvector(reinterpret_cast<FourLanes>(bits & isOwn), FourWide);
+            upward += total;
+        }
+        std::memcpy(&sums.counts[group * kLanesAtOnce], &counts, sizeof counts);
+        std::memcpy(&sums.u[group * kLanesAtOnce], &total, sizeof total);
+        std::memcpy(&sums.upward[group * kLanesAtOnce], &upward, sizeof upward);
+    }
+}
+
+} // namespace
+
+double PlaneSums::height() const {
+    if (n < kFewestForPlane) return u / n;
+    const double a = xx + kRidge;
+    const double d = yy + kRidge;
+    const double minor = a * d - static_cast<double>(xy) * xy;
+    const double cx = x * d - static_cast<double>(y) * xy;
+    const double cy = y * a - static_cast<double>(x) * xy;
+    const double determinant = n * minor - x * cx - y * cy;
+    return (u * minor - xu * cx - yu * cy) / determinant;
+}
+
+PlaneSums planeSums(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own) {
+    ColumnSums columns;
+    addColumns(leaf, u, beams, own, columns);
+    PlaneSums plane;
+    double upward = 0;
+    for (int column = 0; column < kWide; ++column) {
+        const auto at = static_cast<std::size_t>(column);
+        const int x = column - kPlaneReach;
+        const auto n = static_cast<int>(columns.counts[at] & 0xffU);
+        const auto rows = static_cast<int>(columns.counts[at] >> 8U & 0xffU);
+        const auto squares = static_cast<int>(columns.counts[at] >> 16U);
+        const int y = rows - n * kPlaneReach;
+        plane.n += n;
+        plane.x += x * n;
+        plane.xx += x * x * n;
+        plane.y += y;
+        plane.xy += x * y;
+        plane.yy += squares - 2 * kPlaneReach * rows + n * (kPlaneReach * kPlaneReach);
+        plane.u += columns.u[at];
+        plane.xu += x * columns.u[at];
+        upward += columns.upward[at];
+    }
+    plane.yu = (kWide - kPlaneReach) * plane.u - upward;
+    return plane;
+}
+
+} // namespace edgescan

@@ -1,0 +1,263 @@
+// Cells on the borders of leaves choose the leaf whose plane they lie on.
+#include "core/rocks/segmentation/refinement.h"
+
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+#include "core/rocks/segmentation/equal_runs.h"
+#include "core/rocks/segmentation/planes.h"
+#include "core/scan/grid/beam_width.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr int kPasses = 4;
+constexpr std::uint32_t kVoid = UINT32_MAX;
+// mostDeviations(): by how many times the step from beam to beam the beam widens.
+constexpr double kBesideEachOther = 1.1;
+constexpr double kOverlapping = 1.5;
+constexpr double kMostBeside = 5.0;
+constexpr double kMostOverlapping = 30.0;
+constexpr double kBeyond = 0.01;
+constexpr double kPerNeighbour = 2.0;
+constexpr float kAcrossEdge = 0.5F; // how little a neighbour counts behind a full jump or valley
+constexpr double kFitsOpen = 20.0;  // standard deviations within which an open cell is taken
+constexpr std::size_t kMostChoices = 9;
+constexpr double kLeastU = 1e-4; // 1/m
+
+// 0..1 on the crack between each cell and the next one along the way: the jump or valley there.
+EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
+    for (std::size_t k = 0; k < cells; ++k) {
+        const float valley = std::max(-fold[k], -fold[k + step]);
+        edge[k] = std::min(std::max(std::max(jump[k], valley), 0.0F), 1.0F);
+    }
+}
+
+// The leaf of each cell of a line, or kOpen where there is no range, or where one of its neighbours (of 8) holds a range and belongs to
+// another leaf or to none. `solid`: leaves, kVoid without a range, `step` cells a line.
+EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+    const std::uint32_t* const above = solid - step;
+    const std::uint32_t* const below = solid + step;
+    for (std::size_t j = 0; j < beams; ++j) {
+        const std::uint32_t here = solid[j];
+        std::uint32_t others = here == kVoid ? 1U : 0U;
+        for (const std::uint32_t there :
+             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
+            others |= (there != here ? 1U : 0U) & (there != kVoid ? 1U : 0U);
+        inner[j] = others != 0 ? kOpen : here;
+    }
+}
+
+// Marks of what a choice depends on: the leaves of the neighbours, and one of seven bits for each leaf that is weighed.
+constexpr std::uint8_t kNeighbours = 128;
+std::uint8_t markOf(std::uint32_t leaf) {
+    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
+}
+
+// A leaf that a cell may go to.
+struct LeafChoice {
+    std::uint32_t leaf;
+    double neighbours; // of the cell, less for those behind an edge
+};
+
+class Refinement {
+public:
+    Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf)
+        : inverse_(inverse), noise_(noise), most_(most), leaf_(leaf),
+          inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
+          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
+          weighed_(leaf.lines, leaf.beams, kNeighbours) {
+        const auto beams = static_cast<std::size_t>(leaf.beams);
+        for (int i = 0; i < leaf.lines; ++i) {
+            const std::size_t first = leaf.index(i, 0);
+            const std::size_t at = marginIndex(i, 0);
+            std::copy_n(&inverse.u[first], beams, &u_[at]);
+            edgesOf(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
+            if (i + 1 < leaf.lines) edgesOf(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
+            for (std::size_t j = 0; j < beams; ++j) solid_[at + j] = inverse.support[first + j] != Support::Void ? leaf[first + j] : kVoid;
+        }
+        for (int i = 0; i < leaf.lines; ++i) {
+            const std::size_t at = marginIndex(i, 0);
+            innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
+            for (std::size_t j = 0; j < beams; ++j)
+                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
+        }
+    }
+
+    void pass() {
+        struct Move {
+            int line, beam;
+            std::uint32_t leaf;
+        };
+        std::vector<Move> moves;
+        for (int i = 0; i < leaf_.lines; ++i) {
+            const std::uint8_t* const look = looked_.line(i);
+            for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
+                const std::size_t at = marginIndex(i, j);
+                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
+                const std::uint32_t chosen = choice(i, j);
+                if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
+            }
+        }
+        std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
+        for (const Move& move : moves) {
+            leaf_.at(move.line, move.beam) = move.leaf;
+            solid_[marginIndex(move.line, move.beam)] = move.leaf;
+        }
+        for (const Move& move : moves) {
+            look(move.line, move.beam, 1, kNeighbours);
+            renewInner(move.line, move.beam);
+        }
+    }
+
+private:
+    // The next cell of a line that is marked at all, eight at a time.
+    [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
+        for (std::uint64_t eight = 0; from + 8 <= leaf_.beams; from += 8) {
+            std::memcpy(&eight, look + from, sizeof eight);
+            if (eight != 0) break;
+        }
+        while (from < leaf_.beams && look[from] == 0) ++from;
+        return from;
+    }
+    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of the leaves that it
+    // weighed; where neither has changed, it chooses as before.
+    void look(int line, int beam, int reach, std::uint8_t leaves) {
+        const int first = std::max(beam - reach, 0);
+        const int last = std::min(beam + reach, leaf_.beams - 1);
+        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i) {
+            for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
+        }
+    }
+    // Of a cell that has moved, and of its neighbours.
+    void renewInner(int line, int beam) {
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
+            const std::size_t first = marginIndex(i, beam - 1);
+            std::array<std::uint32_t, 3> renewed;
+            innerOfLine(&solid_[first], marginBeams_, renewed.size(), renewed.data());
+            for (std::size_t n = 0; n < renewed.size(); ++n) {
+                const int j = beam - 1 + static_cast<int>(n);
+                if (j < 0 || j >= leaf_.beams || inner_[first + n] == renewed[n]) continue;
+                look(i, j, kPlaneReach, markOf(inner_[first + n]) | markOf(renewed[n]));
+                inner_[first + n] = renewed[n];
+            }
+        }
+    }
+    [[nodiscard]] std::uint32_t choice(int line, int beam) {
+        std::array<LeafChoice, kMostChoices> choices; // filled as far as there are some
+        const std::uint32_t own = leaf_.at(line, beam);
+        const std::size_t count = choicesAt(marginIndex(line, beam), choices);
+        std::uint8_t& weighed = weighed_.at(line, beam);
+        weighed = kNeighbours;
+        if (count == 0 || (count == 1 && choices[0].leaf == own)) return own;
+        // The one with most neighbours first: after it most others cannot cost less, however well they fit.
+        const auto fewer = [](const LeafChoice& x, const LeafChoice& y) { return x.neighbours < y.neighbours; };
+        std::swap(choices[0], *std::max_element(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count), fewer));
+        const double rangeM = 1.0 / static_cast<double>(inverse_.u.at(line, beam));
+        const double noiseMm = std::max(noise_.at(rangeM), 0.1);
+        const std::size_t window = marginIndex(line - kPlaneReach, beam - kPlaneReach);
+        std::uint32_t best = own;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t n = 0; n < count; ++n) {
+            if (-kPerNeighbour * choices[n].neighbours > least) continue;
+            weighed |= markOf(choices[n].leaf);
+            const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
+            // In standard deviations of the noise.
+            const double off = plane.n == 0 ? most_ : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
+            if (own == kOpen && off >= kFitsOpen) continue;
+            const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - kPerNeighbour * choices[n].neighbours;
+            if (cost < least || (cost == least && choices[n].leaf < best)) {
+                least = cost;
+                best = choices[n].leaf;
+            }
+        }
+        return best;
+    }
+    // How much each of the eight neighbours counts, by line, then beam; less behind a jump or valley. Round a corner, on the way where it
+    // is less.
+    [[nodiscard]] std::array<double, 9> neighbourWeights(std::size_t at) const {
+        const float* const up = &edgeLines_[at - marginBeams_]; // to the line before
+        const float* const down = &edgeLines_[at];
+        const float* const above = &edgeBeams_[at - marginBeams_ - 1];
+        const float* const here = &edgeBeams_[at - 1];
+        const float* const below = &edgeBeams_[at + marginBeams_ - 1];
+        const auto counts = [](float edge) { return static_cast<double>(1.0F - kAcrossEdge * edge); };
+        const auto corner = [&](float one, float then, float other, float next) {
+            return counts(std::min(std::max(one, then), std::max(other, next)));
+        };
+        return {corner(here[0], up[-1], up[0], above[0]),
+                counts(up[0]),
+                corner(here[1], up[1], up[0], above[1]),
+                counts(here[0]),
+                0.0,
+                counts(here[1]),
+                corner(here[0], down[-1], down[0], below[0]),
+                counts(down[0]),
+                corner(here[1], down[1], down[0], below[1])};
+    }
+    // The leaves among the cell and its neighbours, and how many neighbours each has.
+    std::size_t choicesAt(std::size_t at, std::array<LeafChoice, kMostChoices>& choices) const {
+        std::array<std::uint32_t, 9> leaves;
+        for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &leaves[3 * n]);
+        const std::array<double, 9> weights = neighbourWeights(at);
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < leaves.size(); ++k) {
+            if (leaves[k] == kOpen || leaves[k] == kVoid) continue;
+            std::size_t n = 0;
+            while (n < count && choices[n].leaf != leaves[k]) ++n;
+            if (n == count) choices[count++] = {leaves[k], 0.0};
+            choices[n].neighbours += weights[k];
+        }
+        return count;
+    }
+    // Of a cell in the grids with a margin.
+    [[nodiscard]] std::size_t marginIndex(int line, int beam) const {
+        return static_cast<std::size_t>(line + kPlaneReach) * marginBeams_ + static_cast<std::size_t>(beam + kPlaneReach);
+    }
+
+    const InverseRange& inverse_;
+    const RangeNoise& noise_;
+    const double most_;
+    Grid<std::uint32_t>& leaf_;
+    // With kPlaneReach cells more on each side, and a few beams more after them.
+    const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kPlaneReach);
+    std::vector<std::uint32_t> inner_; // the leaf of cells that touch no other one, else kOpen
+    std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
+    std::vector<float> u_;
+    std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one along the way
+    Grid<std::uint8_t> looked_;                // marks of what has changed around since a cell chose last
+    Grid<std::uint8_t> weighed_;               // marks of what that choice depended on
+};
+
+void openSmallLeaves(Grid<std::uint32_t>& leaf, std::uint32_t count) {
+    std::vector<std::size_t> cells(static_cast<std::size_t>(count) + 1);
+    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
+    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+        if (cells[of] < kSmallestLeaf) std::fill(&leaf.cells[begin], &leaf.cells[begin] + (end - begin), kOpen);
+    });
+}
+
+} // namespace
+
+double mostDeviations(const AngularSteps& steps) {
+    const double beamToBeam = std::sqrt(static_cast<double>(median(steps.beam)) * static_cast<double>(median(steps.line)) *
+                                        static_cast<double>(median(steps.fromAxis)));
+    if (!(beamToBeam > 0)) return kMostOverlapping;
+    const double overlap = (BeamWidth{}.growthRad / beamToBeam - kBesideEachOther) / (kOverlapping - kBesideEachOther);
+    return kMostBeside + (kMostOverlapping - kMostBeside) * std::clamp(overlap, 0.0, 1.0);
+}
+
+void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf,
+                  std::uint32_t count) {
+    openSmallLeaves(leaf, count);
+    Refinement refinement(inverse, cracks, noise, most, leaf);
+    for (int pass = 0; pass < kPasses; ++pass) refinement.pass();
+}
+
+} // namespace edgescan

@@ -1,0 +1,135 @@
+// Leaves with their borders and sums, from the inputs on.
+#include "core/rocks/segmentation/segments.h"
+
+#include "core/rocks/segmentation/basins.h"
+#include "core/rocks/segmentation/borders.h"
+#include "core/rocks/segmentation/cuts.h"
+#include "core/rocks/segmentation/equal_runs.h"
+#include "core/rocks/segmentation/refinement.h"
+#include "core/scan/grid/cartesian.h"
+
+#include <numeric>
+#include <utility>
+#include <variant>
+
+namespace edgescan {
+namespace {
+
+// Points of a line from the sensor on, metres, coordinates apart.
+struct LinePoints {
+    std::vector<double> x, y, z;
+
+    explicit LinePoints(int beams) : x(static_cast<std::size_t>(beams)), y(x), z(x) {}
+    void fill(const Scan& scan, const CartesianTables& tables, int line) {
+        if (std::holds_alternative<PolarGeometry>(scan.geometry)) return tables.pointsOfLine(line, x.data(), y.data(), z.data());
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            const auto beam = static_cast<int>(j);
+            const Eigen::Vector3d point = tables.direction(line, beam) * (0.001 * static_cast<double>(scan.rangeMm.at(line, beam)));
+            x[j] = point.x();
+            y[j] = point.y();
+            z[j] = point.z();
+        }
+    }
+};
+
+// Adds the measured cells of a run; `steps` of its line's cells.
+void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& run, LeafSums& sums) {
+    const AngularSteps& steps = inputs.surface->steps;
+    const auto line = static_cast<int>(run.row);
+    const Support* const support = inputs.surface->inverse.support.line(line);
+    const float* const rangeMm = inputs.scan->rangeMm.line(line);
+    LeafSums sum = sums;
+    for (std::uint32_t j = run.begin; j < run.end; ++j) {
+        if (support[j] != Support::Measured) continue;
+        const double rangeM = 0.001 * static_cast<double>(rangeMm[j]);
+        const double x = points.x[j];
+        const double y = points.y[j];
+        const double z = points.z[j];
+        ++sum.cells;
+        sum.areaM2 += rangeM * rangeM * static_cast<double>(steps.beam[j]) * static_cast<double>(steps.lineAt(line, static_cast<int>(j)));
+        sum.sumM += Eigen::Vector3d(x, y, z);
+        // The upper half: the lower one is the same.
+        sum.sumM2(0, 0) += x * x;
+        sum.sumM2(0, 1) += x * y;
+        sum.sumM2(0, 2) += x * z;
+        sum.sumM2(1, 1) += y * y;
+        sum.sumM2(1, 2) += y * z;
+        sum.sumM2(2, 2) += z * z;
+    }
+    sums = sum;
+}
+
+// `runs`: along the beams.
+std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafRun>& runs, std::uint32_t count) {
+    std::vector<LeafSums> sums(static_cast<std::size_t>(count) + 1);
+    const CartesianTables tables(*inputs.scan);
+    LinePoints points(inputs.scan->beams());
+    std::uint32_t line = UINT32_MAX;
+    for (const LeafRun& run : runs) {
+        if (run.row != line) {
+            line = run.row;
+            points.fill(*inputs.scan, tables, static_cast<int>(line));
+        }
+        addRun(inputs, points, run, sums[run.leaf]);
+    }
+    for (LeafSums& sum : sums) {
+        for (const auto [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}}) sum.sumM2(row, column) = sum.sumM2(column, row);
+    }
+    return sums;
+}
+
+std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
+    std::vector<LeafRun> runs;
+    const auto beams = static_cast<std::size_t>(leaf.beams);
+    for (int i = 0; i < leaf.lines; ++i) {
+        eachEqualRun({leaf.line(i), beams}, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+            if (of != kOpen)
+                runs.push_back({of, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+        });
+    }
+    return runs;
+}
+
+// By beam, then line; gone through line by line, as the cells lie in memory.
+std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
+    const auto beams = static_cast<std::size_t>(leaf.beams);
+    const std::vector<std::uint32_t> outside(beams, kOpen);
+    const auto eachChange = [&](const auto& say) {
+        for (int i = 0; i <= leaf.lines; ++i) {
+            const std::uint32_t* const before = i > 0 ? leaf.line(i - 1) : outside.data();
+            const std::uint32_t* const here = i < leaf.lines ? leaf.line(i) : outside.data();
+            for (std::size_t j = 0; j < beams; ++j) {
+                if (before[j] != here[j]) say(static_cast<std::uint32_t>(i), j, before[j], here[j]);
+            }
+        }
+    };
+    std::vector<std::size_t> next(beams + 1, 0); // place of the next run of each beam
+    eachChange([&](std::uint32_t, std::size_t j, std::uint32_t, std::uint32_t here) { next[j + 1] += here != kOpen ? 1 : 0; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<LeafRun> runs(next.back());
+    eachChange([&](std::uint32_t i, std::size_t j, std::uint32_t before, std::uint32_t here) {
+        if (before != kOpen) runs[next[j] - 1].end = i;
+        if (here != kOpen) runs[next[j]++] = {here, static_cast<std::uint32_t>(j), i, i};
+    });
+    return runs;
+}
+
+} // namespace
+
+RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
+    RockLeaves leaves;
+    leaves.inputs = inputs;
+    const InverseRange& inverse = inputs.surface->inverse;
+    const CellLinks links{inverse.support, *inputs.cracks};
+    leaves.leaf = leafBasins(barrierDistance(inputs), links);
+    cutLeaves(links, cuts, leaves.leaf);
+    leaves.borders = leafBorders(inputs, leaves.leaf);
+    const std::uint32_t count = lastLeaf(leaves.leaf);
+    refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.leaf, count);
+    leaves.beamRuns = runsAlongBeams(leaves.leaf);
+    leaves.sums = leafSums(inputs, leaves.beamRuns, count);
+    leaves.lineRuns = runsAlongLines(leaves.leaf);
+    return leaves;
+}
+
+} // namespace edgescan

@@ -1,0 +1,195 @@
+// Regions at one level, and which of them are rocks.
+#include "core/rocks/selection/rock_map.h"
+
+#include "core/rocks/selection/bulge.h"
+#include "core/rocks/selection/region_of_interest.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace edgescan {
+namespace {
+
+constexpr std::uint32_t kFewestValleys = 5;
+constexpr std::uint32_t kFewestJumps = 3;
+constexpr double kOneWay = 0.8; // share of the jumps that go the same way
+
+// R, rock or not, and p, how sure (docs/rocks-method.md, "Step 7", "Confidence").
+constexpr double kPerBulge = 22.0;
+constexpr double kPerNear = 8.4;
+constexpr double kPerMetreTooLong = 1.1;
+constexpr double kPerEdges = 33.0;
+constexpr double kPerDepth = 11.7;
+constexpr double kPerFill = 9.3;
+constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
+constexpr double kPerFlat = 200.0;
+constexpr double kScoreOffset = -37.0;
+constexpr double kMostZ = 6.0;
+constexpr double kSureOffset = 1.82;
+constexpr double kPerEvidence = 0.48;
+constexpr double kPerScore = 0.39;
+constexpr double kLeastScore = -6.0;
+constexpr double kMostScore = 12.0;
+constexpr double kDeviations = 4.0; // standard deviations that a size is told as
+
+// From the spread of the points about their mean.
+void measureSpread(RockRegion& region) {
+    const LeafSums& sums = region.sums;
+    if (sums.cells < 3) return;
+    const double n = sums.cells;
+    const Eigen::Vector3d mean = sums.sumM / n;
+    const Eigen::Matrix3d spread = sums.sumM2 / n - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread, Eigen::EigenvaluesOnly);
+    const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt(); // ascending
+    region.longM = kDeviations * deviations[2];
+    const double boxM2 = kDeviations * deviations[1] * region.longM;
+    if (boxM2 <= 0.0) return; // on one line
+    region.depth = deviations[0] / deviations[2];
+    region.fill = sums.areaM2 / boxM2;
+}
+
+// Sums of the leaves of each region; places as in `regions`.
+void addLeaves(const RockLeaves& leaves, RockMap& map) {
+    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) map.regions[map.regionOfLeaf[leaf]].sums.add(leaves.sums[leaf]);
+}
+
+void addBorders(const RockLeaves& leaves, RockMap& map) {
+    std::vector<RegionBorder> parts;
+    for (RegionBorder border : leaves.borders) {
+        border.a = map.regionOfLeaf[border.a];
+        border.b = map.regionOfLeaf[border.b];
+        if (border.a != border.b) parts.push_back(border.a < border.b ? border : border.turned());
+    }
+    map.borders = addedUp(std::move(parts));
+    for (const RegionBorder& border : map.borders) {
+        const double cracks = border.cracks;
+        for (const std::uint32_t side : {border.a, border.b}) {
+            RockRegion& region = map.regions[side];
+            region.outlineCracks += border.cracks;
+            region.near += side == border.a ? border.jumpsA : border.jumpsB;
+            region.edges += static_cast<double>(border.sumE2) * kEvidenceStep;
+            region.evidence += std::min(border.meanZ(), kMostZ) * cracks;
+        }
+    }
+    for (RockRegion& region : map.regions) {
+        const double cracks = std::max(1.0, static_cast<double>(region.outlineCracks));
+        region.near /= cracks;
+        const bool alone = region.outlineCracks == 0; // nothing that it could be one with
+        region.edges = alone ? 1.0 : region.edges / cracks;
+        region.evidence = alone ? kMostZ : region.evidence / cracks;
+    }
+}
+
+void judge(RockRegion& region, const RockSettings& settings) {
+    if (region.sums.cells < static_cast<std::uint32_t>(settings.minimumCells)) return;
+    measureSpread(region);
+    region.score = kPerBulge * region.bulge + kPerNear * region.near - kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) +
+                   kPerEdges * region.edges + kPerDepth * region.depth - kPerFlat * std::max(0.0, kFlat - region.depth) +
+                   kPerFill * region.fill + kScoreOffset;
+    region.confidence =
+        1.0 /
+        (1.0 + std::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
+    const double awayM = (region.sums.sumM / static_cast<double>(region.sums.cells)).norm();
+    region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
+}
+
+// Rocks first, then the largest first; the map's places follow.
+void putInOrder(RockMap& map) {
+    std::vector<std::uint32_t> order(map.regions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto key = [&](std::uint32_t n) { return std::tuple(map.regions[n].kind, -map.regions[n].sums.areaM2, map.regions[n].group); };
+    std::sort(order.begin() + 1, order.end(), [&](std::uint32_t x, std::uint32_t y) { return key(x) < key(y); });
+    std::vector<std::uint32_t> place(order.size());
+    std::vector<RockRegion> regions;
+    for (std::uint32_t n = 0; n < order.size(); ++n) {
+        place[order[n]] = n;
+        regions.push_back(map.regions[order[n]]);
+    }
+    map.regions = std::move(regions);
+    for (std::uint32_t& region : map.regionOfLeaf) region = place[region];
+    for (RegionBorder& border : map.borders) {
+        border.a = place[border.a];
+        border.b = place[border.b];
+        if (border.a > border.b) border = border.turned();
+    }
+    map.borders = addedUp(std::move(map.borders));
+    map.rocks = static_cast<std::uint32_t>(
+        std::count_if(map.regions.begin() + 1, map.regions.end(), [](const RockRegion& r) { return r.kind == RegionKind::Rock; }));
+}
+
+Grid<std::uint32_t> painted(const RockLeaves& leaves, const std::vector<std::uint32_t>& colours) {
+    Grid<std::uint32_t> grid(leaves.leaf.lines, leaves.leaf.beams);
+    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = colours[leaves.leaf[k]];
+    return grid;
+}
+
+} // namespace
+
+const char* regionKindName(RegionKind kind) {
+    switch (kind) {
+    case RegionKind::Rock:
+        return "rock";
+    case RegionKind::NotRock:
+        return "not_rock";
+    case RegionKind::Fines:
+        return "fines";
+    case RegionKind::Outside:
+        break;
+    }
+    return "outside";
+}
+
+RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSettings& settings, std::span<const CalledLeaf> called) {
+    RockMap map;
+    map.settings = settings;
+    map.regionOfLeaf = groupsAt(tree, leaves.count(), settings.level);
+    std::vector<std::uint32_t> place(map.regionOfLeaf.size());
+    map.regions.emplace_back();
+    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) {
+        std::uint32_t& region = map.regionOfLeaf[leaf];
+        if (region == leaf) {
+            place[leaf] = static_cast<std::uint32_t>(map.regions.size());
+            map.regions.emplace_back().group = leaf;
+        }
+        region = place[region]; // its smallest leaf has been there before
+    }
+    addLeaves(leaves, map);
+    addBorders(leaves, map);
+    const std::vector<double> bulges = regionBulges(leaves, map.regionOfLeaf, map.regions.size());
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        map.regions[n].bulge = bulges[n];
+        judge(map.regions[n], settings);
+    }
+    markOutside(leaves, map);
+    for (const CalledLeaf& call : called) {
+        RockRegion& region = map.regions[map.regionOfLeaf[call.leaf]];
+        if (region.sums.cells == 0) continue;
+        region.kind = call.rock ? RegionKind::Rock : RegionKind::NotRock;
+        region.byHand = true;
+    }
+    putInOrder(map);
+    return map;
+}
+
+Grid<std::uint32_t> regionLabels(const RockLeaves& leaves, const RockMap& map) { return painted(leaves, map.regionOfLeaf); }
+
+bool touch(const RegionBorder& border) { return border.valleys >= kFewestValleys; }
+
+std::uint32_t nearerSide(const RegionBorder& border) {
+    const std::uint32_t jumps = border.jumpsA + border.jumpsB;
+    if (jumps < kFewestJumps || std::max(border.jumpsA, border.jumpsB) < kOneWay * jumps) return 0;
+    return border.jumpsA > border.jumpsB ? border.a : border.b;
+}
+
+Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map) {
+    std::vector<std::uint32_t> colours = map.regionOfLeaf;
+    for (std::uint32_t& region : colours) region = region <= map.rocks ? region : 0;
+    return painted(leaves, colours);
+}
+
+} // namespace edgescan

@@ -1,0 +1,109 @@
+// The table of what can be turned about rocks.
+#include "core/rocks/selection/rock_settings.h"
+
+#include "core/base/json_fields.h"
+#include "core/base/number_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr int kMostLines = 1'000'000;
+constexpr std::size_t kMostCorners = 1000;
+
+constexpr std::array kRockParameters{
+    RockParameter{"level", "Fine to coarse", "", "From which evidence on two pieces are two rocks: lower cuts more, higher joins more.", -4,
+                  4, 0.1, 1, [](const RockSettings& s) { return s.level; }, [](RockSettings& s, double v) { s.level = v; }},
+    RockParameter{"min-cells", "Smallest rock", "cells", "Pieces of fewer measured cells are fines and no rocks.", 20, 100000, 1, 0,
+                  [](const RockSettings& s) { return static_cast<double>(s.minimumCells); },
+                  [](RockSettings& s, double v) { s.minimumCells = static_cast<int>(std::lround(v)); }},
+    RockParameter{"farthest", "Farthest rock", "m", "What lies farther away is no rock.", 0.5, 100, 0.5, 1,
+                  [](const RockSettings& s) { return s.farthestM; }, [](RockSettings& s, double v) { s.farthestM = v; }},
+    RockParameter{"largest", "Largest size expected", "m", "Pieces that are larger need better signs of being a rock and not a wall.", 0.1,
+                  50, 0.1, 1, [](const RockSettings& s) { return s.largestM; }, [](RockSettings& s, double v) { s.largestM = v; }},
+    RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is told; 0 tells none.", 0, 50, 0.1, 2,
+                  [](const RockSettings& s) { return s.oversizeM; }, [](RockSettings& s, double v) { s.oversizeM = v; }},
+};
+
+} // namespace
+
+std::span<const RockParameter> rockParameters() { return kRockParameters; }
+
+Result<std::vector<RegionCorner>> parseRegion(std::string_view text) {
+    const Error error{"the region \"" + std::string(text) + "\" is not understood", "--region",
+                      "give two corners or more as LINE,BEAM LINE,BEAM"};
+    std::vector<RegionCorner> corners;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const auto number = [&](int& value) {
+        const auto [next, code] = std::from_chars(at, end, value);
+        if (code != std::errc{} || value < 0 || value > kMostLines) return false;
+        at = next;
+        return true;
+    };
+    while (at < end) {
+        if (*at == ' ') {
+            ++at;
+            continue;
+        }
+        RegionCorner corner;
+        if (!number(corner.line) || at == end || *at++ != ',' || !number(corner.beam) || (at < end && *at != ' ')) return error;
+        if (corners.size() == kMostCorners) return error;
+        corners.push_back(corner);
+    }
+    if (corners.size() < 2) return error;
+    return corners;
+}
+
+std::string rockSettingsFlags(const RockSettings& settings) {
+    std::string text;
+    for (const RockParameter& p : rockParameters()) {
+        if (p.get(settings) == p.get(RockSettings{})) continue;
+        text += (text.empty() ? "--" : " --") + std::string(p.key) + " " + shortestText(p.get(settings));
+    }
+    std::string corners;
+    for (const RegionCorner& corner : settings.region)
+        corners += (corners.empty() ? "" : " ") + std::to_string(corner.line) + "," + std::to_string(corner.beam);
+    if (!corners.empty()) text += (text.empty() ? "--region '" : " --region '") + corners + "'";
+    return text;
+}
+
+nlohmann::ordered_json rockSettingsToJson(const RockSettings& settings) {
+    nlohmann::ordered_json object = nlohmann::ordered_json::object();
+    for (const RockParameter& p : rockParameters()) {
+        const double value = p.get(settings);
+        object[p.key] = value;
+        if (value == std::floor(value)) object[p.key] = static_cast<std::int64_t>(value);
+    }
+    object["region"] = nlohmann::ordered_json::array();
+    for (const RegionCorner& corner : settings.region) object["region"].push_back({corner.line, corner.beam});
+    return object;
+}
+
+Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const std::string& where) {
+    if (!object.is_object()) return Error{"the settings of rocks are not a JSON object", where, "write {\"level\": 0, ...}"};
+    JsonFields fields(object, where, "write {\"level\": 0, \"min-cells\": 100, ...}");
+    RockSettings settings;
+    for (const RockParameter& p : rockParameters()) p.set(settings, fields.number(p.key, p.get(settings), {p.minimum, p.maximum}));
+    for (const nlohmann::json& corner : fields.value("region")) {
+        const auto isIndex = [](const nlohmann::json& n) { return n.is_number_integer() && n >= 0 && n <= kMostLines; };
+        const bool isPair = corner.is_array() && corner.size() == 2 && isIndex(corner[0]) && isIndex(corner[1]);
+        if (!isPair || settings.region.size() == kMostCorners) {
+            fields.refuse("region", "must be a list of [line, beam]");
+            break;
+        }
+        settings.region.push_back({corner[0].get<int>(), corner[1].get<int>()});
+    }
+    if (settings.region.size() == 1) fields.refuse("region", "needs two corners or more");
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return settings;
+}
+
+} // namespace edgescan

@@ -1,0 +1,61 @@
+// Strokes and ancestors as edits.
+#include "core/rocks/selection/strokes.h"
+
+#include "core/rocks/segmentation/equal_runs.h"
+
+#include <algorithm>
+
+namespace edgescan {
+namespace {
+
+// Region of each cell of the line, in order; 0 where there is none.
+std::vector<std::uint32_t> regionsAlong(const RockLeaves& leaves, const RockMap& map, const std::vector<std::uint32_t>& cells) {
+    std::vector<std::uint32_t> regions;
+    for (const std::uint32_t k : cells) regions.push_back(map.regionOfLeaf[leaves.leaf[k]]);
+    return regions;
+}
+
+} // namespace
+
+std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> cells = strokeCells(stroke, leaves.leaf.lines, leaves.leaf.beams);
+    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, cells);
+    struct Run {
+        std::uint32_t region;
+        std::size_t begin, end;
+    };
+    std::vector<Run> longest; // of each region, in the order in which they are met
+    eachEqualRun(regions, [&](std::uint32_t region, std::size_t begin, std::size_t end) {
+        if (region == 0) return;
+        const auto met = std::ranges::find(longest, region, &Run::region);
+        if (met == longest.end())
+            longest.push_back({region, begin, end});
+        else if (end - begin > met->end - met->begin)
+            *met = {region, begin, end};
+    });
+    if (longest.size() < 2) return std::nullopt;
+    RockEdit join{RockEditKind::Join, {}};
+    for (const Run& run : longest) join.cells.push_back(cells[(run.begin + run.end) / 2]);
+    return join;
+}
+
+std::optional<RockEdit> cutAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, strokeCells(stroke, leaves.leaf.lines, leaves.leaf.beams));
+    if (std::ranges::all_of(regions, [](std::uint32_t region) { return region == 0; })) return std::nullopt;
+    return RockEdit{RockEditKind::Cut, stroke};
+}
+
+RockFamily familyAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+    RockFamily family;
+    RockLine all = rockLine(leaves, tree, level, k, mostLarger);
+    const std::size_t split = bestSplit(all);
+    for (std::size_t n = 0; n < all.pieces.size(); ++n) {
+        if (n < all.region && all.pieces[n].cells < kFewestSplit) continue;
+        if (n == all.region) family.line.region = family.line.pieces.size();
+        if (n == split) family.split = family.line.pieces.size();
+        family.line.pieces.push_back(std::move(all.pieces[n]));
+    }
+    return family;
+}
+
+} // namespace edgescan

@@ -1,0 +1,379 @@
+// Stalls and leaps of the stepper.
+#include "core/scan/angle_correction/line_slips.h"
+
+#include "core/base/bands.h"
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+#include "core/scan/angle_correction/slip_votes.h"
+#include "core/scan/angle_correction/step_unevenness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <type_traits>
+
+namespace edgescan {
+namespace {
+
+constexpr int kFarthest = 8; // lines to each side that tell the slope
+constexpr int kNearest = 3;
+constexpr float kAlike = 0.4F;      // of the steeper slope
+constexpr float kLeastExtra = 0.5F; // at the first look
+constexpr float kSureExtra = 0.7F;
+constexpr float kMostExtra = 20;   // index steps; what jumps farther is an edge
+constexpr float kExplained = 0.5F; // of the deviations on a line
+constexpr int kPause = 3;          // lines without a slip that end a stall
+constexpr float kMadeUp = 1.0F;    // index steps from where the stepper should be
+
+// The lines that tell the slope of a step from a line to the next; fewer at both ends of the sweep.
+int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 - line}); }
+
+// The slant at the step to the next line, from the lines before and after it: the steeper of the two slopes, because the stepper may have
+// stalled on one side.
+EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
+                                   std::uint8_t* __restrict slanted) {
+    const std::ptrdiff_t far = reach * stride;
+    const auto steps = static_cast<float>(reach);
+    for (int j = 0; j < beams; ++j) {
+        const float before = (u[j] - u[j - far]) / steps;
+        const float after = (u[j + stride + far] - u[j + stride]) / steps;
+        const float slant = std::abs(before) > std::abs(after) ? before : after;
+        const float smaller = std::min(std::abs(before), std::abs(after));
+        const float share = std::abs(slant) / u[j];
+        slants[j] = slant;
+        slanted[j] = static_cast<std::uint8_t>((share >= kLeastSlant) & (share <= kMostSlant) & (before * after > 0) &
+                                               (smaller >= kAlike * std::abs(slant)));
+    }
+}
+
+// The votes of a line, summed quickly: cells that are as many lanes apart share a sum, so each lane is of one parity.
+constexpr int kVoteLanes = 64;
+struct QuickVotes {
+    std::array<float, kVoteLanes> weight{}, below{}, upTo{};
+};
+
+// By kFarthest lines the division is a product, with the same bits.
+template <bool kFar, class Count>
+inline __attribute__((always_inline)) void addQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, Count cells,
+                                                      float limit, float* __restrict weights, float* __restrict below,
+                                                      float* __restrict upTo) {
+    static_assert(kFarthest == 8);
+    const std::ptrdiff_t far = reach * stride;
+    const auto steps = static_cast<float>(reach);
+    constexpr float kShare = 1.0F / kFarthest;
+    for (int j = 0; j < cells; ++j) {
+        const float changeBefore = u[j] - u[j - far];
+        const float changeAfter = u[j + stride + far] - u[j + stride];
+        const float before = kFar ? changeBefore * kShare : changeBefore / steps;
+        const float after = kFar ? changeAfter * kShare : changeAfter / steps;
+        const float slant = std::abs(before) > std::abs(after) ? before : after;
+        const float smaller = std::min(std::abs(before), std::abs(after));
+        const float share = std::abs(slant) / u[j];
+        const bool slanted = (share >= kLeastSlant) & (share <= kMostSlant) & (before * after > 0) & (smaller >= kAlike * std::abs(slant));
+        const bool measured = (support[j - far] == Support::Measured) & (support[j] == Support::Measured) &
+                              (support[j + stride] == Support::Measured) & (support[j + stride + far] == Support::Measured);
+        const float extra = (u[j + stride] - u[j]) / slant - 1;
+        const float weight = slanted & measured ? share : 0.0F;
+        weights[j] += weight;
+        below[j] += extra <= -limit ? weight : 0.0F;
+        upTo[j] += extra < limit ? weight : 0.0F;
+    }
+}
+
+EDGESCAN_SIMD void voteQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, int beams, float limit,
+                               QuickVotes& votes) {
+    float *const weight = votes.weight.data(), *const below = votes.below.data(), *const upTo = votes.upTo.data();
+    constexpr auto kAll = std::integral_constant<int, kVoteLanes>();
+    int j = 0;
+    if (reach == kFarthest) {
+        for (; j + kVoteLanes <= beams; j += kVoteLanes)
+            addQuickly<true>(u + j, support + j, stride, kFarthest, kAll, limit, weight, below, upTo);
+    }
+    for (; j < beams; j += kVoteLanes)
+        addQuickly<false>(u + j, support + j, stride, reach, std::min(beams - j, kVoteLanes), limit, weight, below, upTo);
+}
+
+// Whether the weighted middle of both parities lies so far within the limit that rounding of the quick sums cannot matter. On most lines
+// it does, and no vote need be looked at again.
+bool isSurelyNoSlip(const InverseRange& inverse, int line, int reach, float limit) {
+    constexpr float kClear = 0.01F; // of the weight; the sums are good to a ten-thousandth
+    QuickVotes votes;
+    voteQuickly(inverse.u.line(line), inverse.support.line(line), inverse.u.beams, reach, inverse.u.beams, limit, votes);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        float weight = 0, below = 0, upTo = 0;
+        for (std::size_t lane = parity; lane < kVoteLanes; lane += 2) {
+            weight += votes.weight[lane];
+            below += votes.below[lane];
+            upTo += votes.upTo[lane];
+        }
+        if (weight > 0 && (2 * below > (1 - kClear) * weight || 2 * upTo < (1 + kClear) * weight)) return false;
+    }
+    return true;
+}
+
+// Shares of u between kLeastSlant and kMostSlant are whole multiples of this: as whole numbers they add up the same in any order.
+constexpr float kUnitOfWeight = 0x1p-31F;
+static_assert(kLeastSlant >= 0x1p-8F && kMostSlant < 1);
+
+// The votes of a line as their weighted middle counts them.
+struct StepVotes {
+    explicit StepVotes(int beams)
+        : weight(static_cast<std::size_t>(beams)), below(static_cast<std::size_t>(beams)), upTo(static_cast<std::size_t>(beams)) {}
+    std::vector<std::int32_t> weight; // in units; 0 where the cell has no vote
+    std::vector<std::int32_t> below;  // of these, votes for a step at most -limit ...
+    std::vector<std::int32_t> upTo;   // ... and less than limit
+};
+
+EDGESCAN_SIMD void weigh(const float* u, const Support* support, const LineSlants& slants, std::ptrdiff_t stride, int reach, float limit,
+                         StepVotes& votes) {
+    const std::ptrdiff_t far = reach * stride;
+    const auto beams = static_cast<std::ptrdiff_t>(votes.weight.size());
+    const float* slant = slants.slant.data();
+    const std::uint8_t* slanted = slants.slanted.data();
+    std::int32_t* __restrict weights = votes.weight.data();
+    std::int32_t* __restrict below = votes.below.data();
+    std::int32_t* __restrict upTo = votes.upTo.data();
+    for (std::ptrdiff_t j = 0; j < beams; ++j) {
+        const bool measured = (support[j - far] == Support::Measured) & (support[j] == Support::Measured) &
+                              (support[j + stride] == Support::Measured) & (support[j + stride + far] == Support::Measured);
+        const float share = (slanted[j] != 0) & measured ? std::abs(slant[j]) / u[j] : 0.0F;
+        const float steps = (u[j + stride] - u[j]) / slant[j] - 1;
+        const auto weight = static_cast<std::int32_t>(share / kUnitOfWeight);
+        weights[j] = weight;
+        below[j] = steps <= -limit ? weight : 0;
+        upTo[j] = steps < limit ? weight : 0;
+    }
+}
+
+struct Sum {
+    std::int64_t votes = 0, weight = 0, below = 0, upTo = 0;
+};
+EDGESCAN_SIMD Sum sumOfParity(const StepVotes& votes, std::size_t parity) {
+    Sum sum;
+    for (std::size_t j = parity; j < votes.weight.size(); j += 2) {
+        sum.votes += votes.weight[j] != 0 ? 1 : 0;
+        sum.weight += votes.weight[j];
+        sum.below += votes.below[j];
+        sum.upTo += votes.upTo[j];
+    }
+    return sum;
+}
+
+bool areEnough(std::size_t votes, int beams) { return votes >= std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25); }
+
+// Whether the weighted middle of either parity may be beyond the limit.
+bool canBeSlip(const StepVotes& votes, int beams) {
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        const Sum sum = sumOfParity(votes, parity);
+        if (areEnough(static_cast<std::size_t>(sum.votes), beams) && (2 * sum.below >= sum.weight || 2 * sum.upTo < sum.weight))
+            return true;
+    }
+    return false;
+}
+
+using StepSlips = std::array<std::vector<SlipVote>, 2>;
+
+void addStep(const InverseRange& inverse, int line, int beam, float slant, StepSlips& slips) {
+    const float u = inverse.u.at(line, beam);
+    const float next = inverse.u.at(line + 1, beam);
+    slips[static_cast<std::size_t>(beam % 2)].push_back({(next - u) / slant - 1, std::abs(slant) / u, slant});
+}
+
+void addSteps(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
+    const int reach = reachAt(line, inverse.u.lines);
+    slants.forEach([&](int j, float slant) {
+        for (const int i : {line - reach, line, line + 1, line + 1 + reach}) {
+            if (!inverse.isMeasured(i, j)) return;
+        }
+        addStep(inverse, line, j, slant, slips);
+    });
+}
+
+// The change of u from line to line: the mean of the middle half over some lines, which stalls, a leap, one jump or ranges in whole
+// centimetres do not disturb. 0 where a range is missing or where the surface is too steep or not slanted.
+float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
+    std::array<float, 2 * kFarthest + 1> changes{};
+    for (int i = first; i <= last; ++i) {
+        if (!inverse.isMeasured(i, beam)) return 0;
+        if (i > first) changes[static_cast<std::size_t>(i - first - 1)] = inverse.u.at(i, beam) - inverse.u.at(i - 1, beam);
+    }
+    const int count = last - first;
+    std::sort(changes.begin(), changes.begin() + count);
+    const auto from = changes.begin() + count / 4;
+    const auto to = changes.begin() + (count - count / 4);
+    const float slant = std::accumulate(from, to, 0.0F) / static_cast<float>(to - from);
+    const float share = std::abs(slant) / inverse.u.at(first, beam);
+    return share >= kLeastSlant && share <= kMostSlant ? slant : 0;
+}
+
+// The same cells again, with slants that are measured with more care.
+void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
+    for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
+    const int reach = reachAt(line, inverse.u.lines);
+    slants.forEach([&](int j, float) {
+        const float slant = middleSlant(inverse, line - reach, line + 1 + reach, j);
+        if (slant != 0) addStep(inverse, line, j, slant, slips);
+    });
+}
+
+// The slip that beams of one parity show; 0 when none explains what is seen.
+float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
+    if (!areEnough(slips.size(), beams)) return 0;
+    if (isMiddleWithin(least, slips)) return 0;
+    const float steps = weightedMiddle(slips);
+    if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
+    return explained(slips, steps) < kExplained ? 0 : steps;
+}
+
+// Memory for the work on a line.
+struct LineWork {
+    explicit LineWork(int beams) : slants(beams), votes(beams) {}
+    LineSlants slants;
+    StepVotes votes;
+    StepSlips slips;
+};
+
+// The slip from this line to the next, as beams of both parities show it.
+void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& steps) {
+    const int reach = reachAt(line, inverse.u.lines);
+    const int beams = inverse.u.beams;
+    if (isSurelyNoSlip(inverse, line, reach, kLeastExtra)) return;
+    slantsRoundStep(inverse.u.line(line), beams, reach, beams, work.slants.slant.data(), work.slants.slanted.data());
+    weigh(inverse.u.line(line), inverse.support.line(line), work.slants, beams, reach, kLeastExtra, work.votes);
+    if (!canBeSlip(work.votes, beams)) return;
+    StepSlips& slips = work.slips;
+    for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
+    addSteps(inverse, line, work.slants, slips);
+    if (extraStep(slips[0], beams, kLeastExtra) == 0 && extraStep(slips[1], beams, kLeastExtra) == 0) return;
+    addStepsAgain(inverse, line, work.slants, slips);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        const float extra = extraStep(slips[parity], beams, kSureExtra);
+        steps[parity][static_cast<std::size_t>(line)] = std::abs(extra) <= kMostExtra ? extra : 0;
+    }
+}
+
+// Slips that follow each other closely, of even or odd beams.
+struct Stall {
+    int first, last; // steps
+    int leap;        // the longest of them
+};
+
+float sizeAt(const LineSteps& extra, int step) {
+    return std::abs(extra[0][static_cast<std::size_t>(step)]) + std::abs(extra[1][static_cast<std::size_t>(step)]);
+}
+
+Stall stallFrom(const LineSteps& extra, int first) {
+    Stall stall{first, first, first};
+    for (int i = first; i < static_cast<int>(extra[0].size()) && i - stall.last <= kPause; ++i) {
+        if (sizeAt(extra, i) == 0) continue;
+        stall.last = i;
+        if (sizeAt(extra, i) > sizeAt(extra, stall.leap)) stall.leap = i;
+    }
+    return stall;
+}
+
+// Works out how far the lines of a stall lie ahead of their places, in index steps. They are counted from both ends, so that what the
+// stepper did not make up for stays as one longer step, the same for even and odd beams; where it made up for all, nothing stays.
+void straightenStall(const Stall& stall, std::vector<float>& extra, std::vector<float>& ahead) {
+    const auto at = [](std::vector<float>& steps, int i) -> float& { return steps[static_cast<std::size_t>(i)]; };
+    float total = 0;
+    for (int i = stall.first; i <= stall.last; ++i) total += at(extra, i);
+    const bool madeUp = std::abs(total) < kMadeUp;
+    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // spread evenly over the lines
+    float sum = 0;
+    for (int i = stall.first; i <= stall.last; ++i) {
+        sum += at(extra, i) - over;
+        at(ahead, i + 1) = madeUp || i < stall.leap ? sum : sum - total;
+        at(extra, i) = 0;
+    }
+    if (!madeUp) at(extra, stall.leap) = total;
+}
+
+LineSteps straightenStalls(LineSteps& extra) {
+    LineSteps ahead;
+    ahead.fill(std::vector<float>(extra[0].size()));
+    for (int i = 0; i < static_cast<int>(extra[0].size()); ++i) {
+        if (sizeAt(extra, i) == 0) continue;
+        const Stall stall = stallFrom(extra, i);
+        if (stall.last > stall.first) {
+            for (std::size_t parity = 0; parity < 2; ++parity) straightenStall(stall, extra[parity], ahead[parity]);
+        }
+        i = stall.last;
+    }
+    return ahead;
+}
+
+// What remains of a slip, measured with the slopes right beside it: crackJumps() takes it off with these.
+float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
+    std::vector<SlipVote> slips;
+    for (int j = parity; j < inverse.u.beams; j += 2) {
+        bool solid = true;
+        for (int i = line - 1; i <= line + 2; ++i) solid = solid && inverse.isMeasured(i, j);
+        if (!solid) continue;
+        const float u = inverse.u.at(line, j);
+        const float next = inverse.u.at(line + 1, j);
+        const float slant = 0.5F * (u - inverse.u.at(line - 1, j) + inverse.u.at(line + 2, j) - next);
+        const float share = std::abs(slant) / u;
+        if (share >= kLeastSlant && share <= kMostSlant) slips.push_back({(next - u) / slant - 1, share, slant});
+    }
+    return slips.size() < kFewestCells ? otherwise : weightedMiddle(slips);
+}
+
+} // namespace
+
+LineSteps lineSlips(const InverseRange& inverse, int threads) {
+    const int lines = inverse.u.lines;
+    LineSteps steps;
+    steps.fill(std::vector<float>(static_cast<std::size_t>(lines)));
+    inBands(std::max(0, lines - 1 - 2 * kNearest), bandsFor(inverse.u.size(), threads), [&](int first, int last) {
+        LineWork work(inverse.u.beams);
+        for (int i = first; i < last; ++i) findSlip(inverse, i + kNearest, work, steps);
+    });
+    return steps;
+}
+
+float stepUnevenness(const InverseRange& inverse) {
+    constexpr int kLooks = 60;
+    const int lines = inverse.u.lines, beams = inverse.u.beams;
+    LineWork work(beams);
+    std::vector<float> sizes;
+    for (int i = kNearest; i + 1 + kNearest < lines; i += std::max(1, lines / kLooks)) {
+        slantsRoundStep(inverse.u.line(i), beams, reachAt(i, lines), beams, work.slants.slant.data(), work.slants.slanted.data());
+        addStepsAgain(inverse, i, work.slants, work.slips);
+        for (const std::vector<SlipVote>& votes : work.slips) {
+            if (!areEnough(votes.size(), beams)) continue;
+            const float middle = weightedMiddle(votes);
+            if (spreadAround(middle, votes) <= kAgree) sizes.push_back(std::abs(middle));
+        }
+    }
+    return 1.48F * median(std::move(sizes));
+}
+
+LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
+    const bool anything = std::any_of(slips.begin(), slips.end(), [](const std::vector<float>& steps) {
+        return std::any_of(steps.begin(), steps.end(), [](float extra) { return extra != 0; });
+    });
+    if (!anything) return slips;
+    LineSteps left = slips;
+    const LineSteps ahead = straightenStalls(left);
+    const InverseRange from = inverse;
+    for (int i = 0; i < inverse.u.lines; ++i) {
+        for (int parity = 0; parity < 2; ++parity) {
+            const float steps = ahead[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)];
+            if (steps == 0) continue;
+            const int reach = std::min({kFarthest, i, inverse.u.lines - 1 - i});
+            for (int j = parity; j < inverse.u.beams; j += 2)
+                inverse.u.at(i, j) = std::max(from.u.at(i, j) - steps * middleSlant(from, i - reach, i + reach, j), 1e-4F);
+        }
+    }
+    for (int i = 1; i + 2 < inverse.u.lines; ++i) {
+        for (int parity = 0; parity < 2; ++parity) {
+            float& extra = left[static_cast<std::size_t>(parity)][static_cast<std::size_t>(i)];
+            if (extra != 0) extra = leftOver(inverse, i, parity, extra);
+        }
+    }
+    return left;
+}
+
+} // namespace edgescan

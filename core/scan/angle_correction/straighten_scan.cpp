@@ -1,0 +1,211 @@
+// From displacements in index steps to angles.
+#include "core/scan/angle_correction/straighten_scan.h"
+
+#include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
+#include "core/scan/angle_correction/interlace.h"
+#include "core/scan/angle_correction/line_phases.h"
+#include "core/scan/angle_correction/step_unevenness.h"
+#include "core/scan/angle_correction/sureness.h"
+#include "core/scan/grid/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgescan {
+namespace {
+
+struct Parity {
+    double steps = 0;  // median of the lines that tell of a displacement, index steps; 0 when none does, or chance explains it
+    double surest = 0; // over its standard deviation
+};
+
+Parity parityOf(const std::vector<float>& parity) {
+    std::vector<double> told;
+    std::copy_if(parity.begin(), parity.end(), std::back_inserter(told), [](float steps) { return steps != 0; });
+    const double middle = median(told);
+    const std::size_t lines = told.size();
+    for (double& steps : told) steps -= middle;
+    const double surest = std::abs(middle) / sdOfMedian(std::move(told), lines);
+    return surest >= kSignificant ? Parity{middle, surest} : Parity{};
+}
+
+void moveBeams(PolarGeometry& polar, double displacementDeg) {
+    polar.lineSkewDeg.resize(polar.beamDeg.size());
+    for (std::size_t j = 0; j < polar.lineSkewDeg.size(); ++j) polar.lineSkewDeg[j] += (j % 2 == 1 ? 0.5 : -0.5) * displacementDeg;
+}
+
+void moveLines(PolarGeometry& polar, const std::vector<double>& slipSteps, double stepDeg) {
+    double shiftDeg = 0;
+    for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
+        shiftDeg += slipSteps[i] * stepDeg;
+        polar.lineDeg[i + 1] += shiftDeg;
+    }
+}
+
+// How far the surfaces of a sweep show its angles to be wrong.
+struct Displacement {
+    double stepDeg = 0;            // from line to line
+    double oddAheadDeg = 0;        // odd beams against even ones
+    double oddSurest = 0;          // over its standard deviation
+    std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
+    int slipCount = 0;             // how many of these are not 0
+    double uneven = 0;             // what the steps differ by anyway, index steps
+    double surest = 0;             // the largest slip, index steps
+    int left = 0;                  // slips on which even and odd beams do not agree
+};
+
+// A measured displacement less what the angles allow for already; 0 where both agree as well as can be measured.
+double beyond(double measured, double told, double agree) { return told != 0 && std::abs(measured - told) < agree ? 0.0 : measured - told; }
+
+// How far the angles have odd beams ahead of even ones.
+double oddSkewDeg(const PolarGeometry& polar) {
+    const std::size_t pairs = polar.lineSkewDeg.size() / 2;
+    double sum = 0;
+    for (std::size_t n = 0; n < pairs; ++n) sum += polar.lineSkewDeg[2 * n + 1] - polar.lineSkewDeg[2 * n];
+    return pairs == 0 ? 0.0 : sum / static_cast<double>(pairs);
+}
+
+double medianStepDeg(const std::vector<double>& lineDeg) {
+    std::vector<double> steps;
+    for (std::size_t i = 0; i + 1 < lineDeg.size(); ++i) steps.push_back(lineDeg[i + 1] - lineDeg[i]);
+    return median(std::move(steps));
+}
+
+// Slips hang together, a stall with the leap that makes up for it: the largest of a sweep proves them, or none is told of.
+void dropUnproved(Displacement& found) {
+    for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
+    if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
+}
+
+Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
+    constexpr double kAgreeBeams = 0.35; // index steps
+    constexpr double kAgreeLines = 0.75;
+    const SweepSlips slips = straighten(inverse);
+    Displacement found;
+    found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
+    if (slips.interlaced) {
+        const Parity odd = parityOf(slips.parity);
+        found.oddAheadDeg = beyond(odd.steps * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
+        found.oddSurest = odd.surest;
+    }
+    found.uneven = slips.slipCount > 0 ? static_cast<double>(stepUnevenness(inverse)) : 0.0;
+    const double usualDeg = medianStepDeg(polar.lineDeg);
+    found.slipSteps.resize(polar.lineDeg.size());
+    for (std::size_t i = 0; i + 1 < polar.lineDeg.size(); ++i) {
+        const double even = static_cast<double>(slips.measured[0][i]);
+        const double odd = static_cast<double>(slips.measured[1][i]);
+        if (even * odd <= 0) {
+            found.left += even != 0 || odd != 0 ? 1 : 0;
+            continue;
+        }
+        const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
+        found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
+    }
+    dropUnproved(found);
+    found.slipCount = static_cast<int>(std::ranges::count_if(found.slipSteps, [](double steps) { return steps != 0; }));
+    return found;
+}
+
+const PolarGeometry* anglesOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    return polar != nullptr && polar->lineDeg.size() >= 2 ? polar : nullptr;
+}
+
+std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
+
+// ", 40 times what that is uncertain by"
+std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times what that is uncertain by"; }
+
+// "odd beams lie 0.12 degrees ahead of even ones"
+std::string interlaceText(double oddAheadDeg, double surest) {
+    return "odd beams lie " + degreesText(std::abs(oddAheadDeg)) + (oddAheadDeg > 0 ? " ahead of even ones" : " behind even ones") +
+           sureText(surest);
+}
+
+std::string slipText(const Displacement& found) {
+    const auto slipped = [](double steps) { return steps != 0; };
+    const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
+    double most = 0;
+    for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
+    const std::string sure =
+        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times what its steps differ by anyway" : "";
+    return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
+           std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
+}
+
+// Empty where nothing is displaced.
+std::string displacementText(const Displacement& found) {
+    std::string text;
+    if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg, found.oddSurest);
+    if (found.slipCount > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
+    return text;
+}
+
+/// Phases of the lines in turn; none where a place per line or points behind others would not come along.
+LinePhases phasesIn(const Scan& scan, const InverseRange& inverse) {
+    if ((scan.placement && scan.placement->poses.size() > 1) || !scan.attached.empty()) return {};
+    return linePhases(inverse);
+}
+
+// "the beams of 4 lines in turn lie 0, 0.25, 0.5 and 0.75 degrees ahead of them"
+std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
+    const std::vector<double>& phases = found.steps;
+    const double stepDeg = std::abs(polar.beamDeg.back() - polar.beamDeg.front()) / static_cast<double>(polar.beamDeg.size() - 1);
+    std::string degrees;
+    for (std::size_t k = 0; k < phases.size(); ++k)
+        degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);
+    return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be" +
+           sureText(found.surest);
+}
+
+constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
+
+} // namespace
+
+Scan straightened(Scan scan) {
+    if (anglesOf(scan) == nullptr) {
+        scan.warnings.emplace_back("Not straightened: the scan has no lines with angles.");
+        return scan;
+    }
+    InverseRange inverse = inverseRange(scan);
+    if (const auto phases = phasesIn(scan, inverse); !phases.steps.empty()) {
+        Scan folded = withPhasesFolded(scan, phases.steps);
+        folded.warnings.push_back("Straightened: " + phasesText(phases, std::get<PolarGeometry>(scan.geometry)) +
+                                  ", and were put side by side: " + std::to_string(phases.steps.size()) + " lines make one.");
+        return folded;
+    }
+    auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    const Displacement found = displacementOf(std::move(inverse), *polar);
+    if (found.oddAheadDeg != 0) moveBeams(*polar, found.oddAheadDeg);
+    moveLines(*polar, found.slipSteps, found.stepDeg);
+    const std::string text = displacementText(found);
+    if (!text.empty())
+        scan.warnings.push_back("Straightened: " + text + ".");
+    else if (found.left == 0)
+        scan.warnings.emplace_back("Straightened: no interlaced beams and no slips were found; the angles stay.");
+    if (found.left > 0)
+        scan.warnings.push_back(std::to_string(found.left) +
+                                (found.left == 1 ? " slip was seen in every second beam only, and is left as it is."
+                                                 : " slips were seen in every second beam only, and are left as they are."));
+    return scan;
+}
+
+std::optional<std::string> displacementWarning(const Scan& scan) {
+    const PolarGeometry* polar = anglesOf(scan);
+    if (polar == nullptr) return std::nullopt;
+    InverseRange inverse = inverseRange(scan);
+    if (const auto phases = phasesIn(scan, inverse); !phases.steps.empty()) {
+        return kDisplaced + phasesText(phases, *polar) +
+               "; edges across the lines are combed: --straighten (Scan > Straighten Beams) puts these lines side by side as one.";
+    }
+    const std::string text = displacementText(displacementOf(std::move(inverse), *polar));
+    if (text.empty()) return std::nullopt;
+    return kDisplaced + text +
+           "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles.";
+}
+
+bool tellsOfDisplacement(const std::string& warning) { return warning.starts_with(kDisplaced); }
+
+} // namespace edgescan

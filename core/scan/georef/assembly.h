@@ -1,0 +1,49 @@
+// How far the scanner's assembly on the stepper is off the nominal one (docs/calibration.md).
+#pragma once
+
+#include "core/scan/georef/calibration.h"
+#include "core/scan/grid/scan.h"
+
+#include <array>
+#include <cstdint>
+
+namespace edgescan {
+
+/// What surfaces seen twice in one turn can tell; every other error of the assembly is gauge or stays invisible in one scan. A plain array
+/// lies behind it, for the solver.
+///
+/// | member | spin, axis z | sweep, axis x |
+/// |---|---|---|
+/// | t1Mm | mount x | mount y |
+/// | t2Mm | mount y | mount z |
+/// | tiltDeg | mount roll | mount yaw |
+/// | indexDeg | mount pitch | mount pitch |
+/// | turnDeg | the stepper's angle at 180 degrees, minus 180 | the same |
+struct AssemblyErrors {
+    static constexpr std::size_t kCount = 5;
+    std::array<double, kCount> values{};
+
+    double& t1Mm() { return values[0]; }
+    double& t2Mm() { return values[1]; }
+    double& tiltDeg() { return values[2]; }
+    double& indexDeg() { return values[3]; }
+    double& turnDeg() { return values[4]; }
+    [[nodiscard]] double t1Mm() const { return values[0]; }
+    [[nodiscard]] double t2Mm() const { return values[1]; }
+    [[nodiscard]] double tiltDeg() const { return values[2]; }
+    [[nodiscard]] double indexDeg() const { return values[3]; }
+    [[nodiscard]] double turnDeg() const { return values[4]; }
+
+    /// Of the stepper's true angle to the recorded one.
+    [[nodiscard]] double turnFactor() const { return 1.0 + turnDeg() / 180.0; }
+
+    bool operator==(const AssemblyErrors&) const = default;
+};
+
+/// T_MS with these errors.
+[[nodiscard]] RigidTransform sensorInMover(Axis axis, const AssemblyErrors& errors);
+
+/// The calibration with what `errors` say of its stepper; all else as it is.
+[[nodiscard]] Calibration withAssembly(Calibration calibration, Axis axis, const AssemblyErrors& errors);
+
+} // namespace edgescan

@@ -1,0 +1,195 @@
+// From calibration and readings to the place of a scan, and what is doubtful about it.
+#include "core/scan/georef/poses.h"
+
+#include "core/base/number_text.h"
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/scan/georef/chain.h"
+#include "core/scan/georef/rotations.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMountingToleranceDeg = 10.0; // more between calibrated and ideal axis is another mounting, not a misalignment
+
+std::string shortNumber(double value) { return significantText(value, 3); }
+
+Error refused(const PoseTrack& poses, std::string what, std::string hint) { return {std::move(what), poses.source, std::move(hint)}; }
+
+Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, const PoseTrack& poses) {
+    if (!poses.robot.empty() && !calibration.robot.empty() && poses.robot != calibration.robot) {
+        return refused(poses, "the pose is of robot \"" + poses.robot + "\" and the calibration of \"" + calibration.robot + "\"",
+                       "give the calibration of the robot that made the scan");
+    }
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return Done{};
+    const Vector3d ideal = polar->axis == Axis::Sweep ? Vector3d::UnitX() : Vector3d::UnitZ();
+    const double off = degrees(std::acos(std::clamp(calibration.axis.normalized().dot(ideal), -1.0, 1.0)));
+    if (off <= kMountingToleranceDeg) return Done{};
+    return refused(poses,
+                   std::string("the scan turns about ") + (polar->axis == Axis::Sweep ? "x (sweep)" : "z (spin)") +
+                       " and the stepper of the calibration about another axis, " + shortNumber(off) + " degrees away",
+                   "open the scan with the right --axis or correct \"stepper.axis\" of the calibration");
+}
+
+/// One moment's readings to the transform of the whole chain. Angles that exclude each other are an Error.
+Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, const InclinometerReading& tilt, const TalinReading& talin,
+                              const Vector3d& originEnhM) {
+    Result<PitchRoll> head = PitchRoll{tilt.tiltXDeg, tilt.tiltYDeg};
+    if (c.tilt == TiltReading::Elevations) head = pitchRollOfElevations(tilt.tiltXDeg, tilt.tiltYDeg);
+    if (!head) return refused(poses, head.error().what, head.error().hint);
+    const double heading = talin.trueNorth ? gridHeadingDeg(talin.headingDeg, c.convergenceDeg) : talin.headingDeg;
+    MomentPose moment;
+    moment.inclinometerFromAxisBase = inclinometerFromAxisBase(c);
+    moment.head = *head;
+    moment.boomAzimuthDeg = poses.boomAzimuthDeg;
+    moment.slewAboutRobotZ = c.slewAboutRobotZ;
+    const bool given = poses.headInRobotM.allFinite();
+    moment.headInRobotM = given ? poses.headInRobotM : c.headInRobotM;
+    moment.armM = given ? Vector3d(Vector3d::Zero()) : c.armM;
+    moment.vehicleFromRobot = vehicleFromRobot(c.boresightRpyDeg, c.talinInRobotM);
+    moment.nedFromVehicle = nedFromVehicle(heading, talin.pitchDeg, talin.rollDeg);
+    moment.talinEnhM = talin.enhM;
+    auto pose = localFromAxisBase(moment, originEnhM, c.gridScale);
+    if (!pose) return refused(poses, pose.error().what, pose.error().hint);
+    return pose;
+}
+
+/// When each line was measured; empty when it is not known.
+Result<std::vector<double>> timesOfLines(const Scan& scan, const PoseTrack& poses, std::span<const double> given) {
+    const auto lines = static_cast<std::size_t>(scan.lines());
+    if (!given.empty() && given.size() != lines) {
+        return refused(poses, std::to_string(given.size()) + " line times do not fit a scan of " + std::to_string(lines) + " lines",
+                       "give the times of this scan");
+    }
+    if (!given.empty()) return std::vector<double>(given.begin(), given.end());
+    if (!std::isfinite(poses.scanStartS) || !std::isfinite(poses.scanEndS)) return std::vector<double>{};
+    std::vector<double> times(lines, poses.scanStartS);
+    for (std::size_t i = 0; i < lines && lines > 1; ++i)
+        times[i] += (poses.scanEndS - poses.scanStartS) * static_cast<double>(i) / static_cast<double>(lines - 1);
+    return times;
+}
+
+void warn(Placement& placement, bool outOfSpec, const std::string& sentence) {
+    placement.warnings.push_back((outOfSpec ? "OUT OF SPEC: " : "") + sentence);
+    placement.outOfSpec = placement.outOfSpec || outOfSpec;
+}
+
+/// The older of the two newest readings counts.
+double newestTime(const PoseTrack& poses) {
+    const double a = poses.inclinometer.back().timeS;
+    const double b = poses.talin.back().timeS;
+    return std::isnan(a) || std::isnan(b) ? kUnknownTime : std::min(a, b);
+}
+
+void judgeAge(Placement& placement, const Calibration& calibration, double poseTimeS, double startS) {
+    placement.timeUtc = utcText(poseTimeS);
+    placement.ageSeconds = startS - poseTimeS;
+    if (std::isnan(poseTimeS)) return warn(placement, false, "The pose carries no time, so its age is not known.");
+    if (std::isnan(startS)) return warn(placement, false, "The start of the scan is not known, so the age of the pose is not either.");
+    if (placement.ageSeconds <= calibration.poseAgeLimitS) return;
+    warn(placement, true, "the pose is " + shortNumber(placement.ageSeconds) + " s older than the start of the scan.");
+}
+
+void judgeStillness(Placement& placement, const Calibration& calibration, const PoseTrack& poses) {
+    double leastX = 1e9, mostX = -1e9, leastY = 1e9, mostY = -1e9;
+    for (const InclinometerReading& r : poses.inclinometer) {
+        leastX = std::min(leastX, r.tiltXDeg);
+        mostX = std::max(mostX, r.tiltXDeg);
+        leastY = std::min(leastY, r.tiltYDeg);
+        mostY = std::max(mostY, r.tiltYDeg);
+    }
+    const double change = std::max(mostX - leastX, mostY - leastY);
+    if (change <= calibration.tiltChangeLimitDeg) return;
+    warn(placement, true,
+         "the tilt of the head changed by " + shortNumber(change) + " degrees while it scanned, more than " +
+             shortNumber(calibration.tiltChangeLimitDeg) + ".");
+}
+
+/// Lines measured before the first or after the last reading stand on a guess.
+void judgeCover(Placement& placement, const PoseTrack& poses, const std::vector<double>& times) {
+    const double first = std::max(poses.inclinometer.front().timeS, poses.talin.front().timeS);
+    const double last = newestTime(poses);
+    const auto outside = std::count_if(times.begin(), times.end(), [&](double t) { return !(t >= first && t <= last); });
+    if (outside == 0) return;
+    warn(placement, true,
+         std::to_string(outside) + " of " + std::to_string(times.size()) +
+             " lines were measured before the first or after the last pose and were given the nearest one.");
+}
+
+Result<Done> placeLines(Placement& placement, const Calibration& calibration, const PoseTrack& poses, const std::vector<double>& times) {
+    placement.poses.clear();
+    for (const double t : times) {
+        const auto pose = poseAt(calibration, poses, inclinometerAt(poses.inclinometer, t), talinAt(poses.talin, t), placement.originEnhM);
+        if (!pose) return pose.error();
+        placement.poses.push_back(*pose);
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calibration& calibration, const PoseTrack& poses,
+                                                   std::span<const double> lineTimesS) {
+    if (poses.inclinometer.empty() || poses.talin.empty())
+        return refused(poses, "there is no pose", "give readings of inclinometer and TALIN");
+    if (auto fits = checkTogether(scan, calibration, poses); !fits) return fits.error();
+    const auto times = timesOfLines(scan, poses, lineTimesS);
+    if (!times) return times.error();
+    auto placement = std::make_shared<Placement>();
+    placement->mount = stepperMount(calibration);
+    placement->gridScale = calibration.gridScale;
+    if (!poses.headInRobotM.allFinite()) placement->boom = boomOf(calibration);
+    placement->grid = poses.grid;
+    placement->source = poses.source;
+    const TalinReading mean = averageTalin(poses.talin);
+    placement->originEnhM = chooseOrigin(mean.enhM);
+    const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();
+    if (poses.moving) {
+        if (times->empty()) {
+            return refused(poses, "the base moved and the times of the lines are not known",
+                           "add \"scan_start\" and \"scan_end\" to the pose file");
+        }
+        if (auto placed = placeLines(*placement, calibration, poses, *times); !placed) return placed.error();
+        judgeCover(*placement, poses, *times);
+        judgeAge(*placement, calibration, newestTime(poses), startS);
+    } else {
+        const auto pose = poseAt(calibration, poses, averageInclinometer(poses.inclinometer), mean, placement->originEnhM);
+        if (!pose) return pose.error();
+        placement->poses = {*pose};
+        judgeAge(*placement, calibration, newestTime(poses), startS);
+        judgeStillness(*placement, calibration, poses);
+    }
+    return std::shared_ptr<const Placement>(placement);
+}
+
+Result<std::string> sourceOf(const std::filesystem::path& file) {
+    const auto hash = sha256OfFile(file);
+    if (!hash) return hash.error();
+    return file.filename().string() + " (SHA-256 " + *hash + ")";
+}
+
+Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
+                                                       const Scan& scan, std::span<const double> lineTimesS) {
+    const auto robot = openCalibration(calibration);
+    if (!robot) return robot.error();
+    auto poses = openPoses(pose);
+    if (!poses) return poses.error();
+    const auto poseSource = sourceOf(pose);
+    const auto robotSource = sourceOf(calibration);
+    if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();
+    const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
+    if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
+    auto named = std::make_shared<Placement>(**placed);
+    named->source = *poseSource + " with " + *robotSource;
+    return std::shared_ptr<const Placement>(named);
+}
+
+} // namespace edgescan

@@ -1,0 +1,98 @@
+// Reading pose files.
+#include "core/scan/georef/poses.h"
+
+#include "core/base/inputs.h"
+#include "core/base/json_fields.h"
+#include "core/base/whole_file.h"
+#include "core/scan/georef/calibration.h"
+
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+constexpr const char* kPoseFormat = "edgescan-pose/1";
+constexpr const char* kPoseHint = "compare it with the example in docs/coordinates.md";
+constexpr NumberLimits kTilt = physical::kTiltDeg.limits;
+constexpr NumberLimits kPlace = physical::kPlaceM.limits;
+constexpr NumberLimits kPoseAngle = physical::kBeamDeg.limits;
+constexpr double kDegPerMil = 360.0 / 6400.0;
+
+/// NAME_deg, or NAME_mil with 6400 to the turn as TALIN may be set to.
+double angle(JsonFields& fields, const std::string& name, NumberLimits limits) {
+    const std::string deg = name + "_deg";
+    const std::string mil = name + "_mil";
+    const bool inDegrees = fields.has(deg.c_str());
+    if (!fields.has(mil.c_str())) return fields.neededNumber(deg.c_str(), limits);
+    if (inDegrees) fields.refuse(deg, "and \"" + mil + "\" exclude each other");
+    return fields.number(mil.c_str(), 0, {limits.least / kDegPerMil, limits.most / kDegPerMil}) * kDegPerMil;
+}
+
+InclinometerReading readInclinometer(JsonFields fields) {
+    InclinometerReading reading;
+    reading.timeS = fields.time("time");
+    reading.tiltXDeg = fields.neededNumber("tilt_x_deg", kTilt);
+    reading.tiltYDeg = fields.neededNumber("tilt_y_deg", kTilt);
+    fields.done();
+    return reading;
+}
+
+TalinReading readTalin(JsonFields fields, PoseTrack& poses) {
+    TalinReading reading;
+    reading.timeS = fields.time("time");
+    reading.enhM = {fields.neededNumber("easting_m", kPlace), fields.neededNumber("northing_m", kPlace),
+                    fields.neededNumber("elevation_m", physical::kElevationM.limits)};
+    reading.headingDeg = angle(fields, "heading", kPoseAngle);
+    reading.pitchDeg = angle(fields, "pitch", kTilt);
+    reading.rollDeg = angle(fields, "roll", physical::kRollDeg.limits);
+    reading.trueNorth = fields.choice("heading_ref", {"true", "grid"}) == 0;
+    const std::string zone = fields.text("zone");
+    const std::string datum = fields.text("datum");
+    if (poses.grid.empty()) poses.grid = zone + (zone.empty() || datum.empty() ? "" : ", ") + datum;
+    fields.done();
+    return reading;
+}
+
+template <class Reading>
+void checkTimes(JsonFields& fields, const std::vector<Reading>& readings, const char* key, bool moving) {
+    if (readings.empty()) return fields.refuse(key, "is missing");
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (moving && std::isnan(readings[i].timeS))
+            return fields.refuse(key, "needs a \"time\" in every reading when \"sweep\" is \"moving\"");
+        if (i > 0 && readings[i].timeS <= readings[i - 1].timeS) return fields.refuse(key, "must be in the order of time");
+    }
+}
+
+} // namespace
+
+Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
+    const auto object = parseJsonObject(json, kPoseFormat, where);
+    if (!object) return object.error();
+    JsonFields fields(*object, where, kPoseHint);
+    PoseTrack poses;
+    poses.source = std::filesystem::path(where).filename().string();
+    poses.robot = fields.text("robot");
+    poses.scanStartS = fields.time("scan_start");
+    poses.scanEndS = fields.time("scan_end");
+    if (poses.scanEndS < poses.scanStartS) fields.refuse("scan_end", "comes before \"scan_start\"");
+    poses.moving = fields.choice("sweep", {"static", "moving"}) == 1;
+    JsonFields boom = fields.object("boom");
+    poses.boomAzimuthDeg = boom.neededNumber("azimuth_deg", kPoseAngle);
+    poses.headInRobotM = boom.vector("head_in_robot_m", poses.headInRobotM, physical::kLeverM.limits);
+    boom.done();
+    for (const JsonFields& reading : fields.objects("inclinometer")) poses.inclinometer.push_back(readInclinometer(reading));
+    for (const JsonFields& reading : fields.objects("talin")) poses.talin.push_back(readTalin(reading, poses));
+    checkTimes(fields, poses.inclinometer, "inclinometer", poses.moving);
+    checkTimes(fields, poses.talin, "talin", poses.moving);
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return poses;
+}
+
+Result<PoseTrack> openPoses(const std::filesystem::path& path) {
+    const auto bytes = readInput(path);
+    if (!bytes) return bytes.error();
+    return parsePoses(textOf(*bytes), path.string());
+}
+
+} // namespace edgescan

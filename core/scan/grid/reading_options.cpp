@@ -1,0 +1,196 @@
+// One row per reading option.
+#include "core/scan/grid/reading_options.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_fields.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/shell_quoted.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = ReadingOption::Kind;
+using Options = ReadingOptions;
+
+std::string textOf(const std::optional<double>& value) {
+    std::string text;
+    if (value) appendShortest(text, *value);
+    return text;
+}
+std::string textOf(const std::optional<Eigen::Vector3d>& v) {
+    return v ? textOf(v->x()) + "," + textOf(v->y()) + "," + textOf(v->z()) : std::string();
+}
+std::string textOf(std::size_t value) { return value == 0 ? std::string() : std::to_string(value); }
+std::string textOf(bool value) { return value ? "on" : ""; }
+std::string textOf(const std::string& value) { return value; }
+
+// Finite numbers separated by commas; empty where there is anything else.
+std::vector<double> numbersOf(std::string_view text) {
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (true) {
+        double value = 0;
+        const auto [after, code] = std::from_chars(at, end, value);
+        if (code != std::errc{} || !std::isfinite(value)) return {};
+        numbers.push_back(value);
+        if (after == end) return numbers;
+        if (*after != ',') return {};
+        at = after + 1;
+    }
+}
+
+void read(std::optional<double>& value, const std::string& text) { value = numbersOf(text).at(0); }
+void read(std::optional<Eigen::Vector3d>& value, const std::string& text) {
+    const std::vector<double> numbers = numbersOf(text);
+    value = Eigen::Vector3d(numbers.at(0), numbers.at(1), numbers.at(2));
+}
+void read(std::size_t& value, const std::string& text) { value = static_cast<std::size_t>(numbersOf(text).at(0)); }
+void read(bool& value, const std::string& text) { value = text == "on"; }
+void read(std::string& value, const std::string& text) { value = text; }
+
+#define EDGESCAN_OPTION(member)                                                                                                            \
+    [](const Options& o) { return textOf(o.member); }, [](Options& o, const std::string& text) { read(o.member, text); }
+
+constexpr PhysicalLimit kScanIndex{"scan of a file", "", {0, 1e6}, "no file holds more"};
+
+constexpr int kBoth = ReadingOption::kFlag | ReadingOption::kRecord;
+
+// clang-format off
+const std::vector<ReadingOption>& table() {
+    static const std::vector<ReadingOption> rows{
+        {"beam-start", kBoth, Kind::Number, "Angle of the first beam [degrees]", {}, EDGESCAN_OPTION(beamStartDeg), &physical::kBeamDeg},
+        {"beam-step", kBoth, Kind::Number, "Angle from beam to beam [degrees]", {}, EDGESCAN_OPTION(beamStepDeg), &physical::kStepDeg},
+        {"line-start", kBoth, Kind::Number, "Angle of the first line [degrees]", {}, EDGESCAN_OPTION(lineStartDeg), &physical::kLineDeg},
+        {"line-step", kBoth, Kind::Number, "Angle from line to line [degrees]", {}, EDGESCAN_OPTION(lineStepDeg), &physical::kStepDeg},
+        {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file, where it does not say", {"mm", "cm", "m"},
+         [](const Options& o) -> std::string { return !o.unitMm ? "" : *o.unitMm == 1000.0 ? "m" : *o.unitMm == 10.0 ? "cm" : "mm"; },
+         [](Options& o, const std::string& text) { o.unitMm = text == "m" ? 1000.0 : text == "cm" ? 10.0 : 1.0; }},
+        {"unit-mm", ReadingOption::kRecord, Kind::Number, "Millimetres per number in the file", {}, EDGESCAN_OPTION(unitMm), &physical::kUnitMm},
+        {"grid-step", kBoth, Kind::Number, "Cells of a cloud that is projected [degrees]; else from the spacing of its points", {},
+         EDGESCAN_OPTION(gridStepDeg), &physical::kGridStepDeg},
+        {"axis", kBoth, Kind::Word, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)", {"spin", "sweep"},
+         [](const Options& o) -> std::string { return !o.axis ? "" : *o.axis == Axis::Spin ? "spin" : "sweep"; },
+         [](Options& o, const std::string& text) { o.axis = text == "spin" ? Axis::Spin : Axis::Sweep; }},
+        {"sensor", kBoth, Kind::ThreeNumbers, "Where a cloud without a grid was taken from, as X,Y,Z [m]", {}, EDGESCAN_OPTION(sensorM), &physical::kPlaceM},
+        {"project", kBoth, Kind::Word,
+         "Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)",
+         {"auto", "always", "never"},
+         [](const Options& o) -> std::string { return o.projection == Projection::Auto ? "" : o.projection == Projection::Always ? "always" : "never"; },
+         [](Options& o, const std::string& text) {
+             o.projection = text == "always" ? Projection::Always : text == "never" ? Projection::Never : Projection::Auto;
+         }},
+        {"straighten", kBoth, Kind::Switch,
+         "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped", {},
+         EDGESCAN_OPTION(straighten)},
+        {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
+        {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
+        {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},
+    };
+    return rows;
+}
+// clang-format on
+
+Json recordOf(Kind kind, const std::string& text) {
+    switch (kind) {
+    case Kind::Number:
+        return numbersOf(text).front();
+    case Kind::ThreeNumbers:
+        return numbersOf(text);
+    case Kind::Whole:
+        return static_cast<std::size_t>(numbersOf(text).front());
+    case Kind::Switch:
+        return true;
+    default:
+        return text;
+    }
+}
+
+double limited(const ReadingOption& option, JsonFields& fields) {
+    const double number = fields.number(option.key, 0.0, option.limit->limits);
+    if (!option.limit->hold(number)) fields.refuse(option.key, "must not be 0");
+    return number;
+}
+
+// What a record says; the first thing wrong is kept by `fields`.
+std::string textOf(const ReadingOption& option, JsonFields& fields) {
+    switch (option.kind) {
+    case Kind::Number:
+        return textOf(std::optional<double>(limited(option, fields)));
+    case Kind::ThreeNumbers:
+        return textOf(std::optional<Eigen::Vector3d>(fields.neededVector(option.key, option.limit->limits)));
+    case Kind::Whole:
+        return std::to_string(static_cast<std::size_t>(fields.number(option.key, 0.0, option.limit->limits)));
+    case Kind::Switch:
+        return textOf(fields.boolean(option.key, false));
+    case Kind::Word:
+        return option.words[fields.choice(option.key, option.words)];
+    default:
+        return fields.text(option.key);
+    }
+}
+
+} // namespace
+
+std::span<const ReadingOption> readingOptionTable() { return table(); }
+
+Result<Done> checked(const ReadingOption& option, const std::string& text) {
+    const std::string flag = std::string("--") + option.key;
+    if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end())
+        return Error{"\"" + text + "\" is none of its values", flag, "see --help for these"};
+    if (option.limit == nullptr) return Done{};
+    const std::vector<double> numbers = numbersOf(text);
+    const NumberLimits& limits = option.limit->limits;
+    const std::string unit = *option.limit->unit == '\0' ? std::string() : std::string(" ") + option.limit->unit;
+    const std::string within = "from " + significantText(limits.least, 9) + " to " + significantText(limits.most, 9) + unit;
+    const bool whole = option.kind == Kind::Whole;
+    const std::string hint = option.kind == Kind::ThreeNumbers ? "give three numbers " + within + ": X,Y,Z"
+                                                               : (whole ? "give a whole number " : "give a number ") + within +
+                                                                     (option.limit->zero ? "" : " that is not 0");
+    if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) return Error{"\"" + text + "\" is not a number", flag, hint};
+    if (std::ranges::all_of(numbers, [&](double n) { return option.limit->hold(n) && (!whole || n == std::floor(n)); })) return Done{};
+    return Error{text + " is out of reason for a " + option.limit->what, flag, hint};
+}
+
+std::string readingFlags(const ReadingOptions& options) {
+    std::string flags;
+    for (const ReadingOption& option : table()) {
+        const std::string text = option.get(options);
+        if ((option.uses & ReadingOption::kFlag) == 0 || text.empty()) continue;
+        flags += (flags.empty() ? "--" : " --") + std::string(option.key);
+        if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path ? shellQuoted(text) : text);
+    }
+    return flags;
+}
+
+std::string readingOptionsText(const ReadingOptions& options) {
+    Json object = Json::object();
+    for (const ReadingOption& option : table()) {
+        const std::string text = option.get(options);
+        if ((option.uses & ReadingOption::kRecord) != 0 && !text.empty()) object[option.key] = recordOf(option.kind, text);
+    }
+    return object.empty() ? std::string() : jsonText(object);
+}
+
+Result<ReadingOptions> parseReadingOptions(const std::string& json, const std::string& where) {
+    ReadingOptions options;
+    if (json.empty()) return options;
+    const auto object = parseJson(json, where, kSettingsJson);
+    if (!object || !object->is_object()) return Error{"what the scan was opened with is damaged", where, "export again"};
+    JsonFields fields(*object, where, "verify with the version that made the export");
+    for (const ReadingOption& option : table()) {
+        if ((option.uses & ReadingOption::kRecord) == 0 || !fields.has(option.key)) continue;
+        const std::string text = textOf(option, fields);
+        if (!fields.problem()) option.set(options, text);
+    }
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return options;
+}
+
+} // namespace edgescan

@@ -1,0 +1,56 @@
+// One TCP connection to a scanner, used by one thread: waits have a deadline and end at once when another thread interrupts.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scanner/cola/frames.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace edgescan {
+
+class ColaLink {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// Called on the thread that uses the link: `received` for every frame before anybody looks into it, `sent` for every frame that
+    /// was written. Either may be empty.
+    struct Hooks {
+        std::function<void(const ColaFrame&)> received;
+        std::function<void(const ColaFrame&)> sent;
+    };
+
+    explicit ColaLink(Hooks hooks);
+    ~ColaLink();
+    ColaLink(const ColaLink&) = delete;
+    ColaLink& operator=(const ColaLink&) = delete;
+
+    /// Host name, IPv4 or IPv6 address. An earlier connection is closed; the byte stream begins anew.
+    Result<Done> connect(const std::string& host, std::uint16_t port, Clock::duration timeout);
+    Result<Done> send(ByteView payload, Dialect dialect, Clock::duration timeout);
+    /// The frames of the next piece that arrives; none when the deadline passes or somebody interrupts. Error: the connection is gone.
+    Result<std::vector<ColaFrame>> receive(Clock::time_point deadline);
+    void close();
+
+    /// Sleeps; less when interrupted.
+    void pause(Clock::duration duration);
+
+    /// From any thread, for good: every wait ends now, and every later one at once.
+    void interrupt();
+    [[nodiscard]] bool interrupted() const;
+
+    /// Of all connections of this link together. Any thread.
+    [[nodiscard]] ColaCounts counts() const;
+
+private:
+    struct Socket; // keeps Boost.Asio out of the header
+    std::unique_ptr<Socket> socket_;
+};
+
+/// "192.168.0.1:2112", "[fe80::1]:2112".
+[[nodiscard]] std::string addressText(const std::string& host, std::uint16_t port);
+
+} // namespace edgescan

@@ -1,0 +1,209 @@
+// Makes the scanner's wrapping counters and clocks run on.
+#include "core/scanner/sweep_assembly/counters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+namespace edgescan {
+
+namespace {
+
+constexpr std::int64_t kCounterTurn = std::int64_t{1} << 16U;
+constexpr std::int64_t kClockTurn = std::int64_t{1} << 32U;
+constexpr std::int64_t kLate = 8;                ///< so many lines behind is late whatever the clock says
+constexpr std::int64_t kOldest = 20000;          ///< a line older than that is none of ours
+constexpr double kPauseUs = 1e6;                 ///< without a line that the counters know of
+constexpr std::int64_t kHostSlackUs = 5'000'000; ///< that the host may be late
+
+/// The value that is `residue` modulo `turn` and nearest to `expected`.
+std::int64_t nearest(std::int64_t residue, std::int64_t turn, double expected) {
+    return residue + turn * std::llround((expected - static_cast<double>(residue)) / static_cast<double>(turn));
+}
+
+/// How far a 16-bit counter went while the clock says `byClock`. More than one turn is believed only when it fits the clock closely:
+/// a scanner that was paused does not count.
+std::int64_t counted(std::uint16_t now, std::uint16_t before, double byClock) {
+    const std::int64_t residue = static_cast<std::uint16_t>(now - before);
+    const std::int64_t lifted = nearest(residue, kCounterTurn, byClock);
+    const bool fits = std::abs(static_cast<double>(lifted) - byClock) <= 3.0 + 0.02 * byClock;
+    return lifted < kCounterTurn || fits ? lifted : residue;
+}
+
+/// A counter may run slower than the clock, never faster. Without a running clock only the direction is known.
+bool plausible(std::int64_t count, double byClock) {
+    if (count < 1) return false;
+    return byClock == 0.0 ? count < kCounterTurn / 2 : static_cast<double>(count) <= 3.0 + 1.25 * byClock;
+}
+
+bool near(std::int64_t count, double byClock) { return std::abs(static_cast<double>(count) - byClock) <= 3.0 + 0.02 * std::abs(byClock); }
+
+constexpr std::int64_t kWindowLines = 250; // 10 s at 25 Hz
+constexpr std::int64_t kNsPerUs = 1000;
+constexpr std::int64_t kLatestNs = std::int64_t{1} << 61; // 73 years; beyond, differences would overflow
+
+std::int64_t bounded(std::int64_t ns) { return std::clamp(ns, -kLatestNs, kLatestNs); }
+std::int64_t nsOf(std::int64_t us) { return bounded(std::clamp(us, -kLatestNs / kNsPerUs, kLatestNs / kNsPerUs) * kNsPerUs); }
+
+} // namespace
+
+LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) {
+    if (!last_) return keep(telegram, hostNs, {});
+    Advance advance = advanceTo(telegram, hostNs);
+    LineStamp stamp = last_->stamp;
+    stamp.step = judge(advance, telegram);
+    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.claimed = stamp.behind = 0;
+    stamp.clock = ClockStep::Ran;
+    stamp.counters = CounterStep::Ran;
+    reconnected_ = false;
+    if (stamp.step == LineStep::Restart) {
+        ++stamp.epoch;
+        return keep(telegram, hostNs, stamp);
+    }
+    stamp.telegram += advance.telegrams;
+    stamp.scan += advance.scans;
+    stamp.deviceUs += advance.us;
+    if (stamp.step == LineStep::Next) {
+        learnInterval(advance);
+        follow(stamp, advance);
+        moves_ = true;
+    } else {
+        stamp.behind = advance.telegrams != 0 ? -advance.telegrams : -advance.scans / steps();
+    }
+    return keep(telegram, hostNs, stamp);
+}
+
+LineStamp LineCounter::restart(const ScanTelegram& telegram, std::int64_t hostNs) {
+    LineStamp stamp = last_ ? last_->stamp : LineStamp{};
+    stamp = {LineStep::Restart, stamp.telegram, stamp.scan, stamp.deviceUs, stamp.transmittedUs, 0, 0, 0, 0, 0, {}, {}, stamp.epoch + 1};
+    return keep(telegram, hostNs, stamp);
+}
+
+LineStamp LineCounter::next(const ScanTelegram& telegram, std::int64_t hostNs) {
+    LineStamp stamp = last_ ? last_->stamp : LineStamp{};
+    stamp.step = LineStep::Next;
+    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.claimed = stamp.behind = 0;
+    stamp.clock = ClockStep::Stood;
+    stamp.counters = CounterStep::Stood;
+    return keep(telegram, hostNs, stamp);
+}
+
+LineCounter::Advance LineCounter::advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const {
+    Advance advance;
+    advance.hostUs = hostNs / 1000 - last_->hostNs / 1000;
+    const std::uint32_t ahead = telegram.sinceStartUs - last_->sinceStartUs;
+    advance.us = nearest(ahead, kClockTurn, static_cast<double>(advance.hostUs));
+    advance.periodUs = linePeriodS(telegram) * 1e6;
+    advance.scansByClock = static_cast<double>(advance.us) / advance.periodUs;
+    advance.scansByHost = static_cast<double>(std::max<std::int64_t>(advance.hostUs, 0)) / advance.periodUs;
+    count(advance, telegram);
+    return advance;
+}
+
+void LineCounter::count(Advance& advance, const ScanTelegram& telegram) const {
+    advance.telegrams = counted(telegram.telegramCounter, last_->telegramCounter, advance.scansByClock / static_cast<double>(steps()));
+    advance.scans = counted(telegram.scanCounter, last_->scanCounter, advance.scansByClock);
+}
+
+/// Either clock leaves room for so many scans.
+bool LineCounter::possible(const Advance& advance, std::int64_t scans) const {
+    return plausible(scans, advance.scansByClock) || (advance.scansByHost > 0 && plausible(scans, advance.scansByHost));
+}
+
+/// Counters and clock are all back at where they were some lines ago.
+bool LineCounter::wasThere(const Advance& advance) const {
+    if (reconnected_ || advance.us > 0 || advance.telegrams > 0 || advance.scans > 0) return false;
+    const double latest = -2.0 * static_cast<double>(kLate * steps());
+    if (advance.telegrams >= -kLate && advance.scansByClock >= latest) return true;
+    const bool together = near(advance.telegrams * steps(), advance.scansByClock) && near(advance.scans, advance.scansByClock);
+    return together && advance.telegrams >= -kOldest;
+}
+
+LineStep LineCounter::judge(Advance& advance, const ScanTelegram& telegram) const {
+    if (advance.telegrams == 0 && advance.scans == 0 && advance.us == 0) return LineStep::Duplicate;
+    if (wasThere(advance)) return LineStep::Duplicate;
+    // A clock that ran ahead of ours while nobody listened was set, not waited for.
+    if (reconnected_ && advance.hostUs > 0 && advance.us > 2 * advance.hostUs + kHostSlackUs) return LineStep::Restart;
+    if (advance.us < 0) {
+        // Set back alone, or with the counters? Those of a scanner that was switched on again begin anew, and its clock is young.
+        const bool young = static_cast<double>(telegram.sinceStartUs) <= static_cast<double>(advance.hostUs) + kPauseUs;
+        advance.clockJumped = true;
+        advance.scansByClock = advance.scansByHost;
+        count(advance, telegram);
+        const auto steady = [&](std::int64_t scans) { return scans >= 1 && scans <= 3 * steps(); };
+        if (steady(advance.telegrams * steps()) && steady(advance.scans)) return LineStep::Next;
+        const bool follows = possible(advance, advance.telegrams * steps()) || possible(advance, advance.scans);
+        return follows && !young && !reconnected_ ? LineStep::Next : LineStep::Restart;
+    }
+    // One counter may begin anew with a measurement while the other runs on, and some devices do not count at all.
+    const bool counts = advance.telegrams != 0 || advance.scans != 0;
+    const bool follows = possible(advance, advance.telegrams * steps()) || possible(advance, advance.scans);
+    // Where the clock ran on as before, nobody switched the scanner off: the counters are at fault.
+    const bool ranOn = !reconnected_ && advance.us > 0 && (advance.hostUs <= 0 || advance.us <= 2 * advance.hostUs + kHostSlackUs);
+    return follows || !counts || ranOn ? LineStep::Next : LineStep::Restart;
+}
+
+/// What is missing before a line that follows, and what counters and clock did that they should not.
+void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
+    const std::int64_t turn = steps();
+    const bool byTelegrams = possible(advance, advance.telegrams * turn);
+    const bool byScans = possible(advance, advance.scans);
+    if (byTelegrams) stamp.lostTelegrams = advance.telegrams - 1;
+    if (byScans) stamp.lostScans = std::max<std::int64_t>((advance.scans + turn / 2) / turn - 1, 0);
+    stamp.lost = std::max(stamp.lostTelegrams, stamp.lostScans);
+    const bool stood = advance.telegrams == 0 && advance.scans == 0;
+    // Nothing but the clock is left, where it is known every how many scans a telegram is sent.
+    if (!byTelegrams && !byScans && interval_ > 0 && !advance.clockJumped) {
+        const double lines = advance.scansByClock / static_cast<double>(turn);
+        if (lines > 1.5 && lines < 1e6 && 2.0 * advance.scansByHost >= advance.scansByClock) stamp.lost = std::llround(lines) - 1;
+    }
+    for (const auto& [known, moved, scans] :
+         {std::tuple(byTelegrams, advance.telegrams, turn), std::tuple(byScans, advance.scans, std::int64_t{1})}) {
+        if (known || moved == 0) continue;
+        const bool back = static_cast<std::uint16_t>(moved) >= kCounterTurn / 2;
+        if (stamp.counters != CounterStep::Jumped) stamp.counters = back ? CounterStep::Reset : CounterStep::Jumped;
+        if (!back) stamp.claimed = std::max(stamp.claimed, moved * scans / turn - 1 - stamp.lost);
+    }
+    if (stood) stamp.counters = CounterStep::Stood;
+    const double unaccounted = static_cast<double>(advance.us) - static_cast<double>((stamp.lost + 1) * turn) * advance.periodUs;
+    if (advance.clockJumped)
+        stamp.clock = ClockStep::Jumped;
+    else if (advance.us == 0)
+        stamp.clock = ClockStep::Stood;
+    else if (unaccounted > kPauseUs && !stood)
+        stamp.clock =
+            advance.hostUs == 0 || 2.0 * static_cast<double>(advance.hostUs) >= unaccounted ? ClockStep::Paused : ClockStep::Jumped;
+}
+
+/// Every how many scans a telegram is sent shows in two neighbours; a smaller step seen later corrects it.
+void LineCounter::learnInterval(const Advance& advance) {
+    if (!learning_ || advance.clockJumped || advance.telegrams < 1 || advance.scans % advance.telegrams != 0 ||
+        !plausible(advance.scans, advance.scansByClock))
+        return;
+    const std::int64_t interval = advance.scans / advance.telegrams;
+    if (interval >= 1 && (interval_ == 0 || interval < interval_)) interval_ = interval;
+}
+
+LineStamp LineCounter::keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp) {
+    if (stamp.step == LineStep::First || stamp.step == LineStep::Restart) {
+        stamp.telegram = telegram.telegramCounter;
+        stamp.scan = telegram.scanCounter;
+        stamp.deviceUs = telegram.sinceStartUs;
+    }
+    stamp.transmittedUs = stamp.deviceUs + static_cast<std::int32_t>(telegram.transmittedUs - telegram.sinceStartUs);
+    if (stamp.step == LineStep::Duplicate) return stamp;
+    last_ = Last{telegram.telegramCounter, telegram.scanCounter, telegram.sinceStartUs, hostNs, stamp};
+    return stamp;
+}
+
+void DeviceClock::line(std::int64_t transmittedUs, std::int64_t hostNs) {
+    const std::int64_t ns = bounded(hostNs) - nsOf(transmittedUs);
+    while (!delays_.empty() && delays_.back().ns >= ns) delays_.pop_back();
+    delays_.push_back({ns, lines_++});
+    while (delays_.front().line + kWindowLines < lines_) delays_.pop_front();
+}
+
+std::int64_t DeviceClock::hostNs(std::int64_t deviceUs) const { return nsOf(deviceUs) + (delays_.empty() ? 0 : delays_.front().ns); }
+
+} // namespace edgescan

@@ -1,0 +1,270 @@
+// Rows of one sweep.
+#include "core/scanner/sweep_assembly/growing_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace edgescan {
+namespace {
+
+constexpr std::size_t kEarlyLines = 16; // after these it is clear how lines interlace
+constexpr int kAnglesWaitedFor = 8;     // rows that a reading of the stepper may come late
+constexpr int kMostCells = 50'000'000;  // of one sweep
+
+bool isRange(const ScanChannel& channel) { return std::string_view(channel.content).starts_with("DIST"); }
+
+/// The RSSI of the same echo and beams; null when the telegram has none.
+const ScanChannel* rssiOf(const ScanTelegram& telegram, const ScanChannel& range) {
+    if (range.content.size() != 5) return nullptr;
+    const ScanChannel* rssi = findChannel(telegram, "RSSI" + range.content.substr(4));
+    return rssi != nullptr && beamGrid(*rssi) == beamGrid(range) ? rssi : nullptr;
+}
+
+float intensityIn(const ScanChannel* rssi, std::size_t beam) {
+    return rssi != nullptr ? static_cast<float>(rssi->values[beam]) : std::numeric_limits<float>::quiet_NaN();
+}
+
+/// The farthest return of each beam over all echoes.
+void takeLastEcho(SweepLine& line, const ScanTelegram& telegram, const ScanChannel& first) {
+    for (const ScanChannel& channel : telegram.channels16) {
+        if (&channel == &first || !isRange(channel) || beamGrid(channel) != line.beams) continue;
+        const ChannelRanges other = rangesMm(channel);
+        const ScanChannel* rssi = rssiOf(telegram, channel);
+        for (std::size_t i = 0; i < other.state.size(); ++i) {
+            if (other.state[i] != CellState::Valid) continue;
+            if (line.ranges.state[i] == CellState::Valid && line.ranges.rangeMm[i] >= other.rangeMm[i]) continue;
+            line.ranges.state[i] = CellState::Valid;
+            line.ranges.rangeMm[i] = other.rangeMm[i];
+            if (!line.intensity.empty()) line.intensity[i] = intensityIn(rssi, i);
+        }
+    }
+}
+
+} // namespace
+
+SweepLine sweepLine(const ScanTelegram& telegram, Echo echo) {
+    SweepLine line;
+    line.device = deviceFlags(telegram);
+    line.serialNumber = telegram.serialNumber;
+    line.facts.secondsPerTurn = linePeriodS(telegram);
+    const ScanChannel* channel = findChannel(telegram, "DIST1");
+    for (const ScanChannel& other : telegram.channels16) {
+        if (channel == nullptr && isRange(other)) channel = &other;
+    }
+    if (channel == nullptr) return line;
+    line.beams = beamGrid(*channel);
+    line.echoes = channel->content;
+    for (const ScanChannel& other : telegram.channels16) {
+        if (&other == channel || !isRange(other)) continue;
+        line.echoes += beamGrid(other) == line.beams ? ' ' + other.content : " (" + other.content + ')';
+    }
+    line.ranges = rangesMm(*channel);
+    line.unitMm = channel->scale > 0.0F ? static_cast<double>(channel->scale) : 1.0;
+    if (const ScanChannel* rssi = rssiOf(telegram, *channel)) line.intensity.assign(rssi->values.begin(), rssi->values.end());
+    if (echo == Echo::Last) takeLastEcho(line, telegram, *channel);
+    return line;
+}
+
+int GrowingSweep::rowOf(std::int64_t slot) const {
+    const std::int64_t place = slot - origin_;
+    return place < 0 ? -1 : static_cast<int>(place / beams_.parts);
+}
+
+/// The slot after `lost` lost ones that this part can have.
+std::int64_t GrowingSweep::slotOf(int part, std::int64_t lost) const {
+    std::int64_t slot = lastSlot_ + 1 + lost;
+    if (!laidOut_ || beams_.parts == 1) return slot;
+    const std::int64_t wanted = origin_ + turns_[static_cast<std::size_t>(part)];
+    const std::int64_t ahead = (wanted - slot) % beams_.parts;
+    return slot + (ahead < 0 ? ahead + beams_.parts : ahead);
+}
+
+GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings) {
+    auto part = beams_.partOf(line.beams);
+    const bool early = lastSlot_ < 0 || (!early_.empty() && early_.size() < kEarlyLines);
+    const std::int64_t next = lastSlot_ + 1 + lost;
+    if (early && (!part || lastSlot_ < 0)) {
+        std::vector<BeamGrid> grids{line.beams};
+        for (const Early& other : early_) grids.push_back(other.line.beams);
+        if (!layOut(grids)) return Place::Misfit;
+        early_.push_back({line, next});
+        lastSlot_ = next;
+        rebuild();
+        return Place::Taken;
+    }
+    if (!part) return Place::Misfit;
+    const std::int64_t slot = slotOf(*part, lost);
+    if (slot - origin_ >= static_cast<std::int64_t>(mostRows(settings)) * beams_.parts) return Place::Full;
+    if (early) early_.push_back({line, slot});
+    write(line, slot, *part);
+    return Place::Taken;
+}
+
+int GrowingSweep::mostRows(const SweepSettings& settings) const {
+    const int allowed = std::min(settings.mostLines, kMostCells / std::max(beams_.beams, 1));
+    return settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
+}
+
+GrowingSweep::Repeat GrowingSweep::repeat(const SweepLine& line, std::int64_t behind) {
+    const std::int64_t slot = lastSlot_ - behind;
+    if (lastSlot_ < 0 || behind < 0 || slot < origin_ || rowOf(slot) >= grid_.rows()) return Repeat::Outside;
+    const auto part = beams_.partOf(line.beams);
+    if (!part || (slot - origin_) % beams_.parts != turns_[static_cast<std::size_t>(*part)]) return Repeat::Other;
+    const int row = rowOf(slot);
+    if (grid_.holds(row, *part, beams_.parts, line.ranges.state.size()))
+        return grid_.same(row, *part, beams_.parts, line.ranges.rangeMm, line.ranges.state) ? Repeat::Same : Repeat::Other;
+    if (!early_.empty() && early_.size() < kEarlyLines) {
+        const auto after = std::find_if(early_.begin(), early_.end(), [&](const Early& other) { return other.slot > slot; });
+        early_.insert(after, {line, slot});
+    }
+    write(line, slot, *part);
+    return Repeat::Filled;
+}
+
+std::int64_t GrowingSweep::placed() const {
+    std::int64_t sum = 0;
+    for (const int missing : missing_) sum += beams_.parts - missing;
+    return sum;
+}
+
+bool GrowingSweep::layOut(std::span<const BeamGrid> grids) {
+    const auto beams = interlacedBeams(grids);
+    if (!beams) return false;
+    beams_ = *beams;
+    return true;
+}
+
+/// Places all early lines anew after the beams have changed.
+void GrowingSweep::rebuild() {
+    const auto parts = static_cast<std::size_t>(beams_.parts);
+    std::vector<std::int64_t> firstSlot(parts, -1);
+    for (const Early& early : early_) {
+        std::int64_t& first = firstSlot[static_cast<std::size_t>(beams_.partOf(early.line.beams).value_or(0))];
+        if (first < 0) first = early.slot;
+    }
+    // A row begins with part 0: what came before the first of them is no whole row and is left out.
+    origin_ = firstSlot[0];
+    for (std::size_t part = 1; part < parts && origin_ < 0; ++part) {
+        if (firstSlot[part] >= 0) origin_ = firstSlot[part] + static_cast<std::int64_t>(parts - part);
+    }
+    turns_.assign(parts, 0);
+    for (std::size_t part = 0; part < parts; ++part) {
+        const std::int64_t after = firstSlot[part] >= 0 ? firstSlot[part] - origin_ : static_cast<std::int64_t>(part);
+        const auto count = static_cast<std::int64_t>(parts);
+        turns_[part] = static_cast<int>((after % count + count) % count);
+    }
+    laidOut_ = true;
+    grid_ = SweepGrid(beams_.beams);
+    facts_.clear();
+    missing_.clear();
+    wholeRows_ = 0;
+    leftOut_ = 0;
+    firstFlagged_ = -1;
+    for (const Early& early : early_) write(early.line, early.slot, beams_.partOf(early.line.beams).value_or(0));
+}
+
+void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
+    lastSlot_ = std::max(lastSlot_, slot);
+    const int row = rowOf(slot);
+    if (row >= 0) grow(row + 1);
+    if (row < 0 || grid_.holds(row, part, beams_.parts, line.ranges.state.size())) {
+        ++leftOut_;
+        return;
+    }
+    grid_.write(row, part, beams_.parts, {line.ranges.rangeMm, line.ranges.state, line.intensity});
+    --missing_[static_cast<std::size_t>(row)];
+    LineFacts& facts = facts_[static_cast<std::size_t>(row)];
+    if (!facts.received) {
+        facts = line.facts;
+        facts.received = true;
+        facts.turns = turns_[static_cast<std::size_t>(part)];
+    }
+    wholeRows_ = std::max(wholeRows_, turns_[static_cast<std::size_t>(part)] == beams_.parts - 1 ? row + 1 : row);
+    if (unitMm_ != line.unitMm && row == 0) unitMm_ = line.unitMm;
+    noteStatus(line, row);
+}
+
+void GrowingSweep::grow(int rows) {
+    if (rows <= grid_.rows()) return;
+    grid_.grow(rows);
+    facts_.resize(static_cast<std::size_t>(rows));
+    missing_.resize(static_cast<std::size_t>(rows), beams_.parts);
+}
+
+void GrowingSweep::loseRest(int rows) {
+    grow(rows);
+    finish();
+}
+
+void GrowingSweep::loseNext(std::int64_t telegrams, const SweepSettings& settings) {
+    if (telegrams <= 0 || lastSlot_ < 0) return;
+    const std::int64_t last = origin_ + static_cast<std::int64_t>(mostRows(settings)) * beams_.parts - 1;
+    lastSlot_ = std::max(lastSlot_, std::min(last, lastSlot_ + telegrams));
+    loseRest(rowOf(lastSlot_) + 1);
+}
+
+void GrowingSweep::noteStatus(const SweepLine& line, int row) {
+    for (std::size_t i = 0; i < line.ranges.state.size(); ++i) {
+        if (line.ranges.state[i] != CellState::DeviceStatus) continue;
+        const auto code = static_cast<std::uint32_t>(std::lround(static_cast<double>(line.ranges.rangeMm[i]) / line.unitMm));
+        const auto place = std::lower_bound(statusCodes_.begin(), statusCodes_.end(), code);
+        if (place == statusCodes_.end() || *place != code) statusCodes_.insert(place, code);
+    }
+    if (line.serialNumber != 0) serialNumber_ = line.serialNumber;
+    const DeviceFlags& now = line.device;
+    if (firstFlagged_ < 0 && (now.error || now.contaminationWarning || now.contaminationError)) firstFlagged_ = row;
+    deviceEver_.error |= now.error;
+    deviceEver_.contaminationWarning |= now.contaminationWarning;
+    deviceEver_.contaminationError |= now.contaminationError;
+}
+
+std::optional<int> GrowingSweep::reversal(const SweepSettings& settings) {
+    const AngleSource source = angleSourceOf(facts_, settings);
+    if (settings.reversalDeg <= 0 || (source != AngleSource::Encoder && source != AngleSource::Stepper)) return std::nullopt;
+    for (; examined_ < wholeRows_; ++examined_) {
+        const LineFacts& line = facts_[static_cast<std::size_t>(examined_)];
+        const auto deg = measuredDeg(line, source, settings);
+        if (!deg && line.received && wholeRows_ - examined_ < kAnglesWaitedFor) break;
+        if (!deg) continue;
+        if (!startDeg_) startDeg_ = extremeDeg_ = *deg;
+        if (direction_ == 0 && std::abs(*deg - *startDeg_) > settings.reversalDeg) {
+            direction_ = *deg > *startDeg_ ? 1 : -1;
+            extremeDeg_ = *startDeg_;
+        }
+        const double onward = (*deg - extremeDeg_) * direction_;
+        if (onward > 0 || direction_ == 0) {
+            if (direction_ != 0) extremeDeg_ = *deg;
+            extremeRow_ = examined_;
+        } else if (-onward > settings.reversalDeg) {
+            return extremeRow_ + 1;
+        }
+    }
+    return std::nullopt;
+}
+
+GrowingSweep GrowingSweep::cutFrom(int row) {
+    GrowingSweep rest;
+    const auto first = static_cast<std::ptrdiff_t>(row);
+    rest.beams_ = beams_;
+    rest.turns_ = turns_;
+    rest.origin_ = origin_ + static_cast<std::int64_t>(row) * beams_.parts;
+    rest.lastSlot_ = lastSlot_;
+    rest.laidOut_ = true;
+    rest.grid_ = grid_.cutFrom(row);
+    rest.facts_.assign(facts_.begin() + first, facts_.end());
+    rest.missing_.assign(missing_.begin() + first, missing_.end());
+    rest.wholeRows_ = std::max(0, wholeRows_ - row);
+    rest.unitMm_ = unitMm_;
+    rest.statusCodes_ = statusCodes_;
+    rest.deviceEver_ = deviceEver_;
+    rest.serialNumber_ = serialNumber_;
+    rest.firstFlagged_ = firstFlagged_ >= 0 ? std::max(0, firstFlagged_ - row) : -1;
+    facts_.resize(static_cast<std::size_t>(row));
+    missing_.resize(static_cast<std::size_t>(row));
+    wholeRows_ = std::min(wholeRows_, row);
+    return rest;
+}
+
+} // namespace edgescan

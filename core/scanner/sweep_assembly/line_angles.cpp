@@ -1,0 +1,126 @@
+// Line angles from whatever there is.
+#include "core/scanner/sweep_assembly/line_angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+/// Fills what lies between known angles evenly, and what lies outside by steps.
+void fill(std::vector<double>& lineDeg, const std::vector<int>& known, double step) {
+    const auto at = [&](int row) -> double& { return lineDeg[static_cast<std::size_t>(row)]; };
+    const int last = static_cast<int>(lineDeg.size()) - 1;
+    for (int row = known.front() - 1; row >= 0; --row) at(row) = at(known.front()) - step * (known.front() - row);
+    for (int row = known.back() + 1; row <= last; ++row) at(row) = at(known.back()) + step * (row - known.back());
+    for (std::size_t i = 0; i + 1 < known.size(); ++i) {
+        const int a = known[i];
+        const int b = known[i + 1];
+        for (int row = a + 1; row < b; ++row) at(row) = at(a) + (at(b) - at(a)) * (row - a) / (b - a);
+    }
+}
+
+/// Degrees per second between the first and the last line whose angle is known.
+double meanRate(std::span<const LineFacts> lines, const LineAngles& angles, const std::vector<int>& known) {
+    if (known.size() < 2) return 0.0;
+    const auto a = static_cast<std::size_t>(known.front());
+    const auto b = static_cast<std::size_t>(known.back());
+    const double seconds = lines[b].seconds - lines[a].seconds;
+    return seconds > 0 ? (angles.lineDeg[b] - angles.lineDeg[a]) / seconds : 0.0;
+}
+
+/// What the stepper said of its speed, over the lines it spoke of.
+double saidRate(std::span<const LineFacts> lines) {
+    double sum = 0.0;
+    int count = 0;
+    for (const LineFacts& line : lines) {
+        if (!line.received || !line.stepperDeg) continue;
+        sum += line.degPerSecond;
+        ++count;
+    }
+    return count > 0 ? sum / count : 0.0;
+}
+
+double secondsPerTurn(std::span<const LineFacts> lines) {
+    for (const LineFacts& line : lines) {
+        if (line.received) return line.secondsPerTurn;
+    }
+    return 0.0;
+}
+
+/// The angle of a received line by a source that may be a reckoning.
+std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row, AngleSource source, const SweepSettings& settings) {
+    const LineFacts& line = lines[row];
+    switch (source) {
+    case AngleSource::Encoder:
+        if (line.encoder) return settings.firstLineDeg + static_cast<double>(*line.encoder) / *settings.ticksPerDeg;
+        return std::nullopt;
+    case AngleSource::Stepper:
+        return line.stepperDeg;
+    case AngleSource::Steps:
+        return settings.firstLineDeg + static_cast<double>(row) * *settings.degPerLine;
+    case AngleSource::Time: {
+        const auto first = std::find_if(lines.begin(), lines.end(), [](const LineFacts& l) { return l.received; });
+        return settings.firstLineDeg + settings.degPerSecond * (line.seconds - first->seconds);
+    }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+AngleSource angleSourceOf(std::span<const LineFacts> lines, const SweepSettings& settings) {
+    if (settings.ticksPerDeg && std::any_of(lines.begin(), lines.end(), [](const LineFacts& l) { return l.encoder.has_value(); }))
+        return AngleSource::Encoder;
+    if (std::any_of(lines.begin(), lines.end(), [](const LineFacts& l) { return l.stepperDeg.has_value(); })) return AngleSource::Stepper;
+    return settings.degPerLine ? AngleSource::Steps : AngleSource::Time;
+}
+
+std::optional<double> measuredDeg(const LineFacts& line, AngleSource source, const SweepSettings& settings) {
+    if (!line.received) return std::nullopt;
+    if (source == AngleSource::Encoder && line.encoder)
+        return settings.firstLineDeg + static_cast<double>(*line.encoder) / *settings.ticksPerDeg;
+    if (source == AngleSource::Stepper && line.stepperSettled) return line.stepperDeg;
+    return std::nullopt;
+}
+
+LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& settings) {
+    LineAngles angles{angleSourceOf(lines, settings), std::vector<double>(lines.size(), settings.firstLineDeg), 0.0};
+    std::vector<int> known;
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+        if (!lines[row].received && angles.source != AngleSource::Steps) continue; // steps are counted for lost lines too
+        const auto deg = angleOf(lines, row, angles.source, settings);
+        if (!deg) continue;
+        angles.lineDeg[row] = *deg;
+        known.push_back(static_cast<int>(row));
+    }
+    if (known.empty()) return angles;
+    if (settings.continuous) {
+        const double rate = angles.source == AngleSource::Stepper ? saidRate(lines) : meanRate(lines, angles, known);
+        angles.degPerTurn = rate * secondsPerTurn(lines);
+    }
+    // A line of which only a later part arrived started that much earlier.
+    if (angles.source == AngleSource::Encoder || angles.source == AngleSource::Stepper) {
+        for (const int row : known) {
+            const auto k = static_cast<std::size_t>(row);
+            if (lines[k].turns != 0) angles.lineDeg[k] -= lines[k].turns * angles.degPerTurn;
+        }
+    }
+    const double span = known.back() - known.front();
+    const double measured =
+        span > 0 ? (angles.lineDeg[static_cast<std::size_t>(known.back())] - angles.lineDeg[static_cast<std::size_t>(known.front())]) / span
+                 : settings.degPerLine.value_or(0.0);
+    fill(angles.lineDeg, known, measured);
+    return angles;
+}
+
+std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const int> turnsOf, double degPerTurn, double indexDeg) {
+    std::vector<double> skew;
+    if (degPerTurn == 0.0) return skew;
+    skew.reserve(beamDeg.size());
+    for (std::size_t j = 0; j < beamDeg.size(); ++j)
+        skew.push_back(degPerTurn * (turnsOf[j % turnsOf.size()] + (beamDeg[j] - indexDeg) / 360.0));
+    return skew;
+}
+
+} // namespace edgescan

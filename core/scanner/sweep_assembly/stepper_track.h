@@ -1,0 +1,40 @@
+// Gives lines the angle that the stepper reported, whichever of the two arrives first.
+#pragma once
+
+#include "core/scanner/sweep_assembly/line_angles.h"
+
+#include <cstdint>
+#include <deque>
+
+namespace edgescan {
+
+inline constexpr double kNsPerSecond = 1e9;
+[[nodiscard]] inline double secondsBetween(std::int64_t fromNs, std::int64_t toNs) {
+    return static_cast<double>(toNs - fromNs) / kNsPerSecond;
+}
+
+/// One report of the stepper (topic /stepper).
+struct StepperReading {
+    std::int64_t step = 0;
+    double phiDeg = 0.0;
+    double degPerSecond = 0.0;
+    bool moving = false;
+    std::int64_t hostNs = 0; ///< same clock as the lines
+
+    bool operator==(const StepperReading&) const = default;
+};
+
+/// A reading that carries a line's own arrival time was latched with that line and holds at its stamp. Others hold at their own time,
+/// and lines between two of them get an angle in between.
+class StepperTrack {
+public:
+    /// A line that just arrived: it gets what is known so far.
+    void line(LineFacts& line) const;
+    /// A new reading: the last lines that it concerns get their angle.
+    void reading(const StepperReading& reading, std::span<LineFacts> lines);
+
+private:
+    std::deque<StepperReading> last_; // newest at the back
+};
+
+} // namespace edgescan

@@ -1,0 +1,150 @@
+// Rows of a growing sweep.
+#include "core/scanner/sweep_assembly/sweep_grid.h"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+namespace edgescan {
+namespace {
+
+constexpr float kNoIntensity = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kKeptCopies = 4; // being drawn, being worked on, waiting, and the next one
+
+} // namespace
+
+/// Scans that were given back, from whatever thread let go of them last.
+class SweepGrid::Copies {
+public:
+    std::unique_ptr<Copy> take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty()) return std::make_unique<Copy>();
+        // The one that follows the grid most closely needs the fewest rows.
+        const auto best = std::max_element(free_.begin(), free_.end(), [](const auto& a, const auto& b) { return a->change < b->change; });
+        std::unique_ptr<Copy> copy = std::move(*best);
+        free_.erase(best);
+        return copy;
+    }
+    void give(std::unique_ptr<Copy> copy) {
+        const std::lock_guard lock(mutex_);
+        if (free_.size() < kKeptCopies) free_.push_back(std::move(copy));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Copy>> free_;
+};
+
+SweepGrid::Store::Store() : copies(std::make_shared<Copies>()) {}
+SweepGrid::Store::Store(const Store&) : Store() {}
+SweepGrid::Store& SweepGrid::Store::operator=(const Store& other) {
+    if (this != &other) copies = std::make_shared<Copies>();
+    return *this;
+}
+
+void SweepGrid::grow(int count) {
+    if (count <= rows_) return;
+    rangeMm_.resize(index(count), 0.0F);
+    state_.resize(index(count), CellState::Lost);
+    if (!intensity_.empty()) intensity_.resize(index(count), kNoIntensity);
+    std::array<std::uint32_t, kCellStates> lost{};
+    lost[static_cast<std::size_t>(CellState::Lost)] = static_cast<std::uint32_t>(beams_);
+    rowCounts_.resize(static_cast<std::size_t>(count), lost);
+    changed_.resize(static_cast<std::size_t>(count), ++change_);
+    rows_ = count;
+}
+
+void SweepGrid::write(int row, int first, int stride, const RowCells& cells) {
+    const auto& [rangeMm, state, intensity] = cells;
+    if (!intensity.empty() && intensity_.empty()) intensity_.resize(index(rows_), kNoIntensity);
+    auto& counts = rowCounts_[static_cast<std::size_t>(row)];
+    std::size_t k = index(row) + static_cast<std::size_t>(first);
+    const std::size_t end = index(row + 1);
+    for (std::size_t i = 0; i < rangeMm.size() && k < end; ++i, k += static_cast<std::size_t>(stride)) {
+        --counts[static_cast<std::size_t>(state_[k])];
+        ++counts[static_cast<std::size_t>(state[i])];
+        rangeMm_[k] = rangeMm[i];
+        state_[k] = state[i];
+        if (!intensity.empty()) intensity_[k] = intensity[i];
+    }
+    changed_[static_cast<std::size_t>(row)] = ++change_;
+}
+
+bool SweepGrid::holds(int row, int first, int stride, std::size_t count) const {
+    std::size_t k = index(row) + static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < count && k < index(row + 1); ++i, k += static_cast<std::size_t>(stride)) {
+        if (state_[k] != CellState::Lost) return true;
+    }
+    return false;
+}
+
+bool SweepGrid::same(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state) const {
+    std::size_t k = index(row) + static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < rangeMm.size() && k < index(row + 1); ++i, k += static_cast<std::size_t>(stride)) {
+        if (state_[k] != state[i] || rangeMm_[k] != rangeMm[i]) return false;
+    }
+    return true;
+}
+
+SweepGrid SweepGrid::cutFrom(int row) {
+    SweepGrid rest(beams_);
+    const auto first = static_cast<std::ptrdiff_t>(index(row));
+    rest.rows_ = rows_ - row;
+    rest.rangeMm_.assign(rangeMm_.begin() + first, rangeMm_.end());
+    rest.state_.assign(state_.begin() + first, state_.end());
+    rest.rowCounts_.assign(rowCounts_.begin() + row, rowCounts_.end());
+    rest.changed_.assign(static_cast<std::size_t>(rest.rows_), ++rest.change_);
+    rangeMm_.resize(index(row));
+    state_.resize(index(row));
+    if (!intensity_.empty()) {
+        rest.intensity_.assign(intensity_.begin() + first, intensity_.end());
+        intensity_.resize(index(row));
+    }
+    rowCounts_.resize(static_cast<std::size_t>(row));
+    changed_.resize(static_cast<std::size_t>(row));
+    rows_ = row;
+    return rest;
+}
+
+std::array<std::size_t, kCellStates> SweepGrid::counts(int rows) const {
+    std::array<std::size_t, kCellStates> sum{};
+    for (int row = 0; row < rows; ++row) {
+        for (std::size_t s = 0; s < sum.size(); ++s) sum[s] += rowCounts_[static_cast<std::size_t>(row)][s];
+    }
+    return sum;
+}
+
+std::shared_ptr<Scan> SweepGrid::scan(int rows) {
+    std::unique_ptr<Copy> copy = store_.copies->take();
+    Scan& scan = copy->scan;
+    if (scan.rangeMm.beams != beams_) {
+        scan.rangeMm.beams = scan.state.beams = beams_;
+        copy->rows = 0;
+    }
+    if ((scan.intensity.size() > 0) != !intensity_.empty()) { // the first of its rows came since
+        scan.intensity = {};
+        copy->rows = 0;
+    }
+    if (!intensity_.empty()) {
+        scan.intensity.lines = rows;
+        scan.intensity.beams = beams_;
+        scan.intensity.cells.resize(index(rows));
+    }
+    scan.rangeMm.lines = scan.state.lines = rows;
+    scan.rangeMm.cells.resize(index(rows));
+    scan.state.cells.resize(index(rows));
+    const auto wide = static_cast<std::size_t>(beams_);
+    for (int row = 0; row < rows; ++row) {
+        if (row < copy->rows && changed_[static_cast<std::size_t>(row)] <= copy->change) continue;
+        std::copy_n(rangeMm_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.rangeMm.line(row));
+        std::copy_n(state_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.state.line(row));
+        if (!intensity_.empty()) std::copy_n(intensity_.begin() + static_cast<std::ptrdiff_t>(index(row)), wide, scan.intensity.line(row));
+    }
+    copy->rows = rows;
+    copy->change = change_;
+    const std::shared_ptr<Copies> copies = store_.copies;
+    const std::shared_ptr<Copy> shared(copy.release(), [copies](Copy* done) { copies->give(std::unique_ptr<Copy>(done)); });
+    return {shared, &shared->scan};
+}
+
+} // namespace edgescan

@@ -1,0 +1,175 @@
+// What a sweep looks like so far: as a scan and in words.
+#include "core/scanner/sweep_assembly/sweep.h"
+
+#include "core/base/number_text.h"
+#include "core/base/utc_time.h"
+#include "core/scan/grid/acquisition.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace edgescan {
+namespace {
+
+/// Lines that did not arrive were measured between their neighbours.
+std::vector<double> lineTimes(std::span<const LineFacts> rows) {
+    std::vector<double> times(rows.size(), 0.0);
+    std::size_t last = rows.size();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!rows[i].received) continue;
+        times[i] = static_cast<double>(rows[i].stampNs) * 1e-9;
+        const std::size_t from = last < rows.size() ? last : i;
+        for (std::size_t lost = last < rows.size() ? last + 1 : 0; lost < i; ++lost) {
+            const double share = from == i ? 1.0 : static_cast<double>(lost - from) / static_cast<double>(i - from);
+            times[lost] = times[from] + (times[i] - times[from]) * share;
+        }
+        last = i;
+    }
+    if (last >= rows.size()) return {};
+    std::fill(times.begin() + static_cast<std::ptrdiff_t>(last), times.end(), times[last]);
+    return times;
+}
+
+/// What a sweep's own telegrams say of who measured it and when. Times count as UTC: recordings and live feeds stamp lines so.
+std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::size_t rows, const SweepSettings& settings) {
+    auto acquisition = std::make_shared<Acquisition>();
+    Acquisition& a = *acquisition;
+    a.vendor = "SICK";
+    if (sweep.serialNumber() != 0) a.serial = std::to_string(sweep.serialNumber());
+    a.lineTimesS = lineTimes(sweep.facts().first(rows));
+    if (!a.lineTimesS.empty()) {
+        a.startUtc = utcText(a.lineTimesS.front());
+        a.endUtc = utcText(a.lineTimesS.back());
+        a.clockSource = "the recording computer's clock, carried on by the scanner's";
+    }
+    const DeviceFlags& ever = sweep.deviceEver();
+    const std::string from = " from line " + std::to_string(std::max(0, sweep.firstFlagged())) + " on";
+    a.contamination = ever.contaminationError     ? "window too dirty to measure through" + from
+                      : ever.contaminationWarning ? "dirty window" + from
+                                                  : "none reported";
+    a.echoFilter = settings.echo == Echo::First ? "first echo that the scanner sent" : "last echo that the scanner sent";
+    a.linesExpected = settings.expectedLines;
+    return acquisition;
+}
+
+/// A step that is counted is assumed too; an encoder or the stepper tells its angles itself.
+std::string assumedText(const SweepSettings& settings, AngleSource source) {
+    std::string what, flags;
+    const auto tell = [&](const std::string& words, const char* flag) {
+        what += (what.empty() ? "" : ", ") + words;
+        flags += (flags.empty() ? "" : ", ") + std::string(flag);
+    };
+    if (settings.axisAssumed) tell(std::string("the axis (") + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
+    if (settings.stepAssumed && source == AngleSource::Steps) {
+        tell("the step from line to line (" + shortestText(*settings.degPerLine) + " degrees" +
+                 (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
+             "--line-step");
+    }
+    if (what.empty()) return {};
+    return "How a motor turned the scanner was not said. ASSUMED: " + what + ". Give " + flags + " where that is wrong.";
+}
+
+} // namespace
+
+std::string SweepProgress::text() const {
+    const std::string of = std::to_string(received) + "/" + std::to_string(expected > 0 ? expected : lines) + " lines";
+    return (complete() ? of : "INCOMPLETE " + of) + (irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "");
+}
+
+std::string rowsText(const std::vector<int>& rows, int groups) {
+    std::string text = rows.size() == 1 ? "line " : "lines ";
+    int told = 0;
+    for (std::size_t i = 0; i < rows.size();) {
+        std::size_t last = i;
+        while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
+        if (told++ == groups) return text + " and others";
+        if (told > 1) text += ", ";
+        text += std::to_string(rows[i]);
+        if (last > i) text += " to " + std::to_string(rows[last]);
+        i = last + 1;
+    }
+    return text;
+}
+
+SweepProgress SweepAssembler::progress() const {
+    SweepProgress progress;
+    if (sweep_) {
+        progress.lines = sweep_->wholeRows();
+        for (int row = 0; row < progress.lines; ++row) {
+            if (!sweep_->lacks(row)) continue;
+            progress.lost.push_back(row);
+            if (sweep_->missing()[static_cast<std::size_t>(row)] == 0) progress.narrow.push_back(row);
+        }
+        progress.received = progress.lines - static_cast<int>(progress.lost.size());
+        progress.cells = sweep_->grid().counts(progress.lines);
+        progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
+        progress.assumed = assumedText(settings_, progress.angleSource);
+        progress.deviceEver = sweep_->deviceEver();
+        progress.number = number_;
+        progress.irregular = irregular_;
+    } else {
+        progress = finishedProgress_;
+    }
+    progress.irregularEver = irregularEver_;
+    progress.account = account();
+    progress.expected = settings_.expectedLines;
+    progress.growing = sweep_ && (progress.expected == 0 || progress.lines < progress.expected);
+    if (last_) progress.newestNs = last_->hostNs;
+    progress.device = device_;
+    progress.duplicates = irregularEver_.count(Irregularity::Duplicate);
+    progress.misfits = irregularEver_.count(Irregularity::Misfit) + irregularEver_.count(Irregularity::NoRanges);
+    progress.restarts = restarts_;
+    return progress;
+}
+
+std::shared_ptr<const Scan> SweepAssembler::snapshot() {
+    if (!changed_ || !sweep_) return snapshot_;
+    changed_ = false;
+    const int rows = sweep_->wholeRows();
+    if (rows == 0 || sweep_->grid().beams() == 0) return snapshot_ = nullptr;
+    const std::shared_ptr<Scan> scan = sweep_->grid().scan(rows);
+    describe(*scan);
+    return snapshot_ = scan;
+}
+
+/// Everything but ranges and states; the scan may have been another snapshot before.
+void SweepAssembler::describe(Scan& scan) {
+    const SweepProgress now = progress();
+    const auto rows = static_cast<std::size_t>(now.lines);
+    LineAngles angles = lineAngles(sweep_->facts().first(rows), settings_);
+    PolarGeometry polar;
+    polar.beamDeg = sweep_->beams().beamDeg();
+    polar.lineDeg = std::move(angles.lineDeg);
+    polar.axis = settings_.axis;
+    polar.lineDirection = settings_.lineDirection;
+    polar.lineSkewDeg = lineSkewDeg(polar.beamDeg, sweep_->turnsOf(), angles.degPerTurn, settings_.indexDeg);
+    scan.geometry = std::move(polar);
+    scan.format = "sweep";
+    scan.name = "sweep " + std::to_string(number_ + 1);
+    scan.unitMm = sweep_->unitMm();
+    scan.noReturnCodes = {0};
+    scan.statusCodes = sweep_->statusCodes();
+    scan.acquisition = sweepAcquisition(*sweep_, rows, settings_);
+    scan.warnings.clear();
+    const auto warn = [&](std::string sentence) { scan.warnings.push_back(std::move(sentence)); };
+    if (!now.complete()) warn(now.text() + ".");
+    const auto tellRows = [&](const char* what, const std::vector<int>& lines) {
+        if (!lines.empty()) warn(what + rowsText(lines) + " (" + std::to_string(lines.size()) + " in all).");
+    };
+    std::vector<int> gone;
+    std::set_difference(now.lost.begin(), now.lost.end(), now.narrow.begin(), now.narrow.end(), std::back_inserter(gone));
+    tellRows("Telegrams were lost: ", gone);
+    tellRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
+    for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
+    if (!now.assumed.empty()) warn(now.assumed);
+    if (angles.source == AngleSource::Time) warn("The line angles are reckoned from time alone: a change of speed bends the cloud.");
+    if (encoderWithoutScale_) warn("The telegrams carry encoder counts, but nobody said how many make a degree: they are not used.");
+    if (encoderWasReset_) warn("The scanner lost its encoder count when it started anew: line angles behind that are reckoned.");
+    const DeviceFlags& ever = now.deviceEver;
+    const std::string from = " (from line " + std::to_string(std::max(0, sweep_->firstFlagged())) + " on).";
+    if (ever.error) warn("The scanner reported an error or was not ready" + from);
+    if (ever.contaminationError) warn("The scanner reported a window too dirty to measure through" + from);
+    if (ever.contaminationWarning) warn("The scanner reported a dirty window" + from);
+}
+
+} // namespace edgescan

@@ -1,0 +1,238 @@
+// A run over an archive: which files it reads, what their results are called, its journal, its workers, its tables.
+#include "core/batch/archive/journal.h"
+#include "core/batch/archive/output_names.h"
+#include "core/batch/archive/results_table.h"
+#include "core/batch/archive/worker_processes.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <random>
+#include <set>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using test::TemporaryFolder;
+
+void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+std::vector<std::string> below(const fs::path& folder, const std::vector<std::string>& paths) {
+    std::vector<std::string> names;
+    for (const std::string& path : paths) names.push_back(fs::path(path).lexically_relative(folder).string());
+    return names;
+}
+
+TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"b/2.pcd", "b/1.mcap", "a.las", "a.pcd.gz", "notes.txt.bak", ".hidden/x.pcd", "results/old.pcd", "grid.u16", "lone.u16"})
+        write(folder / name, "x");
+    write(folder / "grid.json", "{}"); // its counts lie beside it
+    write(folder / "record.json", R"({"format":"something else"})");
+    write(folder / "described.json", R"({"format":"edgescan-raw-grid/1"})");
+    write(folder / "edges.pcd", "x");
+    write(folder / "edges.pcd.provenance.json", R"({"record":{"content":"edge cloud"}})");
+    write(folder / "whole.pcd", "x");
+    write(folder / "whole.pcd.provenance.json", R"({"record":{"content":"whole scan"}})");
+    fs::create_symlink("/nowhere/at/all.pcd", folder / "gone.pcd");
+    const auto listing = listArchive({folder.path().string()}, folder / "results");
+    ASSERT_TRUE(listing) << listing.error().sentence();
+    EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"a.las", "a.pcd.gz", "b/1.mcap", "b/2.pcd", "described.json",
+                                                                               "gone.pcd", "grid.json", "lone.u16", "whole.pcd"}));
+    const auto out = below(folder.path(), listing->leftOut);
+    EXPECT_EQ(std::set<std::string>(out.begin(), out.end()),
+              (std::set<std::string>{"edges.pcd", "edges.pcd.provenance.json", "record.json", "whole.pcd.provenance.json"}));
+    const auto twice = listArchive({folder.path().string(), (folder / "b/../b/1.mcap").string(), (folder / "b/*.pcd").string()}, "");
+    ASSERT_TRUE(twice);
+    EXPECT_EQ(std::ranges::count_if(twice->inputs, [](const std::string& path) { return path.ends_with("1.mcap"); }), 1);
+    EXPECT_FALSE(listArchive({(folder / "no*such").string()}, ""));
+    EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // results among the scans
+}
+
+TEST(ArchiveListing, AListIsReadInItsOrderAndAPointListIsAScan) {
+    const TemporaryFolder folder;
+    write(folder / "a.pcd", "x");
+    write(folder / "list.txt", "# mine 7\n" + (folder / "b.pcd").string() + "\r\n\n" + (folder / "a.pcd").string() + "\n");
+    write(folder / "points.txt", "1 2 3\n4 5 6\n");
+    const auto listing = listArchive({(folder / "list.txt").string(), (folder / "points.txt").string()}, "");
+    ASSERT_TRUE(listing);
+    EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"b.pcd", "a.pcd", "points.txt"}));
+}
+
+TEST(ArchiveShards, EachScanIsInOnePartWhateverElseThereIs) {
+    std::vector<int> sizes(20);
+    for (int i = 0; i < 4000; ++i) {
+        const std::string path = "mine/scan" + std::to_string(i) + ".mcap";
+        int parts = 0;
+        for (int n = 1; n <= 20; ++n) {
+            if (!Shard{n, 20}.holds(path)) continue;
+            ++parts;
+            ++sizes[static_cast<std::size_t>(n - 1)];
+        }
+        ASSERT_EQ(parts, 1) << path;
+    }
+    EXPECT_GT(*std::ranges::min_element(sizes), 130); // 200 on average
+    for (const char* wrong : {"", "3", "0/3", "4/3", "1.5/3", "a/b", "1/0", "1/1e9", "-1/3"}) EXPECT_FALSE(shardOf(wrong)) << wrong;
+    EXPECT_EQ(shardOf("3/20")->number, 3);
+}
+
+TEST(OutputNames, NoTwoScansShareAFolder) {
+    const std::vector<std::string> inputs{"a/x.pcd", "b/x.pcd", "/a/x.pcd", "../a/x.pcd", "%2E%2E/a/x.pcd", "a/x.ply", "a%2Fx.pcd"};
+    for (const char* pattern : {"{path}", "{key}", "{folder}/{name}", "{stem}-{key}"}) {
+        const auto names = outputNames(inputs, pattern);
+        ASSERT_TRUE(names) << pattern << names.error().sentence();
+        EXPECT_EQ(std::set<std::string>(names->begin(), names->end()).size(), inputs.size()) << pattern;
+        for (const std::string& name : *names)
+            EXPECT_TRUE(!name.starts_with("/") && ("/" + name + "/").find("/../") == std::string::npos) << name;
+    }
+    EXPECT_FALSE(outputNames(inputs, "{stem}"));
+    EXPECT_FALSE(outputNames(inputs, "all"));
+    EXPECT_FALSE(outputNames(inputs, "{what}"));
+    EXPECT_FALSE(outputNames(inputs, "{path"));
+    EXPECT_FALSE(outputNames({"a"}, ".."));
+    EXPECT_FALSE(outputNames({"r/x.pcd", "r/sub/y.pcd"}, "{folder}")); // one folder inside the other
+    EXPECT_TRUE(outputNames({"a", "a-b", "a.c"}, "{path}"));           // names that only begin alike
+    const auto longName = outputNames({std::string(250, 'a') + ".pcd", std::string(250, 'a') + ".ply"}, "{path}");
+    ASSERT_TRUE(longName);
+    EXPECT_LT(longName->front().size(), 255U);
+}
+
+Json rowOf(const std::string& input, const std::string& finished, int edges = 0) {
+    return {{"input", input}, {"edges", edges}, {"times", {{"finished_utc", finished}}}};
+}
+
+TEST(Journal, ATornLineIsCutAndTheNewestRowCounts) {
+    const TemporaryFolder folder;
+    {
+        auto journal = Journal::open(folder.path(), {}, true);
+        ASSERT_TRUE(journal);
+        ASSERT_TRUE(journal->append(rowOf("a", "2026-01-01T00:00:01.000Z", 1), "PICTURE-A"));
+        ASSERT_TRUE(journal->append(rowOf("b", "2026-01-01T00:00:02.000Z", 2), ""));
+        ASSERT_TRUE(journal->append(rowOf("a", "2026-01-01T00:00:03.000Z", 3), "PICTURE-2"));
+        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // one at a time
+        EXPECT_FALSE(Journal::open(folder.path(), {2, 5}, false));
+    }
+    std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << R"({"input":"c","edg)"; // killed here
+    {
+        auto part = Journal::open(folder.path(), {2, 5}, false);
+        ASSERT_TRUE(part) << part.error().sentence();
+        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // the whole would do that part as well
+        ASSERT_TRUE(Journal::open(folder.path(), {3, 5}, false));
+        ASSERT_TRUE(part->append(rowOf("b", "2026-01-01T00:00:01.500Z", 9), "")); // older than what is there
+    }
+    EXPECT_EQ(shardsIn(folder.path()), 5);
+    {
+        auto again = Journal::open(folder.path(), {}, true);
+        ASSERT_TRUE(again) << again.error().sentence();
+        ASSERT_TRUE(again->append(rowOf("d", "2026-01-01T00:00:04.000Z", 4), ""));
+    }
+    const auto rows = readJournals(folder.path());
+    ASSERT_TRUE(rows) << rows.error().sentence();
+    ASSERT_EQ(rows->size(), 3U);
+    EXPECT_EQ(Json::parse(rows->at("a"))["edges"], 3);
+    EXPECT_EQ(Json::parse(rows->at("b"))["edges"], 2);
+    EXPECT_EQ(pictureOf(Json::parse(rows->at("a")), folder.path()), "PICTURE-2");
+    EXPECT_EQ(pictureOf(Json{{"picture", {"../../etc/passwd", 0, 10}}}, folder.path()), "");
+    std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << "{\"input\":3}\n";
+    EXPECT_FALSE(readJournals(folder.path()));
+}
+
+TEST(WorkerProcesses, WhatEndsOneJobEndsNoOther) {
+    std::map<std::size_t, JobEnd> ends;
+    std::size_t next = 0;
+    Jobs jobs;
+    jobs.next = [&]() -> std::optional<std::size_t> { return next < 60 ? std::optional(next++) : std::nullopt; };
+    jobs.work = [](std::size_t job, int) -> std::string {
+        if (job == 7) std::raise(SIGSEGV);
+        if (job == 11) ::_exit(3);
+        if (job == 13) std::this_thread::sleep_for(std::chrono::minutes(10));
+        if (job == 17) throw std::runtime_error("no");
+        if (job == 19) return std::string(3'000'000, 'x');
+        if (job == 23) return {};
+        return std::to_string(job * job);
+    };
+    jobs.ended = [&](const JobEnd& end) { EXPECT_TRUE(ends.emplace(end.job, end).second) << end.job; };
+    jobs.goOn = [] { return true; };
+    ASSERT_TRUE(runInProcesses({3, 0, 2.0}, jobs));
+    ASSERT_EQ(ends.size(), 60U);
+    for (std::size_t job = 0; job < 60; ++job) {
+        const JobEnd& end = ends.at(job);
+        if (job == 7 || job == 11 || job == 13 || job == 17) {
+            EXPECT_FALSE(end.answer) << job;
+            EXPECT_FALSE(end.death.empty()) << job;
+        } else if (job == 19) {
+            EXPECT_EQ(end.answer->size(), 3'000'000U);
+        } else {
+            EXPECT_EQ(end.answer.value_or("?"), job == 23 ? "" : std::to_string(job * job)) << end.death;
+        }
+    }
+    EXPECT_NE(ends.at(7).death.find("signal 11"), std::string::npos);
+    EXPECT_NE(ends.at(13).death.find("time limit"), std::string::npos);
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a worker was left";
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(WorkerProcesses, AJobThatTakesTooMuchMemoryEndsAlone) {
+    std::map<std::size_t, JobEnd> ends;
+    std::size_t next = 0;
+    Jobs jobs;
+    jobs.next = [&]() -> std::optional<std::size_t> { return next < 6 ? std::optional(next++) : std::nullopt; };
+    jobs.work = [](std::size_t job, int) {
+        std::vector<char> memory(job == 2 ? 400'000'000U : 1000U, 'x');
+        return std::string(1, memory[memory.size() / 2]);
+    };
+    jobs.ended = [&](const JobEnd& end) { ends.emplace(end.job, end); };
+    jobs.goOn = [] { return true; };
+    ASSERT_TRUE(runInProcesses({2, 100'000'000, 0}, jobs));
+    for (std::size_t job = 0; job < 6; ++job) EXPECT_EQ(ends.at(job).answer.has_value(), job != 2) << job;
+    EXPECT_NE(ends.at(2).death.find("memory"), std::string::npos) << ends.at(2).death;
+}
+#endif
+
+TEST(ResultsTable, IsCsvThatNoSpreadsheetTakesForFormulas) {
+    const std::string row = R"({"input":"=cmd(),\"x\"","outcome":"refused","error":"two\nlines","warnings":["a","b, c"],"edges":5,)"
+                            R"("times":{"load_ms":1.5},"picture":["p",0,1]})";
+    const std::string csv = csvTable({row});
+    EXPECT_NE(csv.find("\r\n\"'=cmd(),\"\"x\"\"\",refused,"), std::string::npos) << csv;
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
+    EXPECT_NE(csv.find("\"a | b, c\",two\\nlines,1.5,"), std::string::npos) << csv;
+    EXPECT_EQ(ndjsonTable({row}).find("picture"), std::string::npos);
+}
+
+TEST(WorkerProcesses, AreNotMadeOfAProcessWithThreads) {
+    std::promise<void> end;
+    std::thread other([until = end.get_future()] { until.wait(); });
+    bool asked = false;
+    Jobs jobs;
+    jobs.next = [&]() -> std::optional<std::size_t> {
+        asked = true;
+        return std::nullopt;
+    };
+    jobs.goOn = [] { return true; };
+    const auto ran = runInProcesses({1, 0, 0}, jobs);
+    end.set_value();
+    other.join();
+    ASSERT_FALSE(ran);
+    EXPECT_NE(ran.error().sentence().find("2 threads"), std::string::npos) << ran.error().sentence();
+    EXPECT_FALSE(asked);
+}
+
+} // namespace
+} // namespace edgescan

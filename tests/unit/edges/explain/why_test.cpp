@@ -1,0 +1,114 @@
+// Why a cell is an edge: what is said must be what the method does.
+#include "core/edges/explain/why.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/provenance/why_report.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+
+namespace edgescan {
+namespace {
+
+std::vector<Settings> everyMethod() {
+    std::vector<Settings> all;
+    for (const Choice& choice : findParameter("method")->choices) {
+        Settings s;
+        findParameter("method")->set(s, choice.value);
+        s.lower = s.method == Method::Kirsch ? 60 : 12;
+        all.push_back(s);
+        s.classes = kClassRock | kClassBorder;
+        s.maskMissing = false;
+        s.norm = Norm::L2;
+        all.push_back(s);
+    }
+    return all;
+}
+
+TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
+    std::mt19937 random(5);
+    for (const Settings& settings : everyMethod()) {
+        const auto detection = detectEdges(scan, settings);
+        for (int n = 0; n < 12; ++n) {
+            // Half of the cells from the edges, half from anywhere.
+            const std::size_t k = n % 2 == 0 && !detection->edges->empty() ? (*detection->edges)[random() % detection->edges->size()]
+                                                                           : random() % scan->cells();
+            const Why why = whyCell(*detection, k);
+            const Parameter& parameter = *findParameter(why.parameter);
+            EXPECT_EQ(why.probe.edge, (*detection->mask)[k] != 0);
+            EXPECT_TRUE(!why.probe.edge || (why.appearsAt && *why.appearsAt >= parameter.get(settings))) << why.verdict;
+            if (!why.appearsAt) continue;
+            Settings at = settings;
+            parameter.set(at, *why.appearsAt);
+            EXPECT_NE((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
+            const double beyond = *why.appearsAt + std::pow(10.0, -parameter.decimals) * 1.001;
+            if (beyond > parameter.maximum) continue;
+            parameter.set(at, beyond);
+            EXPECT_EQ((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
+        }
+    }
+}
+
+TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
+    // A step in levels that fades out along a column: strong at the top, weak below.
+    const Scan scan = test::makeScan(30, 20, [](int i, int j) { return j < 10 ? 5000.0F : 5000.0F + static_cast<float>(1200 - 36 * i); });
+    Settings s = cannySettings();
+    s.scaling = Scaling::Window;
+    s.nearMm = 0;
+    s.farMm = 25500;
+    s.lower = 9; // 3 levels of 100 mm; strong from 9 levels
+    const auto detection = detectEdges(std::make_shared<Scan>(scan), s);
+    const int beam = detection->mask->at(15, 9) != 0 ? 9 : 10;
+    const Why why = whyCell(*detection, detection->mask->index(15, beam));
+    ASSERT_TRUE(why.probe.edge);
+    EXPECT_EQ(why.standing, Standing::Between);
+    ASSERT_GT(why.chain.size(), 2U);
+    EXPECT_EQ(why.chain.front().line, 15);
+    EXPECT_GT(why.chain.back().strength, why.upper);
+    for (std::size_t n = 1; n < why.chain.size(); ++n) {
+        EXPECT_LE(std::abs(why.chain[n].line - why.chain[n - 1].line), 1);
+        EXPECT_LE(std::abs(why.chain[n].beam - why.chain[n - 1].beam), 1);
+        EXPECT_GT(why.chain[n - 1].strength, why.lower);
+    }
+    EXPECT_NE(why.verdict.find("its chain reaches"), std::string::npos) << why.verdict;
+    EXPECT_NEAR(std::abs(*why.directionDeg), 0, 10);
+    // Beside it the same step is seen a little weaker: lost to the edge.
+    const Why beside = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
+    EXPECT_FALSE(beside.probe.edge);
+    ASSERT_TRUE(beside.suppressedBy) << beside.verdict;
+    EXPECT_EQ(beside.suppressedBy->beam, beam);
+    EXPECT_GE(beside.suppressedBy->strength, beside.strength);
+}
+
+TEST(Why, AHoleSaysThatItHasNoRange) {
+    const auto scan = std::make_shared<Scan>(test::makeScan(20, 20, [](int i, int j) { return i == 10 && j == 10 ? 0.0F : 4000.0F; }));
+    for (const Settings& settings : everyMethod()) {
+        if (!settings.maskMissing && findParameter("mask-missing")->usedBy(settings)) continue;
+        const Why why = whyCell(*detectEdges(scan, settings), scan->rangeMm.index(10, 10));
+        EXPECT_FALSE(why.takesPart);
+        EXPECT_EQ(why.verdict.find("No edge: it has no range"), 0U) << why.verdict;
+        EXPECT_FALSE(why.appearsAt);
+    }
+}
+
+TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3));
+    const auto detection = detectEdges(scan, cannySettings());
+    const nlohmann::ordered_json report = whyReport(*detection, whyCell(*detection, (*detection->edges)[3]));
+    for (const char* key :
+         {"line", "beam", "range_mm", "gray", "smoothed", "gradient", "suppressed_by", "thresholds", "chain", "appears_at", "verdict"})
+        EXPECT_TRUE(report.contains(key)) << key;
+    EXPECT_EQ(report["thresholds"]["lower"], 6.0);
+    EXPECT_EQ(report["thresholds"]["upper"], 18.0);
+    EXPECT_GE(report["appears_at"]["lower"], 6.0);
+    EXPECT_EQ(std::string(report["thresholds"]["meaning"]).find("weak edge from a step of "), 0U);
+}
+
+} // namespace
+} // namespace edgescan

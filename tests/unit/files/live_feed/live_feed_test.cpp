@@ -1,0 +1,166 @@
+// What the operator is told of a live scan, and what a recording holds that is begun late.
+#include "core/files/live_feed/live_health.h"
+#include "core/scan/grid/placement.h"
+#include "tests/support/live_session.h"
+#include "tests/support/point_lists.h"
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+TEST(LiveHealth, TellsWhatTheStateIs) {
+    LiveStatus status;
+    status.session = {SessionPhase::Connecting, "Connecting to x:2112.", {}};
+    EXPECT_EQ(healthOf(status).badge, "CONNECTING");
+    EXPECT_FALSE(healthOf(status).stale());
+    status.session.phase = SessionPhase::Lost;
+    EXPECT_EQ(healthOf(status).badge, "LOST");
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.04;
+    status.lines = 12;
+    EXPECT_EQ(healthOf(status).badge, "LIVE");
+    EXPECT_FALSE(healthOf(status).stale());
+    // S4: two seconds at the latest, whatever the session thinks.
+    status.secondsSinceLine = 1.99;
+    EXPECT_EQ(healthOf(status).liveness, Liveness::Live);
+    status.secondsSinceLine = 2.0;
+    EXPECT_EQ(healthOf(status).badge, "STALE 2 s");
+    EXPECT_TRUE(healthOf(status).stale());
+    status.session.phase = SessionPhase::Stale;
+    status.secondsSinceLine = 0.6;
+    EXPECT_EQ(healthOf(status).badge, "STALE 0 s");
+    status.session.phase = SessionPhase::Identifying; // connected again, but no line yet
+    status.secondsSinceLine = 130;
+    EXPECT_EQ(healthOf(status).badge, "STALE 2 min");
+    status.session.phase = SessionPhase::Lost;
+    status.secondsSinceLine = 7300;
+    EXPECT_EQ(healthOf(status).badge, "LOST 2 h");
+    status.session.phase = SessionPhase::Stopped;
+    EXPECT_EQ(healthOf(status).badge, "STOPPED");
+}
+
+TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
+    LiveStatus status;
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.1;
+    status.lines = 312;
+    status.sweep.lines = status.sweep.received = 312;
+    status.sweep.newestNs = 9'000'000'000;
+    status.sweep.growing = true;
+    SweepProgress shown = status.sweep;
+    shown.lines = shown.received = 280;
+    shown.newestNs -= 1'800'000'000;
+    EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "LIVE");
+    EXPECT_EQ(healthOf(status, nullptr, &shown).lines, "280/280 lines");
+    status.secondsSinceLine = 0.3; // nothing else came meanwhile: the picture is 2.1 s old, the newest line is not
+    EXPECT_EQ(healthOf(status).badge, "LIVE");
+    EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "STALE 2 s");
+    EXPECT_TRUE(healthOf(status, nullptr, &shown).stale());
+}
+
+TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
+    LiveStatus status;
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.0;
+    status.lines = 312;
+    status.linesPerSecond = 25;
+    status.sweep.lines = 312;
+    status.sweep.received = 309;
+    status.sweep.expected = 1000;
+    status.sweep.lost = {5, 9, 10};
+    status.sweep.cells[static_cast<std::size_t>(CellState::Valid)] = 958;
+    status.sweep.cells[static_cast<std::size_t>(CellState::NoReturn)] = 42;
+    LiveHealth health = healthOf(status);
+    EXPECT_EQ(health.lines, "INCOMPLETE 309/1000 lines");
+    EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
+    EXPECT_EQ(health.noReturn, "no return 4.2 %");
+    EXPECT_EQ(health.end, "ends in 28 s");
+    status.session.phase = SessionPhase::Lost; // no line comes: nobody knows when the last one will
+    EXPECT_EQ(healthOf(status).end, "");
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 5.0;
+    EXPECT_EQ(healthOf(status).end, "");
+    status.secondsSinceLine = 0.0;
+    EXPECT_EQ(health.contamination, "window clean");
+    EXPECT_EQ(health.pose, "no pose");
+    EXPECT_TRUE(health.recording.empty());
+    // S5: kept for the sweep even when it clears.
+    status.sweep.device.contaminationWarning = status.sweep.deviceEver.contaminationWarning = true;
+    EXPECT_EQ(healthOf(status).contamination, "WINDOW DIRTY");
+    EXPECT_EQ(healthOf(status).window, Condition::OutOfSpec);
+    status.sweep.device.contaminationWarning = false;
+    EXPECT_EQ(healthOf(status).contamination, "WINDOW DIRTY earlier in this sweep");
+    status.sweep.deviceEver.contaminationError = true;
+    EXPECT_EQ(healthOf(status).window, Condition::Failure);
+    status.sweep.deviceEver.error = true;
+    EXPECT_EQ(healthOf(status).deviceState, "DEVICE ERROR earlier in this sweep");
+    Placement placement;
+    placement.ageSeconds = 14.9;
+    EXPECT_EQ(healthOf(status, &placement).pose, "pose 14 s old");
+    placement.ageSeconds = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(healthOf(status, &placement).pose, "pose of unknown age");
+    status.recording = RecordingState{};
+    status.recording->bytes = 1'240'000;
+    EXPECT_EQ(healthOf(status).recording, "recording 1.2 MB");
+    status.recording->problem = Error{"the disk is full", "/x.mcap", "free some space"};
+    status.recording->ended = true;
+    EXPECT_EQ(healthOf(status).recorded, Condition::Failure);
+    EXPECT_TRUE(healthOf(status).recording.starts_with("RECORDING ENDED: "));
+    status.sweep.lines = status.sweep.received = 1000;
+    status.sweep.lost.clear();
+    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    EXPECT_EQ(healthOf(status).lines, "1000/1000 lines");
+}
+
+TEST(LiveHealth, TellsWhatIsWrongWithTheTelegrams) {
+    LiveStatus status;
+    status.session.phase = SessionPhase::Live;
+    status.secondsSinceLine = 0.0;
+    status.lines = status.sweep.lines = status.sweep.received = status.sweep.expected = 40;
+    EXPECT_EQ(healthOf(status).remark, "");
+    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    status.sweep.irregular.note(Irregularity::ClockJump, 7);
+    EXPECT_EQ(healthOf(status).remark, "1 remark");
+    EXPECT_EQ(healthOf(status).telegrams, Condition::OutOfSpec);
+    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    status.undecodable = 2;
+    EXPECT_EQ(healthOf(status).remark, "2 remarks");
+    EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
+    status.sweep.irregular.note(Irregularity::CounterJump, 9, 3);
+    EXPECT_EQ(healthOf(status).remark, "COUNTERS IN DOUBT");
+    EXPECT_EQ(healthOf(status).lines, "40/40 lines, COUNTERS IN DOUBT");
+    EXPECT_EQ(healthOf(status).end, "sweep ended");
+}
+
+TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
+    EmulatedScannerSettings settings;
+    settings.linesPerSecond = 300;
+    settings.atEnd = AtEnd::Again;
+    const Scan scan = countingScan(80, 30);
+    const auto scanner = served(scan, settings);
+    SweepSettings sweep;
+    sweep.expectedLines = 80;
+    const Folder folder;
+    {
+        LiveFeed feed(settingsFor(*scanner), sweep, [] {});
+        // In the middle of the second sweep.
+        ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 110; }));
+        ASSERT_TRUE(feed.startRecording(folder / "late.mcap"));
+        EXPECT_FALSE(feed.startRecording(folder / "again.mcap"));
+        ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 165; }));
+        EXPECT_NEAR(feed.status().linesPerSecond, 300, 150);
+        ASSERT_TRUE(feed.stopRecording());
+    }
+    const auto recording = Recording::open(folder / "late.mcap");
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    const auto opened = scanOf(*recording, "late.mcap");
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    ASSERT_EQ(opened->lines(), 80);
+    for (int i = 0; i < 80; ++i) {
+        for (int j = 0; j < 30; ++j) {
+            ASSERT_EQ(opened->state.at(i, j), scan.state.at(i, j)) << i << ' ' << j;
+            if (scan.state.at(i, j) == CellState::Valid) {
+                ASSERT_EQ(opened->rangeMm.at(i, j), scan.rangeMm.at(i, j)) << i << ' ' << j;
+            }
+        }
+    }
+}

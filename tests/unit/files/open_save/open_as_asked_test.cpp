@@ -1,0 +1,39 @@
+// What is done on opening a scan only because it was asked for.
+#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/scan/angle_correction/straighten_scan.h"
+#include "core/sim/simulate.h"
+#include "tests/support/point_lists.h"
+
+#include <gtest/gtest.h>
+
+namespace edgescan {
+namespace {
+
+TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
+    SimulationSettings settings;
+    settings.lines = 250;
+    settings.beams = 286;
+    settings.seed = 3;
+    settings.interlaceDeg = 0.36;
+    const test::Folder folder;
+    const auto path = folder / "interlaced.json";
+    ASSERT_TRUE(saveScan(simulate(settings)->scan, path));
+
+    const auto bare = openScan(path, {.straighten = true});
+    const auto told = openAsAsked(path);
+    const auto straight = openAsAsked(path, {.straighten = true});
+    ASSERT_TRUE(bare && told && straight);
+    EXPECT_TRUE(bare->warnings.empty());
+    EXPECT_EQ(bare->openedWith, "");
+    ASSERT_EQ(told->warnings.size(), 1U);
+    EXPECT_TRUE(tellsOfDisplacement(told->warnings.front()));
+    EXPECT_EQ(std::get<PolarGeometry>(told->geometry), std::get<PolarGeometry>(bare->geometry));
+    EXPECT_EQ(straight->openedWith, "{\"straighten\":true}");
+    EXPECT_FALSE(std::get<PolarGeometry>(straight->geometry).lineSkewDeg.empty());
+    EXPECT_EQ(straight->rangeMm, bare->rangeMm);
+    EXPECT_FALSE(openAsAsked(folder / "nowhere.json"));
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,65 @@
+// Every refusal says which file, and what to do: seeds of every reader, damaged and cut, and the files of ../shared that were broken on
+// purpose.
+#include "core/files/open_save/open_scan.h"
+#include "tests/support/damage.h"
+#include "tests/support/seed_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+/// Refusals by what they say, without their numbers: a sample of each is printed where one is wrong.
+void expectWhole(const Error& error, const std::filesystem::path& file) {
+    SCOPED_TRACE(error.sentence());
+    EXPECT_FALSE(error.what.empty());
+    EXPECT_NE(error.where.find(file.stem().string()), std::string::npos) << "the file is not named"; // or the one beside it
+    EXPECT_FALSE(error.hint.empty()) << "no way out";
+    EXPECT_EQ(error.sentence().find('\n'), std::string::npos);
+}
+
+bool isOpened(const SeedFile& seed) { return seed.reader != "sitting" && seed.reader != "place" && seed.reader != "scan_telegram"; }
+
+} // namespace
+
+TEST(Refusals, NameTheFileAndTheWayOut) {
+    const Folder folder;
+    std::mt19937 random(17);
+    std::map<std::string, int> refused;
+    for (const SeedFile& seed : seedsOfEveryFuzzer()) {
+        if (!isOpened(seed)) continue;
+        const std::filesystem::path file = folder / ("broken" + seed.extension);
+        for (int round = 0; round < 60; ++round) {
+            const std::string bytes =
+                round % 3 == 0 ? seed.bytes.substr(0, random() % (seed.bytes.size() + 1)) : damaged(seed.bytes, random, round);
+            writeText(file, bytes);
+            const auto scan = openScan(file, seedOptions());
+            if (scan) continue;
+            ++refused[seed.reader];
+            expectWhole(scan.error(), file);
+            if (HasFailure()) return; // the first says it all
+        }
+    }
+    EXPECT_GE(refused.size(), 12U);
+}
+
+TEST(Refusals, OfFilesBrokenOnPurposeLikewise) {
+    std::size_t refused = 0;
+    for (const char* folder : {"/data/hostile", "/data/e57", "/data/traps"}) {
+        const std::filesystem::path files = std::string(EDGESCAN_SHARED_DIR) + folder;
+        if (!std::filesystem::exists(files)) continue;
+        for (const auto& entry : std::filesystem::directory_iterator(files)) {
+            if (!entry.is_regular_file()) continue;
+            const auto scan = openScan(entry.path());
+            if (scan) continue;
+            ++refused;
+            expectWhole(scan.error(), entry.path());
+        }
+    }
+    if (refused == 0) GTEST_SKIP() << "no broken files at " << EDGESCAN_SHARED_DIR;
+}

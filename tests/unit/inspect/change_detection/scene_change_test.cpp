@@ -1,0 +1,214 @@
+// What changed: against slow versions, and on the simulator's bell before and after a blast.
+#include "core/edges/pipeline/pipeline.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "core/scan/georef/rotations.h"
+#include "core/sim/simulate.h"
+#include "tests/support/placements.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace edgescan {
+namespace {
+
+std::shared_ptr<const Scan> bell(int repeat, bool after, int lines = 150, int beams = 190) {
+    SimulationSettings settings;
+    settings.lines = lines;
+    settings.beams = beams;
+    settings.repeat = repeat;
+    settings.afterBlast = after;
+    return std::make_shared<const Scan>(simulate(settings)->scan);
+}
+
+ScanEdges edgesOf(const std::shared_ptr<const Scan>& scan) { return {scan, detectEdges(scan, {})->mask}; }
+
+TEST(EdgeChanges, AreThoseOfASlowVersion) {
+    std::mt19937 dice(5);
+    for (int round = 0; round < 60; ++round) {
+        const int lines = 1 + static_cast<int>(dice() % 12), beams = 1 + static_cast<int>(dice() % 12),
+                  reach = static_cast<int>(dice() % 3);
+        Grid<std::uint8_t> later(lines, beams), earlier(lines, beams);
+        Grid<CellState> laterState(lines, beams, CellState::Valid), earlierState(lines, beams, CellState::Valid);
+        for (std::size_t k = 0; k < later.size(); ++k) {
+            later[k] = dice() % 5 == 0 ? 255 : 0;
+            earlier[k] = dice() % 5 == 0 ? 255 : 0;
+            if (dice() % 2 == 0) laterState[k] = CellState::NoReturn;
+            if (dice() % 2 == 0) earlierState[k] = CellState::Lost;
+        }
+        const auto near = [&](int i, int j, int within, auto is) {
+            for (int a = 0; a < lines; ++a) {
+                for (int b = 0; b < beams; ++b) {
+                    if (std::max(std::abs(a - i), std::abs(b - j)) <= within && is(a, b)) return true;
+                }
+            }
+            return false;
+        };
+        const EdgeChanges found = edgeChanges(later, earlier, laterState, earlierState, reach);
+        std::array<std::size_t, 5> counts{};
+        for (int i = 0; i < lines; ++i) {
+            for (int j = 0; j < beams; ++j) {
+                const bool hasLater = near(i, j, reach, [&](int a, int b) { return later.at(a, b) != 0; });
+                const bool hasEarlier = near(i, j, reach, [&](int a, int b) { return earlier.at(a, b) != 0; });
+                const int looks = std::max(1, reach);
+                const bool sawLater = near(i, j, looks, [&](int a, int b) { return laterState.at(a, b) == CellState::Valid; });
+                const bool sawEarlier = near(i, j, looks, [&](int a, int b) { return earlierState.at(a, b) == CellState::Valid; });
+                EdgeChange expected = EdgeChange::None;
+                if (later.at(i, j) != 0)
+                    expected = hasEarlier ? EdgeChange::Kept : sawEarlier ? EdgeChange::Gained : EdgeChange::Unseen;
+                else if (earlier.at(i, j) != 0 && !hasLater)
+                    expected = sawLater ? EdgeChange::Lost : EdgeChange::Unseen;
+                ASSERT_EQ(found.cells.at(i, j), expected) << round << " " << i << " " << j;
+                ++counts[static_cast<std::size_t>(expected)];
+            }
+        }
+        EXPECT_EQ(found.kept, counts[1]);
+        EXPECT_EQ(found.gained, counts[2]);
+        EXPECT_EQ(found.lost, counts[3]);
+        EXPECT_EQ(found.unseen, counts[4]);
+    }
+}
+
+TEST(SceneChange, OfTwoSweepsOfOneSceneIsNextToNothing) {
+    const auto a = bell(0, false), b = bell(1, false);
+    const auto change = sceneChange(edgesOf(b), edgesOf(a));
+    ASSERT_TRUE(change) << change.error().sentence();
+    EXPECT_TRUE(change->earlier.how.sameCells);
+    EXPECT_TRUE(change->earlier.how.outOfSpec) << "without poses";
+    const RangeChanges& ranges = change->ranges;
+    EXPECT_LT(ranges.nearer + ranges.farther, a->cells() / 500);
+    EXPECT_GT(ranges.same, a->cells() * 9 / 10);
+    EXPECT_TRUE(change->regions.empty());
+    EXPECT_GT(change->edges.kept, 5 * (change->edges.gained + change->edges.lost) / 2);
+}
+
+/// The cells whose true range changed by more than a rock's relief are the ones that are told.
+TEST(SceneChange, AfterABlastIsThatOfTheTruth) {
+    SimulationSettings settings;
+    settings.lines = 150;
+    settings.beams = 190;
+    settings.truth = true;
+    const Simulation before = *simulate(settings);
+    settings.afterBlast = true;
+    const Simulation after = *simulate(settings);
+    const auto a = std::make_shared<const Scan>(before.scan), b = std::make_shared<const Scan>(after.scan);
+    const auto change = sceneChange(edgesOf(b), edgesOf(a));
+    ASSERT_TRUE(change) << change.error().sentence();
+    const auto trueChange = [&](int line, int beam) { return after.truth->cleanMm.at(line, beam) - before.truth->cleanMm.at(line, beam); };
+    // A cell whose neighbours all changed by more than any relief, in the same way.
+    const auto isInside = [&](int line, int beam) {
+        for (int i = std::max(0, line - 1); i <= std::min(a->lines() - 1, line + 1); ++i) {
+            for (int j = std::max(0, beam - 1); j <= std::min(a->beams() - 1, beam + 1); ++j) {
+                if (std::abs(trueChange(i, j)) < 300.0F || (trueChange(i, j) > 0) != (trueChange(line, beam) > 0)) return false;
+            }
+        }
+        return true;
+    };
+    std::size_t told = 0, right = 0, truly = 0, missed = 0;
+    for (int line = 0; line < a->lines(); ++line) {
+        for (int beam = 0; beam < a->beams(); ++beam) {
+            const std::size_t k = a->rangeMm.index(line, beam);
+            if (a->state[k] != CellState::Valid || b->state[k] != CellState::Valid) continue;
+            const float by = trueChange(line, beam);
+            const RangeChange found = change->ranges.cells[k];
+            const bool isTold = found == RangeChange::Nearer || found == RangeChange::Farther;
+            told += isTold ? 1 : 0;
+            right += isTold && std::abs(by) > 20.0F && (by > 0.0F) == (found == RangeChange::Farther) ? 1 : 0;
+            if (!isInside(line, beam)) continue;
+            ++truly;
+            missed += isTold ? 0 : 1;
+        }
+    }
+    ASSERT_GT(truly, 500U);
+    EXPECT_GT(right, told * 98 / 100) << told;
+    EXPECT_LT(missed, truly / 20) << truly;
+    EXPECT_LT(change->differMm, 12.0) << "half of the cells differ by no more than noise";
+    ASSERT_GE(change->regions.size(), 3U);
+    std::set<bool> ways;
+    for (const ChangedRegion& region : change->regions) ways.insert(region.farther);
+    EXPECT_EQ(ways.size(), 2U) << "some rocks are gone, others lie nearer than what was behind them";
+    EXPECT_GT(change->regions.front().areaM2, 0.5);
+    EXPECT_GT(change->edges.gained, 100U);
+    EXPECT_GT(change->edges.lost, 100U);
+    const auto report = changeReport(*b, *change);
+    EXPECT_EQ(report["regions"].size(), change->regions.size());
+    EXPECT_EQ(report["lined_up_by"], "surfaces");
+    EXPECT_NE(changeText(*b, *change).find("OUT OF SPEC"), std::string::npos);
+}
+
+TEST(SceneChange, OfOneScanComparesEdgesCellByCell) {
+    const auto scan = bell(0, false);
+    Settings other;
+    other.method = Method::Canny;
+    const auto a = detectEdges(scan, {}), b = detectEdges(scan, other);
+    const auto change = sceneChange({scan, b->mask}, {scan, a->mask});
+    ASSERT_TRUE(change);
+    EXPECT_EQ(change->edges.kept + change->edges.lost + change->edges.unseen, a->edges->size());
+    EXPECT_GE(change->edges.kept + change->edges.gained + change->edges.unseen, b->edges->size());
+    EXPECT_EQ(change->ranges.cells.size(), 0U);
+    EXPECT_FALSE(change->earlier.how.outOfSpec);
+}
+
+/// The same scene seen by a scan that was turned and has other steps: what its pose says brings it back onto the cells.
+TEST(LineUp, ByPosesBringsAnotherGridOntoThisOne) {
+    const auto later = bell(0, false, 150, 190);
+    auto turned = std::make_shared<Scan>(*bell(1, false, 180, 220));
+    const double turn = 0.05;
+    // Its frame is turned about x against that of the other: the angle of the stepper counts from elsewhere.
+    auto& polar = std::get<PolarGeometry>(turned->geometry);
+    for (double& angle : polar.lineDeg) angle -= turn * 180.0 / 3.14159265358979323846;
+    const RigidTransform back{rotationX(turn), Eigen::Vector3d::Zero()};
+    LineUpWish wish;
+    wish.poses = std::array{RigidTransform{}, back};
+    const auto edges = edgesOf(turned);
+    const auto on = onGridOf(later, turned, edges.mask, wish);
+    ASSERT_TRUE(on) << on.error().sentence();
+    EXPECT_FALSE(on->how.sameCells);
+    EXPECT_FALSE(on->how.outOfSpec) << on->how.warnings.front();
+    std::size_t both = 0, alike = 0;
+    for (std::size_t k = 0; k < later->cells(); ++k) {
+        if (later->state[k] != CellState::Valid || on->scan->state[k] != CellState::Valid) continue;
+        ++both;
+        alike += std::abs(later->rangeMm[k] - on->scan->rangeMm[k]) < 150.0F ? 1 : 0;
+    }
+    EXPECT_GT(both, later->cells() * 8 / 10);
+    EXPECT_GT(alike, both * 9 / 10);
+    const auto change = sceneChange(edgesOf(later), edges, wish);
+    ASSERT_TRUE(change);
+    EXPECT_GT(change->edges.kept, change->edges.gained);
+    EXPECT_LT(change->ranges.nearer + change->ranges.farther, both / 50);
+    // With a wrong pose the surfaces say so.
+    wish.poses = std::array{RigidTransform{}, RigidTransform{}};
+    const auto wrong = onGridOf(later, turned, edges.mask, wish);
+    ASSERT_TRUE(wrong);
+    EXPECT_TRUE(wrong->how.outOfSpec);
+}
+
+TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
+    const auto later = bell(0, false, 60, 80);
+    auto placed = std::make_shared<Scan>(*bell(1, false, 60, 80));
+    placed->placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
+    const auto edges = edgesOf(placed);
+    const auto refused = onGridOf(later, placed, edges.mask);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("has none"), std::string::npos);
+    LineUpWish wish;
+    wish.bySurfaces = true;
+    const auto on = onGridOf(later, placed, edges.mask, wish);
+    ASSERT_TRUE(on) << on.error().sentence();
+    EXPECT_TRUE(on->how.outOfSpec);
+    // Both in one place: their own cells.
+    auto first = std::make_shared<Scan>(*later);
+    first->placement = placed->placement;
+    const auto same = onGridOf(first, placed, edges.mask);
+    ASSERT_TRUE(same);
+    EXPECT_TRUE(same->how.sameCells);
+    EXPECT_FALSE(same->how.outOfSpec) << same->how.warnings.front();
+    EXPECT_EQ(same->edges, edges.mask);
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,112 @@
+// Targets and measurements in their file: read back as written, and refused when they are hostile or of another scan.
+#include "core/base/bounded_json.h"
+#include "core/inspect/measure/notebook.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <random>
+
+namespace edgescan {
+namespace {
+
+const NotebookScan kThis{std::string(64, 'a'), "bell", 20, 30};
+
+Notebook someNotebook() {
+    Notebook notebook;
+    notebook.targets.push_back({1, "keystone \xC3\xA9 \"left\"", 125, true, "2026-11-20T10:15:30.000Z", {{"Distance", "4.911 m ± 0.009"}}});
+    notebook.targets.push_back({7, "", 599, false, "", {}});
+    notebook.measures.push_back({MeasureKind::Spans, {1, 2, 3, 599}});
+    notebook.measures.push_back({MeasureKind::Angle, {5, 6, 7}});
+    return notebook;
+}
+
+TEST(Notebook, IsReadBackAsItWasWritten) {
+    const auto read = notebookFromText(notebookText(someNotebook(), kThis), kThis, "here");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(*read, someNotebook());
+    EXPECT_EQ(nextNumber(*read), 8);
+    EXPECT_EQ(nextNumber({}), 1);
+}
+
+TEST(Notebook, OfAnotherScanIsRefused) {
+    const std::string text = notebookText(someNotebook(), kThis);
+    for (const NotebookScan& other : {NotebookScan{std::string(64, 'b'), "bell", 20, 30}, NotebookScan{kThis.sha256, "sweep 2", 20, 30},
+                                      NotebookScan{kThis.sha256, "bell", 30, 20}}) {
+        const auto read = notebookFromText(text, other, "here");
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().sentence(), "here: these targets were picked on another scan; move the file away to begin anew.");
+        EXPECT_NE(notebookFileName(other), "");
+    }
+    EXPECT_NE(notebookFileName(kThis), notebookFileName({kThis.sha256, "sweep 2", 20, 30}));
+    EXPECT_EQ(notebookFileName({"", "live", 20, 30}), "") << "what is of no file is not kept";
+}
+
+TEST(Notebook, HostileContentIsRefusedWithASentence) {
+    using Json = nlohmann::json;
+    const Json whole = *parseJson(notebookText(someNotebook(), kThis), "");
+    const auto refused = [&](const std::function<void(Json&)>& change) {
+        Json changed = whole;
+        change(changed);
+        const auto read = notebookFromText(changed.dump(), kThis, "here");
+        EXPECT_FALSE(read) << changed.dump();
+        if (!read) {
+            EXPECT_LT(read.error().sentence().size(), 400U);
+        }
+    };
+    refused([](Json& j) { j["format"] = "edgescan-targets/2"; });
+    refused([](Json& j) { j["more"] = 1; });
+    refused([](Json& j) { j["scan"]["more"] = 1; });
+    refused([](Json& j) { j["targets"][0]["more"] = 1; });
+    refused([](Json& j) { j["targets"] = "none"; });
+    refused([](Json& j) { j["targets"][1]["number"] = 1; }); // twice
+    refused([](Json& j) { j["targets"][0]["number"] = 0; });
+    refused([](Json& j) { j["targets"][0]["number"] = 1.5; });
+    refused([](Json& j) { j["targets"][0]["name"] = std::string(61, 'n'); });
+    refused([](Json& j) { j["targets"][0]["cell"] = {20, 0}; });
+    refused([](Json& j) { j["targets"][0]["cell"] = {-1, 0}; });
+    refused([](Json& j) { j["targets"][0]["cell"] = {0.5, 0}; });
+    refused([](Json& j) { j["targets"][0]["cell"] = 4; });
+    refused([](Json& j) { j["targets"][0].erase("cell"); });
+    refused([](Json& j) { j["targets"][0]["locked"] = "yes"; });
+    refused([](Json& j) { j["targets"][0]["pinned_utc"] = "yesterday"; });
+    refused([](Json& j) { j["targets"][0]["as_pinned"] = {{"a", 3}}; });
+    refused([](Json& j) { j["targets"][0]["as_pinned"] = {{"a", std::string(500, 'v')}}; });
+    refused([](Json& j) {
+        j["targets"][0]["as_pinned"] = Json::array();
+        for (int n = 0; n < 41; ++n) j["targets"][0]["as_pinned"].push_back({"a", "b"});
+    });
+    refused([](Json& j) {
+        for (int n = 8; n < 300; ++n) {
+            j["targets"].push_back(j["targets"][1]);
+            j["targets"].back()["number"] = n;
+        }
+    });
+    refused([](Json& j) { j["measures"][0]["kind"] = "volume"; });
+    refused([](Json& j) { j["measures"][0]["cells"].erase(0); });
+    refused([](Json& j) { j["measures"][0]["cells"][0] = {0, 30}; });
+    refused([](Json& j) { j["scan"].erase("lines"); });
+    for (const char* text : {"", "[]", "null", "{\"format\": 3}", "{"}) EXPECT_FALSE(notebookFromText(text, kThis, "here")) << text;
+    EXPECT_FALSE(notebookFromText(std::string(100'000, '['), kThis, "here"));
+    EXPECT_FALSE(notebookFromText("{\"a\":\"" + std::string(2'000'000, 'x') + "\"}", kThis, "here"));
+}
+
+TEST(Notebook, DamageNeverReadsAsSomethingElseThanANotebook) {
+    const std::string text = notebookText(someNotebook(), kThis);
+    std::mt19937 random(11);
+    for (int round = 0; round < 3000; ++round) {
+        std::string damaged = text;
+        for (int n = 0; n < 1 + round % 3; ++n) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+        const auto read = notebookFromText(damaged, kThis, "here");
+        if (!read) continue;
+        for (const PinnedTarget& target : read->targets) EXPECT_LT(target.cell, 600U);
+        for (const KeptMeasure& measure : read->measures) {
+            EXPECT_EQ(measure.cells.size(), traitsOf(measure.kind).cells);
+            for (const std::uint32_t k : measure.cells) EXPECT_LT(k, 600U);
+        }
+    }
+}
+
+} // namespace
+} // namespace edgescan

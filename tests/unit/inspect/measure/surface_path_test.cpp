@@ -1,0 +1,153 @@
+// The tape and the throat: against plain geometry, against a slow version, and against chance.
+#include "core/inspect/measure/lengths.h"
+#include "core/inspect/measure/surface_path.h"
+#include "core/inspect/measure/throat.h"
+#include "core/sim/random.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace edgescan {
+namespace {
+
+constexpr RangeNoise kQuietNoise{0.5, 0.0};
+
+/// Steps of 1/4 degree round straight up; the range of each cell from its direction.
+template <class Range>
+Scan fineScan(int lines, int beams, Range rangeM) {
+    Scan scan = test::makeScan(lines, beams, [](int, int) { return 1000.0F; });
+    auto& polar = std::get<PolarGeometry>(scan.geometry);
+    polar.axis = Axis::Sweep;
+    for (int j = 0; j < beams; ++j) polar.beamDeg[static_cast<std::size_t>(j)] = 90.0 + (j - beams / 2) / 4.0;
+    for (int i = 0; i < lines; ++i) polar.lineDeg[static_cast<std::size_t>(i)] = (i - lines / 2) / 4.0;
+    const CartesianTables tables(scan);
+    for (int i = 0; i < lines; ++i) {
+        for (int j = 0; j < beams; ++j) {
+            const double r = rangeM(tables.direction(i, j));
+            scan.rangeMm.at(i, j) = static_cast<float>(1000.0 * r);
+            if (r <= 0.0) scan.state.at(i, j) = CellState::NoReturn;
+        }
+    }
+    return scan;
+}
+
+std::uint32_t cellOf(const Scan& scan, int line, int beam) { return static_cast<std::uint32_t>(scan.rangeMm.index(line, beam)); }
+
+TEST(SurfacePath, OnAFlatWallIsTheDistance) {
+    const Scan wall = fineScan(81, 161, [](const Eigen::Vector3d& d) { return 5.0 / d.z(); });
+    const CartesianTables tables(wall);
+    for (const auto& [from, to] : {std::pair{cellOf(wall, 40, 5), cellOf(wall, 40, 155)}, {cellOf(wall, 3, 7), cellOf(wall, 77, 120)}}) {
+        const auto path = surfacePath(wall, tables, kQuietNoise, from, to);
+        ASSERT_TRUE(path);
+        EXPECT_NEAR(path->lengthM, (tables.point(from) - tables.point(to)).norm(), 0.004);
+        EXPECT_EQ(path->leaps, 0);
+        EXPECT_GT(path->nodes, 10);
+        const auto told = measureCells(wall, kQuietNoise, MeasureKind::Path, std::vector{from, to});
+        ASSERT_TRUE(told);
+        EXPECT_EQ(told->lengths.front().valueM, path->lengthM);
+    }
+}
+
+TEST(SurfacePath, FollowsARoof) {
+    // Two flat sides that meet over the middle: 1 m up over 1 m across, on each side.
+    const auto roof = [](const Eigen::Vector3d& d) { return 6.0 / (d.z() + std::abs(d.x())); };
+    const Scan scan = fineScan(41, 161, roof);
+    const CartesianTables tables(scan);
+    const auto from = cellOf(scan, 20, 30), to = cellOf(scan, 20, 130), top = cellOf(scan, 20, 80);
+    const auto path = surfacePath(scan, tables, kQuietNoise, from, to);
+    ASSERT_TRUE(path);
+    const double sides = (tables.point(from) - tables.point(top)).norm() + (tables.point(top) - tables.point(to)).norm();
+    EXPECT_NEAR(path->lengthM, sides, 0.03);
+    EXPECT_GT(path->lengthM, path->straightM + 0.2);
+}
+
+TEST(SurfacePath, TellsOfJumpsAndGaps) {
+    Scan step = fineScan(21, 161, [](const Eigen::Vector3d& d) { return (d.x() < 0 ? 5.0 : 6.0) / d.z(); });
+    const CartesianTables tables(step);
+    const auto from = cellOf(step, 10, 30), to = cellOf(step, 10, 130);
+    EXPECT_EQ(surfacePath(step, tables, kQuietNoise, from, to)->leaps, 1);
+    const auto told = measureCells(step, kQuietNoise, MeasureKind::Path, std::vector{from, to});
+    EXPECT_NE(measureBasis(*told).find("1 jump is part of it"), std::string::npos) << measureBasis(*told);
+    for (int j = 40; j < 60; ++j) step.state.at(10, j) = CellState::NoReturn;
+    EXPECT_EQ(surfacePath(step, tables, kQuietNoise, from, to)->leaps, 2);
+    step.state.at(10, 30) = CellState::NoReturn;
+    EXPECT_FALSE(surfacePath(step, tables, kQuietNoise, from, to));
+    EXPECT_FALSE(surfacePath(step, tables, kQuietNoise, 999999, to));
+}
+
+TEST(SurfacePath, LiesWithinItsToleranceUnderNoise) {
+    const RangeNoise noise{6.0, 0.0};
+    const Scan wall = fineScan(41, 161, [](const Eigen::Vector3d& d) { return 5.0 / d.z(); });
+    const CartesianTables exact(wall);
+    int within = 0, all = 0;
+    for (std::uint64_t round = 0; round < 300; ++round) {
+        Scan noisy = wall;
+        for (std::size_t k = 0; k < noisy.cells(); ++k)
+            noisy.rangeMm[k] += static_cast<float>(6.0 * sim::normalOf(sim::hashOf(round, sim::Purpose::Noise, k)));
+        const CartesianTables tables(noisy);
+        const auto from = cellOf(noisy, 20, 10 + static_cast<int>(round % 40)), to = cellOf(noisy, 20, 110 + static_cast<int>(round % 40));
+        const auto path = surfacePath(noisy, tables, noise, from, to);
+        ASSERT_TRUE(path);
+        ++all;
+        within += std::abs(path->lengthM - (exact.point(from) - exact.point(to)).norm()) <= path->toleranceM ? 1 : 0;
+        EXPECT_LT(path->toleranceM, 0.15);
+    }
+    EXPECT_GE(within, all * 95 / 100) << within << " of " << all;
+}
+
+TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
+    // A plate at 5 m with a slanting slot through which a wall is seen at 9 m.
+    const auto slot = [](const Eigen::Vector3d& d) {
+        const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+        return (x > -0.4 + 0.2 * y && x < 0.5 - 0.15 * y ? 9.0 : 5.0) / d.z();
+    };
+    for (const bool open : {false, true}) {
+        Scan scan = fineScan(61, 101, slot);
+        if (open) { // nothing comes back through the slot
+            const CartesianTables aim(scan);
+            for (std::size_t k = 0; k < scan.cells(); ++k) {
+                if (scan.rangeMm[k] * static_cast<float>(aim.direction(static_cast<int>(k) / 101, static_cast<int>(k) % 101).z()) > 7000.0F)
+                    scan.state[k] = CellState::NoReturn;
+            }
+        }
+        const CartesianTables tables(scan);
+        int left = 0, right = 0;
+        for (int j = 1; j < 101; ++j) {
+            const bool was = scan.state.at(30, j - 1) == CellState::Valid && scan.rangeMm.at(30, j - 1) < 7000.0F;
+            const bool is = scan.state.at(30, j) == CellState::Valid && scan.rangeMm.at(30, j) < 7000.0F;
+            if (was && !is) left = j - 1;
+            if (!was && is) right = j;
+        }
+        const auto a = cellOf(scan, 30, left - 2), b = cellOf(scan, 30, right + 1);
+        const auto found = narrowestBetween(scan, tables, a, b);
+        ASSERT_TRUE(found);
+        const double told = (tables.point((*found)[0]) - tables.point((*found)[1])).norm();
+        const double reach = 0.25 * (tables.point(a) - tables.point(b)).norm();
+        double narrowest = 1e9;
+        for (std::uint32_t m = 0; m < scan.cells(); ++m) {
+            if (!((tables.point(m) - tables.point(a)).norm() <= reach) || scan.rangeMm[m] > 7000.0F) continue;
+            for (std::uint32_t n = 0; n < scan.cells(); ++n) {
+                if (!((tables.point(n) - tables.point(b)).norm() <= reach) || scan.rangeMm[n] > 7000.0F) continue;
+                narrowest = std::min(narrowest, (tables.point(m) - tables.point(n)).norm());
+            }
+        }
+        EXPECT_NEAR(told, narrowest, 1e-9) << open;
+        const auto length = measureCells(scan, kQuietNoise, MeasureKind::Throat, *found);
+        EXPECT_NEAR(length->lengths.front().valueM, told, 1e-12);
+        // A block in the slot leaves no free way at its height, and one of the wall none at all.
+        Scan blocked = scan;
+        for (int i = 0; i < 61; ++i) {
+            blocked.rangeMm.at(i, (left + right) / 2) = 4000.0F;
+            blocked.state.at(i, (left + right) / 2) = CellState::Valid;
+        }
+        EXPECT_FALSE(narrowestBetween(blocked, CartesianTables(blocked), a, b));
+    }
+    const Scan wall = fineScan(41, 61, [](const Eigen::Vector3d& d) { return 5.0 / d.z(); });
+    EXPECT_FALSE(narrowestBetween(wall, CartesianTables(wall), cellOf(wall, 20, 20), cellOf(wall, 20, 40)));
+}
+
+} // namespace
+} // namespace edgescan

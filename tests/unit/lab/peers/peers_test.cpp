@@ -1,0 +1,145 @@
+// The PCL peers find the edges of a box before a wall, each in the cells where they are.
+#include "core/lab/peers/peers.h"
+#include "tests/support/scans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace edgescan {
+namespace {
+
+// A box 1 m before a wall at 5 m: lines 30..59, beams 40..79.
+Scan boxBeforeWall() {
+    const PolarGeometry polar = test::regularAngles(90, 120);
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, 3.0);
+    return test::makeScan(90, 120, [&](int i, int j) {
+        const bool box = i >= 30 && i < 60 && j >= 40 && j < 80;
+        return test::wallRangeMm(polar, i, j, box ? 4000.0 : 5000.0) + std::round(noise(random));
+    });
+}
+
+// Share of the box's outline cells with an edge at most `reach` cells away.
+double outlineFound(const Grid<std::uint8_t>& mask, int reach) {
+    int found = 0;
+    int all = 0;
+    for (int i = 30; i < 60; ++i) {
+        for (int j = 40; j < 80; ++j) {
+            if (i != 30 && i != 59 && j != 40 && j != 79) continue;
+            ++all;
+            bool near = false;
+            for (int a = i - reach; a <= i + reach; ++a) {
+                for (int b = j - reach; b <= j + reach; ++b) near = near || mask.at(a, b) != 0;
+            }
+            found += near ? 1 : 0;
+        }
+    }
+    return static_cast<double>(found) / all;
+}
+
+// Edge cells at the height of the box between two beams, both included.
+int cellsOn(const Grid<std::uint8_t>& mask, int firstBeam, int lastBeam) {
+    int count = 0;
+    for (int i = 33; i < 57; ++i) {
+        for (int j = firstBeam; j <= lastBeam; ++j) count += mask.at(i, j) != 0 ? 1 : 0;
+    }
+    return count;
+}
+
+class Peers : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+    }
+};
+
+TEST_F(Peers, EachFindsTheOutlineOfABoxInItsCells) {
+    const Scan scan = boxBeforeWall();
+    const PeerScan seen = peerScan(scan);
+    PeerLimits limits;
+    limits.seconds = std::numeric_limits<double>::infinity();
+    limits.radiusM = 0.06;
+    for (int n = 0; n < kPeers; ++n) {
+        const Peer peer = static_cast<Peer>(n);
+        const Result<PeerEdges> edges = runPeer(peer, seen, limits);
+        ASSERT_TRUE(edges) << edges.error().sentence();
+        ASSERT_EQ(edges->mask.size(), scan.cells());
+        EXPECT_EQ(edges->share, 1.0);
+        EXPECT_GT(outlineFound(edges->mask, 2), 0.9) << peerName(peer);
+        // The middle of the box is flat.
+        int inside = 0;
+        for (int i = 38; i < 52; ++i) {
+            for (int j = 48; j < 72; ++j) inside += edges->mask.at(i, j) != 0 ? 1 : 0;
+        }
+        EXPECT_LT(inside, 14 * 24 / 10) << peerName(peer);
+        EXPECT_FALSE(edges->steps.empty());
+    }
+}
+
+TEST_F(Peers, BordersAreToldApart) {
+    const PeerScan seen = peerScan(boxBeforeWall());
+    const Result<PeerEdges> borders = runPeer(Peer::RangeImageBorder, seen, {});
+    ASSERT_TRUE(borders);
+    ASSERT_EQ(borders->classes.size(), 3U);
+    // The object border lies on the box, the shadow border on the wall beside it.
+    EXPECT_GT(cellsOn(borders->classes[0].mask, 40, 42), 15);
+    EXPECT_EQ(cellsOn(borders->classes[0].mask, 37, 39), 0);
+    EXPECT_GT(cellsOn(borders->classes[1].mask, 37, 39), 15);
+    EXPECT_EQ(cellsOn(borders->classes[1].mask, 40, 42), 0);
+    const Result<PeerEdges> organised = runPeer(Peer::OrganizedEdge, seen, {});
+    ASSERT_TRUE(organised);
+    EXPECT_GT(cellsOn(organised->classes[0].mask, 40, 42), 15); // occluding
+    EXPECT_GT(cellsOn(organised->classes[1].mask, 37, 39), 15); // occluded
+}
+
+TEST_F(Peers, ASlowOneStopsWhenItsTimeIsUp) {
+    PeerLimits limits;
+    limits.seconds = 0.0;
+    const Result<PeerEdges> edges = runPeer(Peer::BoundaryNeighbours, peerScan(boxBeforeWall()), limits);
+    ASSERT_TRUE(edges);
+    EXPECT_GT(edges->share, 0.0);
+    EXPECT_LT(edges->share, 0.5);
+}
+
+TEST_F(Peers, TooLittleIsRefusedInOneSentence) {
+    const PeerScan nothing = peerScan(test::makeScan(20, 20, [](int, int) { return 0.0F; }));
+    for (int n = 0; n < kPeers; ++n) EXPECT_FALSE(runPeer(static_cast<Peer>(n), nothing, {}));
+}
+
+// PCL's normals crashed on grids of 8 and 9 lines: whatever the grid, there are edges or one sentence, and never a crash.
+TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
+    for (const auto& [lines, beams] : {std::pair{8, 60}, {9, 60}, {10, 60}, {60, 9}, {7, 200}}) {
+        const PolarGeometry polar = test::regularAngles(lines, beams);
+        const PeerScan seen = peerScan(test::makeScan(lines, beams, [&](int i, int j) { return test::wallRangeMm(polar, i, j, 5000.0); }));
+        for (int n = 0; n < kPeers; ++n) {
+            const Result<PeerEdges> edges = runPeer(static_cast<Peer>(n), seen, {});
+            if (edges)
+                EXPECT_EQ(edges->mask.size(), seen.pointsM.size());
+            else
+                EXPECT_EQ(edges.error().sentence().find("crashed"), std::string::npos)
+                    << lines << " x " << beams << ": " << edges.error().sentence();
+        }
+    }
+}
+
+TEST_F(Peers, OneThatRunsOutOfMemoryIsTold) {
+    PeerLimits limits;
+    limits.memoryBytes = 300U << 20U; // enough for PCL's libraries, not for the scan
+    const PeerScan large = peerScan(test::makeScan(1000, 1000, [](int, int) { return 5000.0F; }));
+    const Result<PeerEdges> edges = runPeer(Peer::RangeImageBorder, large, limits);
+    ASSERT_FALSE(edges);
+    EXPECT_NE(edges.error().sentence().find("needed more than 314.6 MB of memory"), std::string::npos) << edges.error().sentence();
+}
+
+TEST_F(Peers, OneThatCrashesIsTold) {
+    PeerScan broken = peerScan(boxBeforeWall());
+    broken.unrolledM = Grid<Eigen::Vector3f>(1, 1, Eigen::Vector3f::Zero()); // the guard looks at pointsM; PCL takes "1 - 10" for a size
+    const Result<PeerEdges> edges = runPeer(Peer::OrganizedEdgeUnrolled, broken, {});
+    ASSERT_FALSE(edges);
+    EXPECT_NE(edges.error().sentence().find("PCL crashed"), std::string::npos) << edges.error().sentence();
+}
+
+} // namespace
+} // namespace edgescan

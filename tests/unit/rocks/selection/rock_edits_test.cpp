@@ -1,0 +1,309 @@
+// Edits hold whatever is turned afterwards, and say what went wrong when they are read.
+#include "core/rocks/attributes/study.h"
+#include "core/rocks/attributes/why_border.h"
+#include "core/rocks/selection/preset.h"
+#include "core/rocks/selection/region_of_interest.h"
+#include "core/rocks/selection/strokes.h"
+#include "tests/support/rock_scene.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan {
+namespace {
+
+const RockInputs& sceneInputs() {
+    static const RockInputs inputs = rockInputs(*detectEdges(test::rockScene("hangup", 815, 300, 343).scan, Settings{}, KeepFor::Rocks));
+    return inputs;
+}
+const RockStudy& plain() {
+    static const RockStudy study = studyRocks(sceneInputs(), {});
+    return study;
+}
+std::uint32_t regionAt(const RockStudy& study, std::uint32_t k) { return study.map.regionOfLeaf[study.leaves->leaf[k]]; }
+RockSettings levelled(double level) {
+    RockSettings settings;
+    settings.level = level;
+    return settings;
+}
+
+// Two rocks that touch each other, by cells of theirs.
+std::pair<std::uint32_t, std::uint32_t> neighbours() {
+    for (const Rock& rock : plain().rocks) {
+        if (!rock.contacts.empty()) return {rock.cell, plain().rocks[rock.contacts.front() - 1].cell};
+    }
+    return {0, 0};
+}
+
+TEST(RockStudy, RowsAreTheSameWithWhatWasMeasuredBefore) {
+    std::size_t kept = 0;
+    const RockStudy* before = &plain();
+    std::vector<RockStudy> studies(9);
+    for (int n = 0; n < 9; ++n) {
+        const double level = n - 4.0;
+        studies[static_cast<std::size_t>(n)] = studyRocks(sceneInputs(), levelled(level), {}, before);
+        const RockStudy& study = studies[static_cast<std::size_t>(n)];
+        const RockStudy fresh = studyRocks(sceneInputs(), levelled(level));
+        ASSERT_EQ(study.rocks.size(), fresh.rocks.size()) << level;
+        EXPECT_TRUE(study.rocks == fresh.rocks) << level;
+        for (const Rock& rock : study.rocks) {
+            for (const Rock& old : before->rocks) kept += rock.cells == old.cells && rock.cell == old.cell ? 1 : 0;
+        }
+        before = &study;
+    }
+    EXPECT_GT(kept, 10U) << "nothing was there before";
+}
+
+TEST(RockEdits, WhatIsJoinedStaysOneAtEveryLevel) {
+    const auto [p, q] = neighbours();
+    ASSERT_NE(regionAt(plain(), p), regionAt(plain(), q));
+    const std::vector<RockEdit> edits{{RockEditKind::Join, {p, q}}};
+    for (const double level : {-4.0, 0.0, 3.0}) {
+        const RockStudy study = studyRocks(sceneInputs(), levelled(level), edits, &plain());
+        EXPECT_EQ(regionAt(study, p), regionAt(study, q));
+        EXPECT_TRUE(whyTwoRocks(study, p, q).alwaysOne);
+    }
+}
+
+TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
+    const auto [p, q] = neighbours();
+    const std::vector<RockEdit> edits{{RockEditKind::Part, {p, q}}};
+    ASSERT_EQ(regionAt(studyRocks(sceneInputs(), levelled(4), {{RockEditKind::Join, {p, q}}}), p),
+              regionAt(studyRocks(sceneInputs(), levelled(4), {{RockEditKind::Join, {p, q}}}), q));
+    Settings turned;
+    turned.jumpMm = 60;
+    const RockInputs other = rockInputs(*detectEdges(sceneInputs().scan, turned, KeepFor::Rocks));
+    for (const double level : {-4.0, 0.0, 4.0}) {
+        EXPECT_NE(regionAt(studyRocks(sceneInputs(), levelled(level), edits), p),
+                  regionAt(studyRocks(sceneInputs(), levelled(level), edits), q));
+        const RockStudy study = studyRocks(other, levelled(level), edits);
+        if (study.leaves->leaf[p] != study.leaves->leaf[q]) {
+            EXPECT_NE(regionAt(study, p), regionAt(study, q));
+        }
+    }
+}
+
+TEST(RockEdits, AClickSplitsARockInTwoAndTheWheelGoesUpThroughItsAncestors) {
+    int split = 0;
+    for (const Rock& rock : plain().rocks) {
+        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        const auto& pieces = family.line.pieces;
+        for (std::size_t n = 1; n < pieces.size(); ++n) EXPECT_TRUE(std::ranges::includes(pieces[n].leaves, pieces[n - 1].leaves));
+        ASSERT_LT(family.line.region, pieces.size());
+        EXPECT_TRUE(pieces[family.line.region].part.cells.empty());
+        EXPECT_EQ(pieces[family.line.region].cells, rock.cells);
+        const auto edit = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        if (!edit) continue;
+        ASSERT_EQ(edit->kind, RockEditKind::Part);
+        const RockStudy study = studyRocks(sceneInputs(), {}, {*edit}, &plain());
+        EXPECT_EQ(study.leaves, plain().leaves);
+        EXPECT_EQ(regionAt(plain(), edit->cells[0]), regionAt(plain(), edit->cells[1]));
+        EXPECT_NE(regionAt(study, edit->cells[0]), regionAt(study, edit->cells[1]));
+        if (++split == 5) break;
+    }
+    EXPECT_EQ(split, 5);
+}
+
+TEST(RockEdits, AStrokeCutsAPieceInTwo) {
+    // Through the middle of the largest rock, along the beams.
+    const Rock& rock = plain().rocks.front();
+    const auto beams = static_cast<std::uint32_t>(sceneInputs().scan->beams());
+    const Grid<std::uint32_t> labels = rockLabels(*plain().leaves, plain().map);
+    const std::uint32_t line = rock.cell / beams;
+    std::uint32_t least = beams, most = 0;
+    for (std::uint32_t j = 0; j < beams; ++j) {
+        if (labels.at(static_cast<int>(line), static_cast<int>(j)) != rock.label) continue;
+        least = std::min(least, j);
+        most = std::max(most, j);
+    }
+    ASSERT_LT(least + 10, most);
+    const std::vector<RockEdit> edits{{RockEditKind::Cut, {line * beams + least - 2, line * beams + most + 2}}};
+    const std::uint32_t above = rock.cell - 4 * beams;
+    const std::uint32_t below = rock.cell + 4 * beams;
+    ASSERT_EQ(regionAt(plain(), above), regionAt(plain(), below));
+    for (const double level : {0.0, 4.0}) {
+        const RockStudy study = studyRocks(sceneInputs(), levelled(level), edits);
+        EXPECT_NE(regionAt(study, above), regionAt(study, below)) << level;
+    }
+    // Undone, everything is as before.
+    const RockStudy cut = studyRocks(sceneInputs(), {}, edits);
+    EXPECT_EQ(rockLabels(*studyRocks(sceneInputs(), {}, {}, &cut).leaves, studyRocks(sceneInputs(), {}, {}, &cut).map), labels);
+}
+
+TEST(RockEdits, TheSameEditsGiveTheSameLabelsWhateverWasThereBefore) {
+    const auto [p, q] = neighbours();
+    const std::vector<RockEdit> edits{
+        {RockEditKind::Join, {p, q}}, {RockEditKind::Cut, {p, q}}, {RockEditKind::NotRock, {plain().rocks[2].cell}}};
+    const RockStudy fresh = studyRocks(sceneInputs(), levelled(1), edits);
+    RockStudy step = studyRocks(sceneInputs(), levelled(-2));
+    for (std::size_t n = 1; n <= edits.size(); ++n)
+        step = studyRocks(sceneInputs(), levelled(n == edits.size() ? 1 : 0),
+                          {edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(n)}, &step);
+    EXPECT_EQ(rockLabels(*fresh.leaves, fresh.map), rockLabels(*step.leaves, step.map));
+}
+
+TEST(RockEdits, WhatIsCalledARockIsOne) {
+    const RockStudy not_ = studyRocks(sceneInputs(), {}, {{RockEditKind::NotRock, {plain().rocks[0].cell}}}, &plain());
+    EXPECT_EQ(not_.rocks.size() + 1, plain().rocks.size());
+    const RockStudy again = studyRocks(
+        sceneInputs(), {}, {{RockEditKind::NotRock, {plain().rocks[0].cell}}, {RockEditKind::Rock, {plain().rocks[0].cell}}}, &not_);
+    ASSERT_EQ(again.rocks.size(), plain().rocks.size());
+    EXPECT_TRUE(again.rocks[0].byHand);
+}
+
+TEST(RockWhy, TheLevelThatItNamesJoinsThem) {
+    const auto [p, q] = neighbours();
+    const BorderWhy why = whyTwoRocks(plain(), p, q);
+    EXPECT_FALSE(why.sameRegion());
+    ASSERT_TRUE(why.border);
+    EXPECT_EQ(why.border->a, why.regions[0]);
+    EXPECT_NEAR(why.border->meanZ(),
+                7 * why.border->mean(why.border->sumE1) + 9 * why.border->mean(why.border->sumE2) +
+                    0.5 * why.border->mean(why.border->sumValley) + 1.5 * why.border->mean(why.border->sumWide) - 9,
+                1e-3);
+    ASSERT_TRUE(why.joinedFrom);
+    const auto groups = [&](double level) { return groupsAt(*plain().tree, plain().leaves->count(), level); };
+    const std::uint32_t a = plain().leaves->leaf[p];
+    const std::uint32_t b = plain().leaves->leaf[q];
+    EXPECT_EQ(groups(*why.joinedFrom)[a], groups(*why.joinedFrom)[b]);
+    EXPECT_NE(groups(*why.joinedFrom - 1e-6)[a], groups(*why.joinedFrom - 1e-6)[b]);
+    EXPECT_NE(why.verdict.find("one from level"), std::string::npos) << why.verdict;
+    EXPECT_TRUE(whyTwoRocks(plain(), p, p).alwaysOne);
+}
+
+TEST(RockEdits, SurviveJsonAndAreRefusedWithASentence) {
+    const std::vector<RockEdit> edits{{RockEditKind::Join, {0, 7, 12}},
+                                      {RockEditKind::Part, {3, 4}},
+                                      {RockEditKind::Cut, {1, 2}},
+                                      {RockEditKind::Rock, {19}},
+                                      {RockEditKind::NotRock, {0}}};
+    const std::string text = rockEditsToJson(edits, 4, 5).dump();
+    const auto back = rockPresetFromText(text, 4, 5, "", "edits.json");
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_EQ(back->edits, edits);
+    EXPECT_FALSE(back->settings);
+    EXPECT_FALSE(rockPresetFromText(text, 5, 4, "", "edits.json"));
+    const auto wrong = [](const std::string& edit) {
+        const auto read = rockPresetFromText(R"({"format": "edgescan-rock-edits/1", "lines": 4, "beams": 5, "edits": [)" + edit + "]}", 4,
+                                             5, "", "edits.json");
+        return !read && read.error().sentence().find("edits.json") != std::string::npos;
+    };
+    for (const char* edit :
+         {R"({"kind": "merge", "cells": [[0, 1], [0, 2]]})", R"({"kind": "join", "cells": [[0, 1]]})",
+          R"({"kind": "rock", "cells": [[4, 0]]})", R"({"kind": "rock", "cells": [[0, 5]]})", R"({"kind": "rock", "cells": [[-1, 0]]})",
+          R"({"kind": "rock", "cells": [[0.5, 0]]})", R"({"kind": "rock", "cells": [[0, 0]], "more": 1})",
+          R"({"kind": "part", "cells": [[0, 0], [0, 1], [0, 2]]})", R"({"kind": 7, "cells": []})", "3", "[]"})
+        EXPECT_TRUE(wrong(edit)) << edit;
+    for (const char* whole : {"", "[]", "{}", R"({"format": "edgescan-rock-edits/2", "lines": 4, "beams": 5, "edits": []})",
+                              R"({"format": "edgescan-rock-edits/1", "lines": 4, "beams": 5, "edits": {}})"})
+        EXPECT_FALSE(rockPresetFromText(whole, 4, 5, "", "edits.json")) << whole;
+}
+
+TEST(RockEdits, AStrokeOverACrackJoinsWhatItCrosses) {
+    const auto [p, q] = neighbours();
+    const auto edit = joinAlong(*plain().leaves, plain().map, {p, q});
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(edit->kind, RockEditKind::Join);
+    const std::vector<std::uint32_t> cells = strokeCells({p, q}, plain().leaves->leaf.lines, plain().leaves->leaf.beams);
+    std::vector<std::uint32_t> crossed;
+    for (const std::uint32_t k : cells) {
+        if (regionAt(plain(), k) != 0) crossed.push_back(regionAt(plain(), k));
+    }
+    std::ranges::sort(crossed);
+    crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+    EXPECT_EQ(edit->cells.size(), crossed.size());
+    EXPECT_GE(crossed.size(), 2U);
+    const RockStudy study = studyRocks(sceneInputs(), levelled(-4), {*edit}, &plain());
+    for (const std::uint32_t k : edit->cells) EXPECT_EQ(regionAt(study, k), regionAt(study, p));
+    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {p, p + 1}));
+    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {}));
+    EXPECT_FALSE(cutAlong(*plain().leaves, plain().map, {}));
+    EXPECT_TRUE(cutAlong(*plain().leaves, plain().map, {p, q}));
+}
+
+TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
+    int smaller = 0, larger = 0;
+    for (const Rock& rock : plain().rocks) {
+        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        for (std::size_t n = 0; n < family.line.pieces.size(); ++n) {
+            const RockAncestor& piece = family.line.pieces[n];
+            if (n == family.line.region) continue;
+            const bool isLarger = n > family.line.region;
+            EXPECT_EQ(piece.part.kind, isLarger ? RockEditKind::Join : RockEditKind::Part);
+            if ((isLarger ? larger : smaller) >= 6) continue;
+            ++(isLarger ? larger : smaller);
+            const RockStudy study = studyRocks(sceneInputs(), {}, {piece.part}, &plain());
+            const RockRegion& made = study.map.regions[regionAt(study, rock.cell)];
+            if (isLarger)
+                EXPECT_GT(made.sums.cells, rock.cells);
+            else
+                EXPECT_LT(made.sums.cells, rock.cells);
+        }
+        const auto split = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        EXPECT_EQ(split.has_value(), family.split != family.line.region);
+        if (split) {
+            EXPECT_EQ(*split, family.line.pieces[family.split].part);
+        }
+    }
+    EXPECT_EQ(smaller, 6);
+    EXPECT_EQ(larger, 6);
+}
+
+TEST(RockPresets, KeepSettingsAndEditsOfTheirOwnScanAlone) {
+    RockPreset preset;
+    preset.settings = levelled(1.5);
+    preset.settings->region = {{0, 0}, {3, 4}};
+    preset.edits = {{RockEditKind::Join, {0, 7}}};
+    preset.sha256 = "abc";
+    const std::string text = rockPresetText(preset, 4, 5);
+    const auto back = rockPresetFromText(text, 4, 5, "abc", "p.json");
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_EQ(*back->settings, *preset.settings);
+    EXPECT_EQ(back->edits, preset.edits);
+    EXPECT_TRUE(rockPresetFromText(text, 4, 5, "", "p.json"));
+    const auto other = rockPresetFromText(text, 4, 5, "abd", "p.json");
+    ASSERT_FALSE(other);
+    EXPECT_NE(other.error().sentence().find("other content"), std::string::npos);
+    EXPECT_FALSE(rockPresetFromText(R"({"sha256": 3})", 4, 5, "", "p.json"));
+}
+
+TEST(RegionOfInterest, TheMaskEqualsAskingEachCell) {
+    const std::vector<std::vector<RegionCorner>> regions{{},
+                                                         {{2, 3}, {9, 14}},
+                                                         {{9, 14}, {2, 3}},
+                                                         {{1, 1}, {12, 4}, {3, 15}},
+                                                         {{0, 0}, {10, 10}, {0, 10}, {10, 0}},
+                                                         {{-3, 5}, {20, 5}, {8, 30}}};
+    for (const auto& region : regions) {
+        const Grid<std::uint8_t> mask = insideMask(region, 14, 18);
+        for (int i = 0; i < mask.lines; ++i) {
+            for (int j = 0; j < mask.beams; ++j) EXPECT_EQ(mask.at(i, j) != 0, isInside(region, i, j)) << i << "," << j;
+        }
+    }
+    // A circle drawn cell by cell keeps its shape with few corners.
+    std::vector<RegionCorner> circle;
+    for (int n = 0; n < 360; ++n)
+        circle.push_back({50 + static_cast<int>(std::lround(40 * std::sin(n * 0.01745))),
+                          50 + static_cast<int>(std::lround(40 * std::cos(n * 0.01745)))});
+    const std::vector<RegionCorner> corners = regionOfDrawing(circle);
+    EXPECT_LT(corners.size(), 60U);
+    const Grid<std::uint8_t> mask = insideMask(corners, 101, 101);
+    for (int i = 0; i < 101; ++i) {
+        for (int j = 0; j < 101; ++j) {
+            const double off = std::hypot(i - 50, j - 50);
+            if (off < 38) {
+                EXPECT_EQ(mask.at(i, j), 1) << i << "," << j;
+            }
+            if (off > 42) {
+                EXPECT_EQ(mask.at(i, j), 0) << i << "," << j;
+            }
+        }
+    }
+    EXPECT_TRUE(regionOfDrawing({{1, 1}, {2, 2}}).empty());
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,174 @@
+// Rocks of simulated scenes whose rocks are known.
+#include "core/rocks/selection/region_of_interest.h"
+#include "tests/support/rock_scene.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace edgescan {
+namespace {
+
+struct Found {
+    test::RockScene scene;
+    RockLeaves leaves;
+    MergeTree tree;
+};
+const Found& hangup() {
+    static const Found found = [] {
+        Found f{test::rockScene("hangup", 4711, 400, 457), {}, {}};
+        f.leaves = test::rockLeavesOf(f.scene.scan);
+        f.tree = mergeTree(f.leaves.count(), f.leaves.borders);
+        return f;
+    }();
+    return found;
+}
+
+TEST(RockMap, FindsTheRocksOfASceneThatNobodyTunedOn) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    EXPECT_GT(map.rocks, 40U);
+    EXPECT_GT(test::panopticQuality(f.leaves, map, f.scene.truth, 100), 0.80);
+    RockSettings coarse;
+    coarse.level = 4;
+    EXPECT_LT(test::panopticQuality(f.leaves, rocksAt(f.leaves, f.tree, coarse), f.scene.truth, 100),
+              test::panopticQuality(f.leaves, map, f.scene.truth, 100));
+}
+
+TEST(RockMap, AgainGivesTheSameLabels) {
+    const Found& f = hangup();
+    const RockLeaves again = test::rockLeavesOf(f.scene.scan);
+    EXPECT_EQ(again.leaf, f.leaves.leaf);
+    const MergeTree tree = mergeTree(again.count(), again.borders);
+    for (const double level : {-4.0, 0.0, 2.5}) {
+        RockSettings settings;
+        settings.level = level;
+        EXPECT_EQ(rockLabels(again, rocksAt(again, tree, settings)), rockLabels(f.leaves, rocksAt(f.leaves, f.tree, settings)));
+    }
+}
+
+TEST(RockMap, RocksComeFirstAndTheLargestOfThemFirst) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
+        EXPECT_EQ(n <= map.rocks, map.regions[n].kind == RegionKind::Rock);
+        EXPECT_FALSE(n > 1 && n <= map.rocks && map.regions[n].sums.areaM2 > map.regions[n - 1].sums.areaM2);
+        EXPECT_EQ(map.regions[n].kind == RegionKind::Fines, map.regions[n].sums.cells < 100U);
+        EXPECT_LE(map.regions[n].near, 1.0);
+    }
+    const Grid<std::uint32_t> labels = rockLabels(f.leaves, map);
+    std::vector<std::uint32_t> cells(map.rocks + 1);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        ASSERT_LE(labels[k], map.rocks);
+        if (f.leaves.inputs.surface->inverse.support[k] == Support::Measured) ++cells[labels[k]];
+    }
+    for (std::uint32_t n = 1; n <= map.rocks; ++n) EXPECT_EQ(cells[n], map.regions[n].sums.cells);
+}
+
+TEST(RockMap, WhatIsARockIsSaidByItsSums) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
+        const RockRegion& r = map.regions[n];
+        if (r.kind == RegionKind::Fines) continue;
+        const double tooLong = std::max(0.0, r.longM - 2.5);
+        const double flat = std::max(0.0, 0.05 - r.depth);
+        EXPECT_NEAR(r.score, 22 * r.bulge + 8.4 * r.near + 33 * r.edges + 11.7 * r.depth + 9.3 * r.fill - 1.1 * tooLong - 200 * flat - 37,
+                    1e-9);
+        EXPECT_NEAR(r.confidence, 1 / (1 + std::exp(1.82 - 0.48 * r.evidence - 0.39 * std::clamp(r.score, -6.0, 12.0))), 1e-9);
+        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && (r.sums.sumM / r.sums.cells).norm() < 15);
+        double covered = 0;
+        for (const RegionBorder& border : map.borders)
+            covered += border.a == n || border.b == n ? static_cast<double>(border.sumE2) / 65536 : 0;
+        EXPECT_NEAR(r.edges, r.outlineCracks == 0 ? 1 : covered / r.outlineCracks, 1e-9);
+        EXPECT_TRUE(r.depth >= 0 && r.depth <= 1 && r.fill > 0) << r.depth << " " << r.fill;
+    }
+}
+
+TEST(RockMap, BordersOfRegionsAreThoseOfTheirLeaves) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    std::uint64_t ofLeaves = 0;
+    for (const LeafBorder& border : f.leaves.borders)
+        ofLeaves += map.regionOfLeaf[border.a] != map.regionOfLeaf[border.b] ? border.cracks : 0;
+    std::uint64_t ofRegions = 0;
+    for (const RegionBorder& border : map.borders) {
+        EXPECT_LT(border.a, border.b);
+        ofRegions += border.cracks;
+    }
+    EXPECT_EQ(ofLeaves, ofRegions);
+    EXPECT_TRUE(std::is_sorted(map.borders.begin(), map.borders.end(),
+                               [](const auto& x, const auto& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); }));
+}
+
+TEST(RockMap, ALevelFurtherUpOnlyJoins) {
+    const Found& f = hangup();
+    std::vector<std::uint32_t> before = groupsAt(f.tree, f.leaves.count(), -4);
+    for (double level = -3.5; level <= 4; level += 0.5) {
+        const std::vector<std::uint32_t> now = groupsAt(f.tree, f.leaves.count(), level);
+        for (std::size_t leaf = 1; leaf < now.size(); ++leaf) EXPECT_EQ(now[leaf], now[before[leaf]]);
+        before = now;
+    }
+}
+
+TEST(RockMap, WhatAPersonSaysOfARegionHolds) {
+    const Found& f = hangup();
+    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    const RockRegion& first = map.regions[1];
+    const std::vector<CalledLeaf> called{{first.group, true}, {first.group, false}};
+    const RockMap other = rocksAt(f.leaves, f.tree, {}, called);
+    EXPECT_EQ(other.rocks, map.rocks - 1);
+    const RockRegion& now = other.regions[other.regionOfLeaf[first.group]];
+    EXPECT_EQ(now.kind, RegionKind::NotRock);
+    EXPECT_TRUE(now.byHand);
+}
+
+TEST(RockMap, OutsideTheRegionOfInterestNothingIsARock) {
+    const Found& f = hangup();
+    RockSettings settings;
+    settings.region = {{100, 100}, {300, 350}};
+    const RockMap map = rocksAt(f.leaves, f.tree, settings);
+    EXPECT_GT(map.rocks, 3U);
+    EXPECT_LT(map.rocks, rocksAt(f.leaves, f.tree, {}).rocks);
+    const Grid<std::uint32_t> labels = regionLabels(f.leaves, map);
+    std::vector<std::uint32_t> inside(map.regions.size());
+    for (int i = 100; i <= 300; ++i) {
+        for (int j = 100; j <= 350; ++j) {
+            if (f.leaves.inputs.surface->inverse.isMeasured(i, j)) ++inside[labels.at(i, j)];
+        }
+    }
+    for (std::size_t n = 1; n < map.regions.size(); ++n)
+        EXPECT_EQ(2 * inside[n] < map.regions[n].sums.cells, map.regions[n].kind == RegionKind::Outside);
+    settings.region = {{100, 100}, {100, 350}, {300, 350}, {300, 100}};
+    EXPECT_EQ(rockLabels(f.leaves, rocksAt(f.leaves, f.tree, settings)), rockLabels(f.leaves, map));
+}
+
+TEST(RegionOfInterest, HoldsItsOutlineAndNothingBeyond) {
+    const std::vector<RegionCorner> triangle{{0, 0}, {10, 0}, {0, 10}};
+    for (int i = -2; i <= 12; ++i) {
+        for (int j = -2; j <= 12; ++j) EXPECT_EQ(isInside(triangle, i, j), i >= 0 && j >= 0 && i + j <= 10) << i << ", " << j;
+    }
+    EXPECT_TRUE(isInside({}, 5, 5));
+}
+
+TEST(RockSettings, SurviveJsonAndRefuseWhatIsWrong) {
+    RockSettings settings;
+    settings.level = -1.5;
+    settings.minimumCells = 250;
+    settings.region = {{1, 2}, {30, 40}, {5, 6}};
+    const auto back = rockSettingsFromJson(nlohmann::json(rockSettingsToJson(settings)), "here");
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_EQ(*back, settings);
+    for (const char* text : {R"({"level": 5})", R"({"level": "x"})", R"({"region": [[1, 2]]})", R"({"region": [[1, -2], [3, 4]]})",
+                             R"({"region": 7})", R"({"min-cells": 0})", R"({"fine": 1})", "[]"})
+        EXPECT_FALSE(rockSettingsFromJson(nlohmann::json::parse(text), "here")) << text;
+    const auto region = parseRegion("1,2 30,40");
+    ASSERT_TRUE(region);
+    EXPECT_EQ(*region, (std::vector<RegionCorner>{{1, 2}, {30, 40}}));
+    for (const char* text : {"", "1,2", "1,2 3", "1,2 3,", "1 2 3 4", "a,b c,d", "1,2 -3,4", "1,2;3,4", "99999999999,2 3,4"})
+        EXPECT_FALSE(parseRegion(text)) << text;
+}
+
+} // namespace
+} // namespace edgescan

@@ -1,0 +1,54 @@
+// Scans of a sweep while it grows.
+#include "core/scanner/sweep_assembly/sweep.h"
+#include "tests/support/live_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+// Rows that are whole stay as they are, once it is known how the lines interlace.
+TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
+    constexpr unsigned kSeed = 8;
+    SCOPED_TRACE(kSeed);
+    std::mt19937 random(kSeed);
+    int grown = 0;
+    for (int round = 0; round < 40; ++round) {
+        SweepSettings settings;
+        settings.expectedLines = round % 3 == 0 ? 40 : 0;
+        settings.ticksPerDeg = round % 4 == 1 ? std::optional<double>(5.0) : std::nullopt;
+        SweepAssembler assembler(settings);
+        std::map<int, std::shared_ptr<const Scan>> last; // by the sweep's number
+        for (int n = 0; n < 120; ++n) {
+            if (random() % 9 == 0) continue; // lost
+            LineStyle style;
+            if (round % 2 == 1 && n % 2 == 1) style.startAngle += 833; // interlaced: two lines make a row
+            ScanTelegram telegram = telegramOfLine(n, style);
+            if (round % 4 == 1) { // there and back again
+                const int turn = n % 60;
+                telegram.encoders.push_back({static_cast<std::uint32_t>(1000 + (turn < 30 ? turn : 60 - turn)), 0});
+            }
+            assembler.push(telegram, hostNsOfLine(n));
+            if (random() % 15 == 0) assembler.push(telegram, hostNsOfLine(n)); // twice
+            const SweepSoFar now{assembler.snapshot(), assembler.progress()};
+            if (!now.scan || n < 20) continue;
+            auto& before = last[now.progress.number];
+            if (before && now.scan->lines() >= before->lines()) {
+                ASSERT_EQ(before->beams(), now.scan->beams());
+                ASSERT_TRUE(std::equal(before->rangeMm.cells.begin(), before->rangeMm.cells.end(), now.scan->rangeMm.cells.begin())) << n;
+                ASSERT_TRUE(std::equal(before->state.cells.begin(), before->state.cells.end(), now.scan->state.cells.begin())) << n;
+                ++grown;
+            }
+            before = std::make_shared<const Scan>(*now.scan);
+            EXPECT_EQ(now.progress.growing, settings.expectedLines == 0 || now.progress.lines < settings.expectedLines);
+        }
+        assembler.finish();
+        EXPECT_FALSE(assembler.progress().growing);
+        for (const FinishedSweep& sweep : assembler.takeFinished()) EXPECT_FALSE(sweep.progress.growing);
+    }
+    EXPECT_GT(grown, 2000);
+}

@@ -1,0 +1,89 @@
+// Choosing and installing a language.
+#include "ui/base/language/languages.h"
+
+#include "ui/base/language/catalogue.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace edgescan::ui {
+namespace {
+
+// What Qt's own buttons and fields say, for systems on which its translations are not installed.
+[[maybe_unused]] constexpr std::array kTextsOfQt{
+    QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Save"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Open"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "&Yes"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "&No"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Apply"),
+    QT_TRANSLATE_NOOP("QLineEdit", "Cu&t"),
+    QT_TRANSLATE_NOOP("QLineEdit", "&Copy"),
+    QT_TRANSLATE_NOOP("QLineEdit", "&Paste"),
+    QT_TRANSLATE_NOOP("QLineEdit", "Select All"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Discard"),
+    QT_TRANSLATE_NOOP("QLineEdit", "Delete"),
+    QT_TRANSLATE_NOOP("QAbstractSpinBox", "&Step up"),
+    QT_TRANSLATE_NOOP("QAbstractSpinBox", "Step &down"),
+    QT_TRANSLATE_NOOP("QWidgetTextControl", "Copy &Link Location"),
+    QT_TRANSLATE_NOOP("QDockWidget", "Float"),
+};
+
+struct LanguageInstalled {
+    QString code = "en";
+    std::vector<std::unique_ptr<QTranslator>> translators; // a translator that ends takes itself out
+};
+
+LanguageInstalled& installed() {
+    static LanguageInstalled one;
+    return one;
+}
+
+bool isSpoken(const QString& code) {
+    return std::ranges::any_of(kLanguages, [&](const Language& language) { return code == QLatin1String(language.code); });
+}
+
+QString folderOfQt() {
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+    return QLibraryInfo::location(QLibraryInfo::TranslationsPath);
+#else
+    return QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+#endif
+}
+
+} // namespace
+
+QString languageOfSystem(const QStringList& spoken) {
+    for (const QString& each : spoken) {
+        const QString code = each.section(QLatin1Char('-'), 0, 0).section(QLatin1Char('_'), 0, 0).toLower();
+        if (isSpoken(code)) return code;
+    }
+    return "en";
+}
+
+bool useLanguage(const QString& code, const QString& folder) {
+    LanguageInstalled& now = installed();
+    now.translators.clear();
+    const QString wanted = code.isEmpty() ? languageOfSystem(QLocale::system().uiLanguages()) : code;
+    now.code = isSpoken(wanted) ? wanted : "en";
+    if (now.code == "en") return wanted == "en";
+    auto ofQt = std::make_unique<QTranslator>();
+    if (ofQt->load("qtbase_" + now.code, folderOfQt()) && QCoreApplication::installTranslator(ofQt.get()))
+        now.translators.push_back(std::move(ofQt));
+    auto own = std::make_unique<Catalogue>();
+    const bool read = own->read(folder + "/" + now.code + ".ts") && QCoreApplication::installTranslator(own.get());
+    if (read)
+        now.translators.push_back(std::move(own));
+    else
+        now.code = "en";
+    return read;
+}
+
+QString languageInUse() { return installed().code; }
+
+} // namespace edgescan::ui

@@ -1,0 +1,134 @@
+// Signals of the window as lines of the log.
+#include "ui/controllers/audit_trail.h"
+
+#include "core/base/version.h"
+#include "core/edges/explain/probe.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/in_background.h"
+
+#include <QUndoStack>
+
+namespace edgescan::ui {
+
+using Json = nlohmann::ordered_json;
+
+AuditTrail::AuditTrail(const QString& folder, const Session& session, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice)
+    : session_(session), views_(views), notice_(notice) {
+    if (folder.isEmpty()) return;
+    log_.emplace(std::filesystem::path(folder.toStdString()) / "audit.jsonl");
+    connect(&session, &Session::streamChanged, this, [this] {
+        pinned_.reset();
+        note("opened", scanShown());
+    });
+    connect(&session, &Session::saved, this,
+            [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportContentName(what), path, count); });
+    connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
+    connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {
+        const bool isUndone = index < last;
+        const QString step = undo.text(isUndone ? index : index - 1);
+        last = index;
+        if (step.isEmpty()) return; // the stack was emptied
+        Json details = scanShown();
+        details["step"] = step.toStdString();
+        details["undone"] = isUndone;
+        note("changed", details);
+    });
+    note("started", {{"version", version()}, {"commit", commit()}});
+}
+
+AuditTrail::~AuditTrail() {
+    if (!log_) return;
+    note("ended", Json::object());
+    const QObjectList jobs = children(); // what is being written comes before what is left
+    qDeleteAll(jobs);
+    static_cast<void>(write(*log_, std::move(lines_)));
+}
+
+void AuditTrail::note(const std::string& event, const Json& details) {
+    if (!log_) return;
+    lines_.emplace_back(event, details);
+    pump();
+}
+
+void AuditTrail::noteExport(const std::string& content, const QString& path, std::optional<qint64> count) {
+    Json details = scanShown();
+    details["content"] = content;
+    details["file"] = path.toStdString();
+    if (count) details["count"] = *count;
+    note("exported", details);
+}
+
+void AuditTrail::noteWarnings(const QStringList& warnings) {
+    if (warnings.isEmpty()) return;
+    Json details = scanShown();
+    details["warnings"] = Json::array();
+    for (const QString& warning : warnings) details["warnings"].push_back(warning.toStdString());
+    note("warnings", details);
+}
+
+void AuditTrail::notePin() {
+    const std::optional<std::size_t> pinned = views_.pinned();
+    if (std::exchange(pinned_, pinned) == pinned || !pinned || !session_.picture()) return;
+    const Detection& detection = *session_.picture()->detection;
+    if (*pinned >= detection.scan->cells()) return;
+    const Probe probe = probeCell(detection, *pinned);
+    Json details = scanShown();
+    details["line"] = probe.line;
+    details["beam"] = probe.beam;
+    details["range_mm"] = probe.state == CellState::Valid ? Json(probe.rangeMm) : Json();
+    details["edge"] = probe.edge;
+    note("pinned", details);
+}
+
+// Which scan it was about, and with which settings its edges were found.
+Json AuditTrail::scanShown() const {
+    if (!session_.picture()) return Json::object();
+    const Detection& detection = *session_.picture()->detection;
+    const Json all = settingsToJson(detection.settings);
+    Json settings{{"method", all["method"]}};
+    for (const std::string& key : changedFromDefault(detection.settings)) settings[key] = all[key];
+    return {{"scan", detection.scan->path},
+            {"scan_sha256", detection.scan->sha256},
+            {"lines", detection.scan->lines()},
+            {"beams", detection.scan->beams()},
+            {"settings", settings}};
+}
+
+AuditTrail::Unwritten AuditTrail::write(const AuditLog& log, Lines lines) {
+    while (!lines.empty()) {
+        if (const auto done = log.append(lines.front().first, lines.front().second); !done) return {std::move(lines), done.error()};
+        lines.pop_front();
+    }
+    return {};
+}
+
+void AuditTrail::pump() {
+    if (writing_ || lines_.empty()) return;
+    writing_ = true;
+    inBackground(
+        this,
+        [this, log = *log_, lines = std::exchange(lines_, {})]() -> std::function<void()> {
+            Unwritten left = write(log, lines);
+            return [this, left = std::move(left)] {
+                lines_.insert(lines_.begin(), left.lines.begin(), left.lines.end()); // tried again with the next one
+                const bool fails = left.error.has_value();
+                if (fails) // each time: opening a scan takes the notice away
+                    notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ AUDIT LOG: %1").arg(exactText(left.error->sentence())));
+                if (!fails && failing_)
+                    notice_.showNotice(NoticeBar::Kind::Done, tr("The audit log is written again; no line is missing."));
+                failing_ = fails;
+                writing_ = false;
+                if (!fails) pump();
+            };
+        },
+        [this](const QString& what) {
+            writing_ = false;
+            notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ AUDIT LOG: what is done is not noted (%1)").arg(what));
+        });
+}
+
+} // namespace edgescan::ui

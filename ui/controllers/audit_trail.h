@@ -1,0 +1,59 @@
+// What the operator does, in the audit log (docs/audit.md).
+#pragma once
+
+#include "core/base/audit_log/audit_log.h"
+#include "ui/engine/worker_bridge/session.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+
+class QUndoStack;
+
+namespace edgescan::ui {
+
+class LinkedViews;
+class NoticeBar;
+
+/// GUI thread only; lines are written on a thread of their own, one after the other. What it is given must outlive it.
+class AuditTrail : public QObject {
+    Q_OBJECT
+public:
+    /// `folder`: where audit.jsonl stands; empty: nothing is noted.
+    AuditTrail(const QString& folder, const Session& session, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice);
+    ~AuditTrail() override;
+
+    void note(const std::string& event, const nlohmann::ordered_json& details);
+    /// What was written to where, and what it is of.
+    void noteExport(const std::string& content, const QString& path, std::optional<qint64> count = std::nullopt);
+    void noteWarnings(const QStringList& warnings);
+    /// Everything is on the disk.
+    [[nodiscard]] bool written() const { return lines_.empty() && !writing_; }
+
+private:
+    using Lines = std::deque<std::pair<std::string, nlohmann::ordered_json>>;
+    /// Those that could not be written, in order, and why.
+    struct Unwritten {
+        Lines lines;
+        std::optional<Error> error;
+    };
+    [[nodiscard]] static Unwritten write(const AuditLog& log, Lines lines);
+    void pump();
+    void notePin();
+    [[nodiscard]] nlohmann::ordered_json scanShown() const;
+
+    std::optional<AuditLog> log_;
+    const Session& session_;
+    const LinkedViews& views_;
+    NoticeBar& notice_;
+    Lines lines_; // not written yet
+    bool writing_ = false;
+    bool failing_ = false;
+    std::optional<std::size_t> pinned_;
+};
+
+} // namespace edgescan::ui

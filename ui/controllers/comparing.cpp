@@ -1,0 +1,342 @@
+// Keeping, comparing, flipping.
+#include "ui/controllers/comparing.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/files/files.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+namespace edgescan::ui {
+namespace {
+
+QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
+
+constexpr int kLeastAround = 10; // cells beside a region, for the eye
+
+/// The cells of the region alone: others of its kind may lie in the same box.
+std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
+    std::vector<std::uint32_t> cells{region.cell};
+    std::vector<bool> seen(kinds.size(), false);
+    seen[region.cell] = true;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        const int line = static_cast<int>(cells[n]) / kinds.beams, beam = static_cast<int>(cells[n]) % kinds.beams;
+        for (int i = std::max(region.firstLine, line - 1); i <= std::min(region.lastLine, line + 1); ++i) {
+            for (int j = std::max(region.firstBeam, beam - 1); j <= std::min(region.lastBeam, beam + 1); ++j) {
+                const std::size_t k = kinds.index(i, j);
+                if (seen[k] || kinds[k] != kinds[region.cell]) continue;
+                seen[k] = true;
+                cells.push_back(static_cast<std::uint32_t>(k));
+            }
+        }
+    }
+    return cells;
+}
+
+bool isTyping(const QWidget* widget) {
+    return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+}
+
+} // namespace
+
+/// A before and after. The picture itself may be gone by then: it is read again.
+class KeptChange : public QUndoCommand {
+public:
+    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from)
+        : QUndoCommand(name),
+          comparing_(comparing), before_{comparing.kept_, comparing.kept_ == nullptr, comparing.keptFrom_}, after_{after, after == nullptr,
+                                                                                                                   from} {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    struct State {
+        std::weak_ptr<const Picture> picture;
+        bool none;
+        std::optional<KeptFrom> from;
+    };
+    void apply(const State& state) {
+        const auto picture = state.picture.lock();
+        if (state.none || picture)
+            comparing_.use(picture, state.from);
+        else if (state.from)
+            comparing_.read(*state.from, false);
+        else
+            setObsolete(true); // of a sweep that no file holds
+    }
+
+    Comparing& comparing_;
+    State before_, after_;
+};
+
+Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
+                     Memory& memory, QUndoStack& undo)
+    : session_(session), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
+      reader_(
+          this,
+          [](const Reading& reading) {
+              return Read{reading, reading.scan        ? pictureOf(reading.scan, reading.from.settings)
+                                   : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
+                                                       : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings)};
+          },
+          [this](const Read& read) { takeRead(read); },
+          [this](const QString& what) {
+              takeRead({{}, Error{what.toStdString(), "", "choose another scan"}});
+          }),
+      comparer_(
+          this,
+          [this](const ComparisonAsked& asked) {
+              if (!asked.before) { // nothing is kept any more: what was known of it goes
+                  last_ = nullptr;
+                  return Answer{asked, std::shared_ptr<const Comparison>()};
+              }
+              Answer answer{asked, compared(asked, last_.get())};
+              last_ = answer.made ? *answer.made : nullptr;
+              return answer;
+          },
+          [this](const Answer& answer) { take(answer); },
+          [this](const QString& what) {
+              working_ = false;
+              comparison_ = nullptr;
+              show();
+              showLegend();
+              notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
+          }) {
+    connect(&session_, &Session::pictureReady, this, &Comparing::follow);
+    connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
+        rows_ = rows;
+        ask();
+        emit rowsChanged();
+    });
+    connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
+    connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
+    QApplication::instance()->installEventFilter(this);
+}
+
+void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
+
+void Comparing::keep() {
+    if (session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
+        return;
+    }
+    undo_.push(new KeptChange(stepName("Keep as A"), *this, session_.picture(), fromShown()));
+}
+
+void Comparing::forget() {
+    if (kept_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
+}
+
+std::optional<KeptFrom> Comparing::fromShown() const {
+    if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
+    const Detection& detection = *session_.picture()->detection;
+    return KeptFrom{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
+}
+
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from) {
+    flip(false);
+    kept_ = std::move(kept);
+    keptFrom_ = std::move(from);
+    if (!kept_) comparer_.post({});
+    comparison_ = nullptr;
+    show();
+    emit keptChanged(kept_ != nullptr);
+    ask();
+    showLegend();
+}
+
+void Comparing::compareWith(const QString& path) {
+    if (session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to compare with it yet: open the later scan first."));
+        return;
+    }
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
+    ReadingOptions reading = files_.options();
+    reading.scanIndex = 0; // of the file on the screen
+    read({path, std::nullopt, reading, session_.settings(), {}, {}}, true);
+}
+
+void Comparing::restore(const KeptFrom& from) { read(from, false); }
+
+void Comparing::read(const KeptFrom& from, bool asStep) {
+    reading_ = true;
+    const std::optional<KeptFrom> shown = session_.picture() ? fromShown() : std::nullopt;
+    const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
+                      shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
+    reader_.post({from, same ? session_.picture()->detection->scan : nullptr, asStep});
+}
+
+void Comparing::askScan() {
+    const QString path =
+        QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), memory_.folder("scans"), Files::filters());
+    if (!path.isEmpty()) compareWith(path);
+}
+
+void Comparing::takeRead(const Read& read) {
+    reading_ = false;
+    if (!read.picture) return notice_.tell(read.picture.error());
+    const std::shared_ptr<const Picture>& picture = *read.picture;
+    KeptFrom from = read.asked.from;
+    const Scan& scan = *picture->detection->scan;
+    if (!from.sha256.empty() && from.sha256 != scan.sha256) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(from.path)));
+        return;
+    }
+    from.sha256 = scan.sha256;
+    from.name = scan.name;
+    if (!read.asked.asStep) return use(picture, from);
+    notice_.hide();
+    undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
+}
+
+bool Comparing::comparable() const {
+    const std::shared_ptr<const Picture>& now = session_.picture();
+    return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
+}
+
+/// A new picture is on the screen: the views ended a flip by themselves.
+void Comparing::follow() {
+    emit flipped(false);
+    legend_.showFlipped(false);
+    if (!kept_) return;
+    const auto& now = session_.picture();
+    if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
+    if (!comparable()) comparison_ = nullptr;
+    show();
+    ask();
+    showLegend();
+}
+
+void Comparing::ask() {
+    working_ = comparable();
+    if (!working_) return;
+    comparer_.post({kept_, session_.picture(), rows_});
+}
+
+void Comparing::take(const Answer& answer) {
+    if (!answer.asked.before) return;
+    const bool wanted =
+        comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
+    if (!wanted) return; // a newer question is under way, or there is nothing left to ask
+    working_ = false;
+    if (!answer.made) {
+        notice_.tell(answer.made.error());
+        comparison_ = nullptr; // A stays: the next scan may fit
+    } else {
+        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
+        comparison_ = *answer.made;
+        if (otherScans) {
+            region_ = 0;
+            QStringList warnings;
+            for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << shownText(warning);
+            if (!warnings.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, warnings.join('\n'));
+        }
+    }
+    show();
+    showLegend();
+}
+
+void Comparing::setDifferenceShown(bool on) {
+    shown_ = on;
+    show();
+    showLegend();
+}
+
+void Comparing::show() {
+    std::shared_ptr<EdgesInstead> instead;
+    if (comparison_ && shown_) {
+        instead = std::make_shared<EdgesInstead>();
+        *instead = {comparison_->edges,
+                    changeColours(),
+                    comparison_->map,
+                    comparison_->overlay,
+                    rocks_.shown() ? nullptr : comparison_->points,
+                    false,
+                    tr("gained, lost and kept")};
+    }
+    views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
+    const bool on = instead != nullptr;
+    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // what another one shows there stays
+    drawn_ = std::move(instead);
+    emit differenceShown(on);
+}
+
+void Comparing::showLegend() {
+    legend_.setVisible(kept_ != nullptr);
+    legend_.setRowsShown(shown_);
+    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), working_);
+}
+
+void Comparing::flip(bool on) {
+    if (on == views_.flipped()) return;
+    if (on && !comparison_) {
+        emit flipped(false); // the entry of the menu has checked itself
+        notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
+                                                           : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
+        return;
+    }
+    views_.flipTo(on ? comparison_->before : nullptr);
+    rocks_.redraw();
+    legend_.showFlipped(on);
+    emit flipped(on);
+}
+
+void Comparing::nextRegion() {
+    if (!comparison_ || comparison_->change.regions.empty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("No surface came nearer or went farther: keep a scan as A and open another one."));
+        return;
+    }
+    const auto& regions = comparison_->change.regions;
+    const std::size_t n = region_ % regions.size();
+    region_ = n + 1;
+    const ChangedRegion& region = regions[n];
+    const auto& kinds = comparison_->change.ranges.cells;
+    const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
+    const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
+    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
+    views_.cloud().lookAtCells(cellsOf(kinds, region));
+    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
+                           .arg(n + 1)
+                           .arg(regions.size())
+                           .arg(region.farther ? tr("farther") : tr("nearer"))
+                           .arg(region.byM, 0, 'f', 2)
+                           .arg(region.toleranceM, 0, 'f', 2)
+                           .arg(region.areaM2, 0, 'f', 2)
+                           .arg(region.rangeM, 0, 'f', 2));
+}
+
+bool Comparing::eventFilter(QObject* watched, QEvent* event) {
+    const bool leaves = event->type() == QEvent::WindowDeactivate && watched == notice_.window();
+    if ((event->type() == QEvent::ApplicationDeactivate || (leaves && heldCode_ != 0)) && views_.flipped()) {
+        heldCode_ = 0;
+        flip(false);
+    }
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    // Where the key needs AltGr its release may come under another name.
+    const bool isHeld = event->type() == QEvent::KeyRelease && heldCode_ != 0 && key->nativeScanCode() == heldCode_;
+    if ((key->key() != Qt::Key_Backslash && !isHeld) || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
+    if (static_cast<QWidget*>(watched)->window() != notice_.window()) return false;
+    if (!key->isAutoRepeat()) heldCode_ = event->type() == QEvent::KeyPress ? key->nativeScanCode() : 0;
+    if (!key->isAutoRepeat() && (event->type() == QEvent::KeyPress) != views_.flipped()) flip(event->type() == QEvent::KeyPress);
+    return true;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,183 @@
+// Asking for edge confidence and showing it.
+#include "ui/controllers/confidence.h"
+
+#include "ui/controllers/targets/targets.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/confidence/confidence_legend.h"
+
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kQuietMs = 250;                   // nobody has turned anything for so long
+constexpr int kQuietCardMs = 1000;              // where a card alone asks: it has no hurry
+constexpr std::size_t kMostForCard = 4'000'000; // cells; a larger scan keeps the processors for what is asked for
+constexpr const char* kLeast = "view/confidence-least";
+
+} // namespace
+
+Confidence::Confidence(Session& session, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory)
+    : session_(session), views_(views), targets_(targets), legend_(legend), memory_(memory),
+      worker_(
+          this, [this](const Asked& asked) { return workOut(asked); }, [this](const Answer& answer) { take(answer); },
+          [this](const QString& what) { failed(what); }) {
+    quiet_.setSingleShot(true);
+    connect(&quiet_, &QTimer::timeout, this, &Confidence::ask);
+    legend_.setLeast(memory_.text(kLeast).toInt());
+    connect(&legend_, &ConfidenceLegend::leastWanted, this, [this](int percent) {
+        memory_.keep(kLeast, QString::number(percent));
+        if (made_) ask(); // the images alone
+        emit changed();
+    });
+    connect(&session_, &Session::pictureReady, this, &Confidence::follow);
+    connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
+    connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
+        legend_.setColours(bandColours(views_.edgeColours() != kUsualColours));
+        if (made_) ask();
+    });
+}
+
+Confidence::~Confidence() { ++wanted_; } // what is under way is given up
+
+void Confidence::setOn(bool on) {
+    if (on == on_) return;
+    on_ = on;
+    made_ = nullptr;
+    begin();
+    show();
+}
+
+void Confidence::setLeast(int percent) { legend_.setLeast(percent); }
+
+int Confidence::least() const { return legend_.least(); }
+
+void Confidence::giveWay(bool toAnother) {
+    gaveWay_ = toAnother;
+    show();
+}
+
+std::optional<int> Confidence::at(std::size_t cell) const {
+    if (!made_ || cell >= made_->confidence->percent.size()) return std::nullopt;
+    const int percent = made_->confidence->percent[cell];
+    return percent > 0 ? std::optional(percent) : std::nullopt;
+}
+
+bool Confidence::possible() const { return session_.picture() != nullptr && !session_.picture()->source.growth.growing; }
+
+bool Confidence::needed() const {
+    return on_ || (forCard_ && session_.picture() && session_.picture()->detection->mask->size() <= kMostForCard);
+}
+
+/// What was known is of another picture: until the new one is worked out its edges are shown as ever.
+void Confidence::follow() {
+    ++wanted_;
+    quiet_.stop();
+    made_ = nullptr;
+    known_ = nullptr;
+    underWay_ = failed_ = false;
+    followCard();
+    begin();
+    show();
+}
+
+/// The card is of another cell, or its cell has an edge now.
+void Confidence::followCard() {
+    const PinnedTarget* target = targets_.active();
+    const Picture* picture = session_.picture().get();
+    const bool before =
+        std::exchange(forCard_, target != nullptr && picture != nullptr && target->cell < picture->detection->mask->size() &&
+                                    (*picture->detection->mask)[target->cell] != 0);
+    if (forCard_ != before) begin();
+}
+
+/// What is needed is begun a moment after the last change; what nobody needs any more is given up.
+void Confidence::begin() {
+    if (on_ && !session_.picture()) legend_.showNone(tr("open a scan first"));
+    if (on_ && session_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
+    if (!needed() || !possible()) {
+        quiet_.stop();
+        if (underWay_) ++wanted_;
+        underWay_ = false;
+    } else if (known_ && on_ && !made_) {
+        ask();
+    } else if (!known_ && !underWay_) {
+        if (on_) legend_.showWorking(0);
+        const int wait = on_ ? kQuietMs : kQuietCardMs;
+        if (!quiet_.isActive() || quiet_.interval() > wait) quiet_.start(wait);
+    }
+    tellCards();
+}
+
+void Confidence::ask() {
+    if (!needed() || !possible()) return;
+    underWay_ = true;
+    failed_ = false;
+    worker_.post({++wanted_, session_.picture(), known_, on_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
+}
+
+Confidence::Answer Confidence::workOut(const Asked& asked) {
+    Answer answer{asked.number, asked.known, nullptr};
+    if (!answer.known) {
+        const auto goOn = [&](double done) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, number = asked.number, done] {
+                    if (number == wanted_ && on_) legend_.showWorking(static_cast<int>(100 * done));
+                },
+                Qt::QueuedConnection);
+            return asked.number == wanted_;
+        };
+        auto found = edgeConfidence(*asked.picture->detection, goOn);
+        if (!found) return answer;
+        answer.known = std::make_shared<const EdgeConfidence>(std::move(*found));
+    }
+    if (asked.shown) answer.made = confidencePicture(asked.picture, answer.known, asked.leastPercent, asked.colours);
+    return answer;
+}
+
+void Confidence::take(const Answer& answer) {
+    if (!answer.known || answer.number != wanted_) return;
+    underWay_ = false;
+    known_ = answer.known;
+    if (on_ && !answer.made) return ask(); // shown since it was asked for
+    made_ = on_ ? answer.made : nullptr;
+    if (made_) legend_.showMade(*made_);
+    show();
+}
+
+void Confidence::failed(const QString& what) {
+    underWay_ = false;
+    failed_ = true;
+    legend_.showNone(tr("could not be worked out:\n%1").arg(what));
+    tellCards();
+}
+
+void Confidence::tellCards() {
+    using State = ToldConfidence::State;
+    KnownConfidence told;
+    told.of = session_.picture();
+    told.made = known_;
+    if (forCard_ && !known_ && !failed_) told.otherwise = !possible() ? State::Growing : needed() ? State::Coming : State::Large;
+    targets_.setConfidence(told);
+}
+
+void Confidence::show() {
+    legend_.setVisible(on_ && !gaveWay_);
+    std::shared_ptr<EdgesInstead> instead;
+    if (made_ && on_ && !gaveWay_) {
+        instead = std::make_shared<EdgesInstead>();
+        *instead = {
+            made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
+            tr("by confidence")};
+    }
+    // What another one shows there stays.
+    if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
+    shown_ = std::move(instead);
+    tellCards();
+    emit changed();
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,61 @@
+// The contact sheet of the slider in use: worked out on a thread of its own, picture by picture; a click takes a value.
+#pragma once
+
+#include "core/edges/tuning/contact_sheet.h"
+#include "ui/engine/worker_bridge/newest.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace edgescan::ui {
+
+class ContactCard;
+class NoticeBar;
+class Session;
+class Tuning;
+
+/// GUI thread only. What it is given must outlive it.
+class ContactSheets : public QObject {
+    Q_OBJECT
+public:
+    ContactSheets(Session& session, Tuning& tuning, NoticeBar& notice, QObject* parent);
+    ~ContactSheets() override { wanted_ = 0; }
+
+    /// Of the setting that was turned last, else of the one that the method is mostly turned by.
+    void show();
+    /// Null before the first sheet.
+    [[nodiscard]] ContactCard* card() const { return card_; }
+    [[nodiscard]] const std::vector<SheetEntry>& entries() const { return entries_; }
+
+private:
+    struct Question {
+        std::uint64_t number = 0;
+        std::shared_ptr<const Scan> scan;
+        Settings settings;
+        const Parameter* parameter = nullptr;
+        std::vector<double> values;
+    };
+    struct Answer {
+        std::uint64_t number = 0;
+        std::vector<SheetEntry> entries;
+    };
+    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    void add(std::uint64_t number, const SheetEntry& entry, const QImage& picture);
+    void take(const Answer& answer);
+
+    Session& session_;
+    Tuning& tuning_;
+    NoticeBar& notice_;
+    ContactCard* card_ = nullptr;
+    Question asked_;
+    std::vector<SheetEntry> entries_;
+    std::uint64_t sheets_ = 0;
+    std::atomic<std::uint64_t> wanted_{0}; // number of the sheet that is waited for; 0: none
+    Newest<Question, Answer> worker_;      // last
+};
+
+} // namespace edgescan::ui

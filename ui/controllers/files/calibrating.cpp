@@ -1,0 +1,317 @@
+// The assembly from the scan on the screen.
+#include "ui/controllers/files/calibrating.h"
+
+#include "core/base/sha256.h"
+#include "core/base/whole_file.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/files/open_save/open_as_asked.h"
+#include "core/inspect/calibration/seam_edges.h"
+#include "core/inspect/calibration/views_picture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/files/calibration_words.h"
+#include "ui/controllers/files/files.h"
+#include "ui/engine/worker_bridge/in_background.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/dialogs/calibration_card.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include <new>
+
+namespace edgescan::ui {
+namespace {
+
+QImage imageOf(const Grid<Rgb>& picture) {
+    QImage image(picture.beams, picture.lines, QImage::Format_RGB32);
+    for (int y = 0; y < picture.lines; ++y) {
+        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < picture.beams; ++x) row[x] = qRgb(picture.at(y, x).red, picture.at(y, x).green, picture.at(y, x).blue);
+    }
+    return image;
+}
+
+/// Pixel of the seam's picture in the middle of the square of cells with most edges of both views.
+QPoint busiestOf(const SeamEdges& seam) {
+    constexpr int kSquare = 40, kPxPerCell = 3;
+    int most = -1;
+    QPoint best(seam.late.beams / 2, seam.late.lines / 2);
+    for (int top = 0; top < seam.late.lines; top += kSquare) {
+        for (int left = 0; left < seam.late.beams; left += kSquare) {
+            int count = 0;
+            for (int i = top; i < std::min(top + kSquare, seam.late.lines); ++i) {
+                for (int j = left; j < std::min(left + kSquare, seam.late.beams); ++j)
+                    count += seam.late.at(i, j) != 0 && seam.early.at(i, j) != 0 ? 1 : 0;
+            }
+            if (count <= most) continue;
+            most = count;
+            best = QPoint(left + kSquare / 2, top + kSquare / 2);
+        }
+    }
+    return best * kPxPerCell;
+}
+
+Result<CalibrationSource> sourceOf(const std::string& file) {
+    const Result<std::string> hash = sha256OfFile(file);
+    if (!hash) return hash.error();
+    return CalibrationSource{std::filesystem::path(file).filename().string(), *hash};
+}
+
+} // namespace
+
+Calibrating::Calibrating(Session& session, Files& files, NoticeBar& notice, Memory& memory, QObject* parent)
+    : QObject(parent), session_(session), files_(files), notice_(notice), memory_(memory),
+      worker_(
+          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { take(answer); },
+          [this](const QString& what) {
+              wanted_ = 0;
+              if (card_ != nullptr) card_->refuse(tr("It failed (%1); close other programs or use a smaller scan.").arg(what));
+          }) {
+    connect(&session_, &Session::streamChanged, this, &Calibrating::followScreen);
+}
+
+void Calibrating::show() {
+    if (!session_.picture()) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (files_.path().isEmpty())
+        return notice_.showNotice(
+            NoticeBar::Kind::Warning,
+            tr("What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording."));
+    if (card_ == nullptr) {
+        card_ = new CalibrationCard(notice_.window());
+        connect(card_, &CalibrationCard::addWanted, this, &Calibrating::askAdd);
+        connect(card_, &CalibrationCard::removeWanted, this, [this](int row) {
+            if (row <= 0 || row > others_.size()) return; // the one on the screen stays
+            others_.removeAt(row - 1);
+            ask();
+        });
+        connect(card_, &CalibrationCard::baseWanted, this, &Calibrating::askBase);
+        connect(card_, &CalibrationCard::startWanted, this, &Calibrating::start);
+        connect(card_, &CalibrationCard::givenUp, this, &Calibrating::giveUp);
+        connect(card_, &CalibrationCard::saveWanted, this, &Calibrating::askSave);
+        connect(card_, &CalibrationCard::applyWanted, this, &Calibrating::apply);
+    }
+    if (screenPath_ != files_.path()) {
+        screenPath_ = files_.path();
+        others_.clear();
+        base_ = exactText(files_.options().calibration);
+        ask();
+    }
+    card_->show();
+    card_->raise();
+    card_->activateWindow();
+}
+
+// Another scan on the screen: what was found is of the one before. The same one, read in another way, stays.
+void Calibrating::followScreen() {
+    if (card_ == nullptr || files_.path() == screenPath_) return;
+    wanted_ = 0;
+    found_.reset();
+    card_->hide();
+    screenPath_.clear();
+}
+
+void Calibrating::ask() {
+    wanted_ = 0;
+    found_.reset();
+    saved_.clear();
+    card_->setQuestion(QStringList{screenPath_} + others_, base_);
+}
+
+void Calibrating::askAdd() {
+    add(QFileDialog::getOpenFileNames(card_, tr("Scans of the same assembly"), memory_.folder("scans"), Files::filters()));
+}
+
+void Calibrating::add(const QStringList& paths) {
+    if (card_ == nullptr || paths.isEmpty()) return;
+    for (const QString& path : paths) {
+        if (path != screenPath_ && !others_.contains(path)) others_ << path;
+    }
+    ask();
+}
+
+void Calibrating::askBase() {
+    const QString path = QFileDialog::getOpenFileName(card_, tr("The robot's calibration"),
+                                                      base_.isEmpty() ? memory_.folder("exports") : base_, tr("Calibration (*.json)"));
+    if (!path.isEmpty()) setBase(path);
+}
+
+void Calibrating::setBase(const QString& path) {
+    base_ = path;
+    if (card_ != nullptr) ask();
+}
+
+void Calibrating::start() {
+    if (card_ == nullptr || !session_.picture() || files_.path() != screenPath_) return;
+    Question question{++questions_, session_.picture()->detection, others_, files_.options(), base_};
+    question.reading.pose.clear(); // of the scan on the screen alone
+    question.reading.calibration.clear();
+    found_.reset();
+    saved_.clear();
+    wanted_ = question.number;
+    card_->begin();
+    worker_.post(question);
+}
+
+void Calibrating::giveUp() {
+    wanted_ = 0;
+    card_->refuse(tr("given up"));
+}
+
+bool Calibrating::tell(std::uint64_t number, const char* stage, double fraction) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, stage = QString::fromUtf8(stage), percent = static_cast<int>(100 * fraction)] {
+            if (wanted_ == number) card_->showStage(stage, percent);
+        },
+        Qt::QueuedConnection);
+    return wanted_ == number;
+}
+
+Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question, std::vector<CalibrationSource>& sources) {
+    const std::string& shown = question.shown->scan->path;
+    const Result<CalibrationSource> first = sourceOf(shown);
+    if (!first) return first.error();
+    sources.push_back(*first);
+    std::vector<std::shared_ptr<const Scan>> scans{question.shown->scan};
+    ReadingOptions reading = question.reading;
+    reading.progress = [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); };
+    for (const QString& path : question.others) {
+        const std::string file = path.toStdString();
+        Result<Scan> scan = openAsAsked(file, reading);
+        if (!scan) return scan.error();
+        if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough.error();
+        const Result<CalibrationSource> source = sourceOf(file);
+        if (!source) return source.error();
+        sources.push_back(*source);
+        scan->name = file;
+        scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
+    }
+    return scans;
+}
+
+Calibrating::Seam Calibrating::seamOf(const Detection& shown, const AssemblyErrors& errors) {
+    Seam seam;
+    const std::array<AssemblyErrors, 2> both{AssemblyErrors{}, errors};
+    for (std::size_t n = 0; n < 2; ++n) {
+        const SeamEdges edges = seamEdges(*shown.scan, *shown.mask, both[n]);
+        seam.edges[n] = imageOf(seamPicture(edges));
+        seam.apart[n] = imageOf(viewsPicture(*shown.scan, both[n]));
+        seam.met[n] = edges.metShare();
+        seam.lateEdges = edges.lateEdges;
+        if (n == 1) seam.busiest = busiestOf(edges);
+    }
+    return seam;
+}
+
+Calibrating::Answer Calibrating::run(const Question& question) {
+    const BindInputs inputs;
+    Answer answer{question.number, std::nullopt, {}, {}, nullptr};
+    try {
+        std::vector<CalibrationSource> sources;
+        const auto scans = read(question, sources);
+        if (!scans) {
+            answer.found = scans.error();
+            return answer;
+        }
+        answer.found =
+            calibrateFromTurn(*scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
+        if (!*answer.found) return answer;
+        std::string base;
+        if (!question.base.isEmpty()) {
+            const auto bytes = readInput(question.base.toStdString());
+            if (!bytes) {
+                answer.found = bytes.error();
+                return answer;
+            }
+            base = textOf(*bytes);
+        }
+        const Result<std::string> file = calibrationText(base, question.base.toStdString(), **answer.found, sources);
+        if (!file) {
+            answer.found = file.error();
+            return answer;
+        }
+        answer.file = *file;
+        if (!tell(question.number, "pictures of the seam", 0.0)) return answer;
+        answer.seam = seamOf(*question.shown, (*answer.found)->errors);
+        answer.inputs = inputs.claims();
+    } catch (const std::bad_alloc&) {
+        answer.found = Error{"there is not enough memory", question.shown->scan->path, "close other programs or use fewer scans"};
+    }
+    return answer;
+}
+
+void Calibrating::take(const Answer& answer) {
+    if (answer.number != wanted_ || answer.number == 0) return;
+    wanted_ = 0;
+    if (!*answer.found) return card_->refuse(shownText(answer.found->error().sentence()));
+    found_ = std::make_shared<const Answer>(answer);
+    const Seam& seam = answer.seam;
+    CalibrationShown shown = calibrationWords(**answer.found);
+    shown.pictures = {seamWords(seam.lateEdges, seam.met), apartWords(**answer.found)};
+    shown.pictures[0].beforeImage = seam.edges[0];
+    shown.pictures[0].afterImage = seam.edges[1];
+    shown.pictures[0].busiest = seam.busiest;
+    shown.pictures[1].beforeImage = seam.apart[0];
+    shown.pictures[1].afterImage = seam.apart[1];
+    shown.pictures[1].busiest = seam.busiest / 3;
+    card_->tell(shown);
+}
+
+void Calibrating::askSave() {
+    if (found() == nullptr) return;
+    SaveQuestion question;
+    question.title = tr("Save the calibration");
+    question.extension = ".json";
+    const QString name = QFileInfo(screenPath_).completeBaseName() + "_calibration.json";
+    question.place = QDir(memory_.folder("exports")).filePath(name);
+    question.filters << tr("Calibration (*.json)");
+    const QString path = askWhereToSave(card_, question);
+    if (!path.isEmpty()) saveTo(path);
+}
+
+void Calibrating::saveTo(const QString& path) {
+    if (found() == nullptr || saving_) return;
+    saving_ = true;
+    inBackground(
+        this,
+        [this, path, answer = found_]() -> std::function<void()> {
+            const Result<Done> written = writeWholeFile(path.toStdString(), answer->file);
+            return [this, path, answer, written] {
+                if (!written) return notice_.tell(written.error());
+                memory_.keepFolder("exports", path);
+                notice_.tellSaved(path, tr("a calibration"));
+                emit saved(path);
+                if (found_ != answer) return; // another question meanwhile
+                saved_ = path;
+                card_->setSaved(path, whyNotApplied());
+            };
+        },
+        [this](const QString& what) {
+            notice_.showNotice(NoticeBar::Kind::Error, tr("The calibration could not be saved (%1).").arg(what));
+        },
+        [this] { saving_ = false; });
+}
+
+// A calibration alone gives no place (docs/coordinates.md).
+QString Calibrating::whyNotApplied() const {
+    const Scan& scan = *session_.picture()->detection->scan;
+    const bool recorded = scan.format == "recording" || scan.format == "sweep";
+    if (!files_.options().pose.empty() || (recorded && scan.placement)) return {};
+    return tr(
+        "This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan > How the Scan Is "
+        "Read.");
+}
+
+void Calibrating::apply() {
+    if (saved_.isEmpty() || files_.path() != screenPath_ || !whyNotApplied().isEmpty()) return;
+    ReadingOptions options = files_.options();
+    options.calibration = QFileInfo(saved_).absoluteFilePath().toStdString();
+    files_.readAgain(options, stepName("Apply Calibration"));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,107 @@
+// Scan > Calibrate: the errors of the assembly from the scan on the screen and others of it, worked out on a thread of their own; saved
+// and applied only when somebody says so.
+#pragma once
+
+#include "core/base/inputs.h"
+#include "core/inspect/calibration/calibration_file.h"
+#include "core/scan/grid/reading_options.h"
+#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/picture.h"
+
+#include <QImage>
+#include <QObject>
+#include <QPoint>
+#include <QStringList>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgescan::ui {
+
+class CalibrationCard;
+class Files;
+class Memory;
+class NoticeBar;
+class Session;
+
+/// GUI thread only. What it is given must outlive it.
+class Calibrating : public QObject {
+    Q_OBJECT
+public:
+    Calibrating(Session& session, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
+    ~Calibrating() override { wanted_ = 0; }
+
+    /// The card, with the scan on the screen.
+    void show();
+    /// Further scans of the same assembly; what was found before is gone.
+    void add(const QStringList& paths);
+    /// The robot's present file; empty: none.
+    void setBase(const QString& path);
+    void start();
+    void saveTo(const QString& path);
+    /// Opens the scan on the screen again with the file that was saved, as a step of undo.
+    void apply();
+
+    /// Null before the first show().
+    [[nodiscard]] CalibrationCard* card() const { return card_; }
+    /// Null while nothing was found.
+    [[nodiscard]] const SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
+    [[nodiscard]] bool saving() const { return saving_; }
+
+signals:
+    void saved(const QString& path);
+
+private:
+    struct Question {
+        std::uint64_t number = 0;
+        std::shared_ptr<const Detection> shown; ///< its edges are those of the picture
+        QStringList others;
+        ReadingOptions reading; ///< of the others
+        QString base;
+    };
+    /// The seam before and after.
+    struct Seam {
+        std::array<QImage, 2> edges, apart;
+        std::array<double, 2> met{};
+        std::size_t lateEdges = 0;
+        QPoint busiest;
+    };
+    struct Answer {
+        std::uint64_t number = 0;
+        std::optional<Result<SelfCalibration>> found;
+        std::string file; ///< as it is saved
+        Seam seam;
+        std::shared_ptr<const InputClaims> inputs; ///< nothing is saved over them
+    };
+    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, std::vector<CalibrationSource>& sources);
+    bool tell(std::uint64_t number, const char* stage, double fraction);
+    static Seam seamOf(const Detection& shown, const AssemblyErrors& errors);
+    void take(const Answer& answer);
+    void ask();
+    void askAdd();
+    void askBase();
+    void askSave();
+    void giveUp();
+    void followScreen();
+    [[nodiscard]] QString whyNotApplied() const;
+
+    Session& session_;
+    Files& files_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    CalibrationCard* card_ = nullptr;
+    QString screenPath_; // of the scan that the card is about
+    QStringList others_;
+    QString base_, saved_;
+    std::shared_ptr<const Answer> found_;
+    bool saving_ = false;
+    std::uint64_t questions_ = 0;
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
+    Newest<Question, Answer> worker_;      // last
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,55 @@
+// Numbers with their units and what they do not say.
+#include "ui/controllers/files/calibration_words.h"
+
+#include <QObject>
+
+namespace edgescan::ui {
+namespace {
+
+QString decimals(double value, int digits) { return QString::number(value, 'f', digits); }
+
+std::array<QString, 3> errorRow(const QString& name, double value, double sd, const QString& unit, int digits) {
+    return {name, decimals(value, digits) + " " + unit, decimals(2 * sd, digits) + " " + unit};
+}
+
+} // namespace
+
+CalibrationShown calibrationWords(const SelfCalibration& found) {
+    const AssemblyErrors& e = found.errors;
+    const AssemblyErrors& sd = found.sd;
+    CalibrationShown shown;
+    const QString mm = "mm", deg = "°";
+    shown.rows = {errorRow(QObject::tr("lever arm t1, in the fan"), e.t1Mm(), sd.t1Mm(), mm, 2),
+                  errorRow(QObject::tr("lever arm t2, across it"), e.t2Mm(), sd.t2Mm(), mm, 2),
+                  errorRow(QObject::tr("tilt of the fan"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
+                  errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
+                  found.turnTold ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
+                                 : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not told")}};
+    shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
+    shown.about =
+        QObject::tr("The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan "
+                    "never tells a shift along the axis, an offset of all ranges or the stepper's zero.")
+            .arg(decimals(found.medianBeforeMm, 1), decimals(found.medianAfterMm, 1), decimals(found.noiseMm, 1));
+    return shown;
+}
+
+CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>& met) {
+    const auto share = [&](std::size_t n) { return QString::number(100 * met[n], 'f', 0); };
+    CalibrationPicture picture;
+    picture.title = QObject::tr("Edges of both views");
+    const QString signs = QObject::tr("orange – late view, blue | early view, white + both");
+    picture.before = QObject::tr("Before: %1 % of %2 late edges lie beside an early one (%3)").arg(share(0)).arg(lateEdges).arg(signs);
+    picture.after = QObject::tr("After: %1 % do").arg(share(1));
+    return picture;
+}
+
+CalibrationPicture apartWords(const SelfCalibration& found) {
+    CalibrationPicture picture;
+    picture.title = QObject::tr("Distance of the views");
+    picture.before = QObject::tr("Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)")
+                         .arg(decimals(found.medianBeforeMm, 1));
+    picture.after = QObject::tr("After: %1 mm apart").arg(decimals(found.medianAfterMm, 1));
+    return picture;
+}
+
+} // namespace edgescan::ui

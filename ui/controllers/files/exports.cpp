@@ -1,0 +1,152 @@
+// Exports, screenshots, and the command line that gives the same.
+#include "ui/controllers/files/exports.h"
+
+#include "core/base/whole_file.h"
+#include "core/edges/settings/command_text.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
+#include "core/files/open_save/sidecar_grid.h"
+#include "core/scan/georef/placed_points.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/files/file_filters.h"
+#include "ui/controllers/files/files.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/dialogs/export_dialog.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDate>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace edgescan::ui {
+namespace {
+
+struct ContentNames {
+    ExportContent content;
+    const char* tail;   // of the file's name
+    const char* things; // what is counted
+};
+constexpr std::array<ContentNames, 10> kNames{{{ExportContent::EdgeCloud, "edges", "edge points"},
+                                               {ExportContent::FullCloud, "cloud", "points"},
+                                               {ExportContent::EdgeImage, "edge-map", "cells"},
+                                               {ExportContent::GrayImage, "gray", "cells"},
+                                               {ExportContent::RangeImage, "range", "cells"},
+                                               {ExportContent::RockLabels, "rocks", "cells"},
+                                               {ExportContent::RockTable, "rocks", "rocks"},
+                                               {ExportContent::RockReport, "rocks", "rocks"},
+                                               {ExportContent::RockOutlines, "rocks", "rocks"},
+                                               {ExportContent::RockHulls, "hulls", "rocks"}}};
+
+const ContentNames& namesOf(ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
+
+// "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
+QString exportName(const Detection& detection, ExportContent content, CoordinateFrame frame) {
+    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
+    const Settings& settings = detection.settings;
+    const Parameter& swept = sweptParameter(settings.method);
+    const bool ofEdges = content != ExportContent::RangeImage && content != ExportContent::GrayImage;
+    if (ofEdges) parts << traitsOf(settings.method).key << swept.key + exactText(formatValue(swept, swept.get(settings)));
+    parts << QDate::currentDate().toString(Qt::ISODate);
+    return parts.join('_') + (isCloud(content) ? frameTail(frame) : "");
+}
+
+} // namespace
+
+Result<Done> savePng(const QImage& image, const QString& path) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
+}
+
+Exports::Exports(Session& session, const Files& files, NoticeBar& notice, Memory& memory)
+    : session_(session), files_(files), notice_(notice), memory_(memory) {
+    connect(&session_, &Session::saved, this, &Exports::tellSaved);
+}
+
+void Exports::ask(ExportContent wanted) { askOf(wanted, false); }
+
+void Exports::setSelection(const std::vector<std::uint32_t>& cells) {
+    selection_ = cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(cells);
+}
+
+void Exports::askSelected() {
+    if (selection_) return askOf(ExportContent::FullCloud, true);
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
+}
+
+void Exports::askOf(ExportContent wanted, bool selectedOnly) {
+    if (!session_.picture()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
+        return;
+    }
+    const std::shared_ptr<const Detection> detection = session_.picture()->detection;
+    ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const bool cloud = isCloud(dialog.content());
+    SaveQuestion question;
+    question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
+    question.extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
+    QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
+    if (dialog.options().selection) name += "_selected";
+    question.place = QDir(memory_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
+    if (!cloud)
+        question.filters << tr("PNG picture (*.png)");
+    else
+        for (const Format& each : formats()) {
+            if (each.write != nullptr) question.filters << filterOf(each, each.writes);
+        }
+    // The record beside the file is replaced with it.
+    question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
+    const QString path = askWhereToSave(notice_.window(), question);
+    if (!path.isEmpty()) session_.save(dialog.content(), path, dialog.options());
+}
+
+void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
+    memory_.keepFolder(isCloud(what) ? "exports" : "images", path);
+    if (isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
+    notice_.tellSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
+}
+
+void Exports::askScreenshot(const QImage& image) {
+    const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
+    const QString path = askWhereToSave(
+        notice_.window(),
+        {tr("Save screenshot"), QDir(memory_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
+    if (path.isEmpty()) return;
+    memory_.keepFolder("images", path);
+    if (const Result<Done> written = saveScreenshot(image, path); !written)
+        notice_.tell(written.error());
+    else
+        notice_.showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
+}
+
+Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {
+    return savePng(carry_ ? carry_(image, path) : image, path);
+}
+
+void Exports::copyCommand() {
+    if (!session_.picture() || session_.picture()->detection->scan->path.empty()) return;
+    const Detection& detection = *session_.picture()->detection;
+    const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
+    // Beside this program where it is not on the PATH.
+    const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
+    const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
+    QGuiApplication::clipboard()->setText(
+        exactText(detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
+    notice_.showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,54 @@
+// What leaves the program: exports of scan and edges, pictures of the window, the command that computes the same edges.
+#pragma once
+
+#include "ui/engine/worker_bridge/session.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <functional>
+#include <utility>
+
+namespace edgescan::ui {
+
+class Files;
+class Memory;
+class NoticeBar;
+
+/// As a PNG, whole or not at all.
+Result<Done> savePng(const QImage& image, const QString& path);
+
+/// GUI thread only. What it is given must outlive it.
+class Exports : public QObject {
+    Q_OBJECT
+public:
+    Exports(Session& session, const Files& files, NoticeBar& notice, Memory& memory);
+
+    /// Asks what, in which coordinates and where to.
+    void ask(ExportContent wanted);
+    /// The same for what is selected alone.
+    void askSelected();
+    /// Cells, ascending, that an export may be cut down to; none: nothing is selected.
+    void setSelection(const std::vector<std::uint32_t>& cells);
+    /// Asks where to.
+    void askScreenshot(const QImage& image);
+    /// What a picture of the window carries when it is saved at `path`.
+    using Carry = std::function<QImage(const QImage& image, const QString& path)>;
+    void setCarried(Carry carry) { carry_ = std::move(carry); }
+    Result<Done> saveScreenshot(const QImage& image, const QString& path);
+    /// To the clipboard.
+    void copyCommand();
+
+private:
+    void askOf(ExportContent wanted, bool selectedOnly);
+    void tellSaved(ExportContent what, const QString& path, qint64 count);
+
+    Session& session_;
+    const Files& files_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    std::shared_ptr<const std::vector<std::uint32_t>> selection_; // null: none
+    Carry carry_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,19 @@
+// How file dialogs name a kind of file.
+#pragma once
+
+#include "core/files/formats/formats.h"
+
+#include <QStringList>
+
+#include <vector>
+
+namespace edgescan::ui {
+
+/// "Point Cloud Library (*.pcd)"; empty where a format has no extensions of that kind.
+[[nodiscard]] inline QString filterOf(const Format& format, const std::vector<const char*>& extensions) {
+    QStringList patterns;
+    for (const char* extension : extensions) patterns << QString("*") + extension;
+    return patterns.isEmpty() ? QString() : QString("%1 (%2)").arg(format.title, patterns.join(' '));
+}
+
+} // namespace edgescan::ui

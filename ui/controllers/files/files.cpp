@@ -1,0 +1,213 @@
+// Opening files, one after the other and again.
+#include "ui/controllers/files/files.h"
+
+#include "core/scan/angle_correction/straighten_scan.h"
+#include "core/scan/georef/placed_points.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/files/file_filters.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/dialogs/reading_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+/// The scans that lie beside it, by their names, itself among them; what others belong to a scan (records, settings) is passed over.
+QStringList scansBeside(const QString& path) {
+    QStringList patterns;
+    for (const Format& format : formats()) {
+        for (const char* extension : format.reads) patterns << QString("*") + extension;
+    }
+    const QFileInfo own(path);
+    QStringList scans;
+    for (const QFileInfo& file : own.dir().entryInfoList(patterns, QDir::Files | QDir::Readable, QDir::Name)) {
+        // A raw grid is a description and its numbers: the one that was opened counts.
+        const bool part = file.suffix() == "u16" || file.fileName().endsWith(".provenance.json");
+        if (!part || file.fileName() == own.fileName()) scans << file.absoluteFilePath();
+    }
+    return scans;
+}
+
+} // namespace
+
+/// How a file is read. Once another file is on the screen there is nothing to take back: the step gives way to the one before it.
+class ReadingChange : public QUndoCommand {
+public:
+    ReadingChange(Files& files, QUndoStack& stack, const QString& what, const ReadingOptions& before, const ReadingOptions& after)
+        : QUndoCommand(what), files_(files), stack_(stack), path_(files.path_), before_(before), after_(after) {}
+
+    void undo() override { use(before_, &QUndoStack::undo); }
+    void redo() override { use(after_, &QUndoStack::redo); }
+
+private:
+    void use(const ReadingOptions& options, void (QUndoStack::*next)()) {
+        if (files_.readAs(path_, options)) return;
+        setObsolete(true);
+        QMetaObject::invokeMethod(
+            &stack_, [stack = &stack_, next] { (stack->*next)(); }, Qt::QueuedConnection);
+    }
+
+    Files& files_;
+    QUndoStack& stack_;
+    QString path_;
+    ReadingOptions before_, after_;
+};
+
+Files::Files(Session& session, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : session_(session), notice_(notice), memory_(memory), undo_(undo) {
+    connect(&session_, &Session::opened, this, &Files::noteOpened);
+    // What was refused or given up leaves what is on the screen as it was read.
+    connect(&session_, &Session::workEnded, this, [this] {
+        if (!session_.opening()) setOptions(shownOptions_);
+    });
+    connect(&session_, &Session::streamChanged, this, &Files::tellWarnings);
+}
+
+void Files::open(const QStringList& paths, const ReadingOptions& options) {
+    if (paths.isEmpty()) return;
+    series_ = paths;
+    place_ = 0;
+    setOptions(options);
+    session_.open(paths.front(), options);
+}
+
+void Files::openDemo(bool afterBlast) {
+    series_.clear();
+    setOptions({});
+    wantedDemo_ = afterBlast;
+    session_.openDemo(afterBlast);
+}
+
+// "All supported" first, then one entry per kind.
+QString Files::filters() {
+    QStringList all;
+    QStringList filters;
+    for (const Format& format : formats()) {
+        for (const char* extension : format.reads) all << QString("*") + extension;
+        filters << filterOf(format, format.reads);
+    }
+    filters.removeAll(QString());
+    all << "*.gz"; // any of them
+    return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
+}
+
+void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), memory_.folder("scans"), filters())); }
+
+void Files::reload() {
+    if (!path_.isEmpty()) session_.open(path_, options_);
+}
+
+void Files::step(int files) {
+    if (series_.size() <= 1 && !path_.isEmpty()) { // one file was opened: its folder is the series
+        const QStringList beside = scansBeside(path_);
+        const auto own = static_cast<int>(beside.indexOf(QFileInfo(path_).absoluteFilePath()));
+        if (own >= 0) {
+            series_ = beside;
+            place_ = own;
+        }
+    }
+    const int place = place_ + files;
+    if (place < 0 || place >= series_.size()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, files > 0 ? tr("This is the last scan of the series or folder.")
+                                                               : tr("This is the first scan of the series or folder."));
+        return;
+    }
+    place_ = place;
+    session_.open(series_[place], options_);
+}
+
+void Files::setOptions(const ReadingOptions& options) {
+    options_ = options;
+    emit straightened(options.straighten);
+}
+
+void Files::straighten(bool wanted) {
+    if (path_.isEmpty()) {
+        emit straightened(false);
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("There is no file on the screen whose beams could be straightened: open one first."));
+        return;
+    }
+    ReadingOptions options = options_;
+    options.straighten = wanted;
+    readAgain(options, wanted ? stepName("Straighten Beams") : stepName("Beams as Recorded"));
+}
+
+void Files::readAgain(const ReadingOptions& options, const QString& what) { readAgain(options, what, options_); }
+
+void Files::readAgain(const ReadingOptions& options, const QString& what, const ReadingOptions& before) {
+    undo_.push(new ReadingChange(*this, undo_, what, before, options));
+}
+
+bool Files::readAs(const QString& path, const ReadingOptions& options) {
+    if (path != path_) return false;
+    setOptions(options);
+    reload();
+    return true;
+}
+
+void Files::askReading() {
+    if (path_.isEmpty())
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("There is no file on the screen that could be read in another way: open one first."));
+    ReadingDialog dialog(options_, notice_.window());
+    if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), stepName("How the Scan Is Read"));
+}
+
+void Files::leave() {
+    series_.clear();
+    path_.clear();
+    demo_.reset();
+    shownOptions_ = {};
+    setOptions({});
+    notice_.hide();
+}
+
+void Files::noteOpened(const QString& path) {
+    path_ = path;
+    demo_ = path.isEmpty() ? std::optional(wantedDemo_) : std::nullopt;
+    shownOptions_ = options_;
+    notice_.hide();
+    if (path.isEmpty()) return;
+    memory_.keepRecentFile(path);
+    memory_.keepFolder("scans", path);
+}
+
+void Files::tellWarnings() {
+    const Picture& picture = *session_.picture();
+    const Scan& scan = *picture.detection->scan;
+    QStringList warnings;
+    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
+    for (const std::string& warning : placeWarnings(scan)) warnings << shownText(warning);
+    // Of a live scan the health strip tells.
+    if (warnings.isEmpty() || picture.source.growth.growing) return;
+    notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+    if (std::ranges::any_of(scan.warnings, tellsOfDisplacement) && !path_.isEmpty())
+        notice_.offer(tr("Straighten beams"), [this] { straighten(true); });
+}
+
+void Files::fillRecent(QMenu& menu) {
+    menu.clear();
+    const QStringList files = memory_.recentFiles();
+    for (const QString& path : files) {
+        QAction* action = menu.addAction(shownName(QFileInfo(path).fileName() + "  -  " + QFileInfo(path).path()).replace('&', "&&"), this,
+                                         [this, path] { open({path}); });
+        action->setEnabled(QFileInfo::exists(path));
+    }
+    if (files.isEmpty()) menu.addAction(tr("No file yet; demos are not listed"))->setEnabled(false);
+    menu.addSeparator();
+    menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
+}
+
+QString Files::placeInSeries() const { return series_.size() > 1 ? tr(" (%1 of %2)").arg(place_ + 1).arg(series_.size()) : QString(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,113 @@
+// Checking what was opened, and showing it in another way.
+#include "ui/controllers/files/opening.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/files/files.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/dialogs/opening_card.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace edgescan::ui {
+
+Opening::Opening(Session& session, Files& files, NoticeBar& notice)
+    : session_(session), files_(files), notice_(notice),
+      worker_(
+          this,
+          [](const Question& asked) {
+              return Answer{asked.scan, asked.scan ? openingCheck(*asked.scan, asked.options) : std::vector<OpeningPoint>()};
+          },
+          [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // not known: nothing is said
+    connect(&session_, &Session::streamChanged, this, &Opening::follow);
+}
+
+void Opening::follow() {
+    const auto& picture = session_.picture();
+    const bool sameFile = path_ == files_.path();
+    if (before_ && sameFile && card_ != nullptr && card_->isVisible()) return; // the preview of one of them
+    before_.reset();
+    points_.reset();
+    path_ = files_.path();
+    if (card_ != nullptr && !sameFile) card_->hide();
+    if (path_.isEmpty() || picture->source.growth.growing) return;
+    worker_.post({picture->detection->scan, files_.options()});
+}
+
+void Opening::take(Answer answer) {
+    const auto& picture = session_.picture();
+    if (!picture || !answer.scan || picture->detection->scan != answer.scan || before_) return;
+    points_ = std::move(answer.points);
+    if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();
+    const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const OpeningPoint& point) {
+                               return std::string_view(point.what) == kDisplacedPoint;
+                           });
+    QStringList against;
+    for (const OpeningPoint& point : *points_) {
+        // Of beams and lines out of place the warnings of the scan tell.
+        if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownSentence(point.against);
+    }
+    const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // what was guessed
+    if (against.isEmpty() && (displaced || !told || !looksGuessed(*points_))) return;
+    if (!against.isEmpty())
+        notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
+    notice_.offer(tr("Does this look right?"), [this] { show(); });
+}
+
+void Opening::show() {
+    if (files_.path().isEmpty())
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("There is no file on the screen that could be read in another way: open one first."));
+    cardWanted_ = !points_.has_value();
+    if (points_) fillCard();
+}
+
+void Opening::fillCard() {
+    cardWanted_ = false;
+    if (card_ == nullptr) {
+        card_ = new OpeningCard(notice_.window());
+        connect(card_, &OpeningCard::previewWanted, this, &Opening::preview);
+        connect(card_, &OpeningCard::adoptWanted, this, &Opening::adopt);
+        connect(card_, &QDialog::finished, this, &Opening::closed);
+    }
+    card_->tell(shownName(QFileInfo(path_).fileName()), *points_);
+    card_->show();
+    card_->raise();
+}
+
+const OtherReading* Opening::otherAt(int point, int other) const {
+    if (!points_ || point < 0 || point >= static_cast<int>(points_->size())) return nullptr;
+    const auto& others = (*points_)[static_cast<std::size_t>(point)].others;
+    return other >= 0 && other < static_cast<int>(others.size()) ? &others[static_cast<std::size_t>(other)] : nullptr;
+}
+
+void Opening::preview(int point, int other) {
+    const OtherReading* wanted = otherAt(point, other);
+    if (wanted == nullptr) return;
+    if (!before_) before_ = files_.options();
+    files_.look(wanted->options);
+    card_->showState(tr("On the screen, not yet adopted: %1").arg(shownSentence(wanted->words)));
+}
+
+void Opening::adopt(int point, int other) {
+    const OtherReading* wanted = otherAt(point, other);
+    if (wanted == nullptr) return;
+    const ReadingOptions before = before_.value_or(files_.options());
+    const ReadingOptions after = wanted->options;
+    before_.reset(); // what is read now is checked anew
+    files_.readAgain(after, stepName("How the Scan Is Read"), before);
+}
+
+/// Without Adopt it is as it was.
+void Opening::closed() {
+    if (!before_) return;
+    const ReadingOptions back = *std::exchange(before_, std::nullopt);
+    if (path_ == files_.path()) files_.look(back);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,62 @@
+// "Does this look right?" when a scan is opened: what speaks against how it was read, shown and put right with a click.
+#pragma once
+
+#include "core/files/plausibility/opening_check.h"
+#include "ui/engine/worker_bridge/newest.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgescan::ui {
+
+class Files;
+class NoticeBar;
+class OpeningCard;
+class Session;
+
+/// GUI thread only. What it is given must outlive it.
+class Opening : public QObject {
+    Q_OBJECT
+public:
+    Opening(Session& session, Files& files, NoticeBar& notice);
+
+    /// The card about the file on the screen.
+    void show();
+    /// Null before the first time.
+    [[nodiscard]] OpeningCard* card() const { return card_; }
+    /// Of the file on the screen; empty until it is known.
+    [[nodiscard]] const std::optional<std::vector<OpeningPoint>>& points() const { return points_; }
+
+private:
+    struct Question {
+        std::shared_ptr<const Scan> scan;
+        ReadingOptions options;
+    };
+    struct Answer {
+        std::shared_ptr<const Scan> scan;
+        std::vector<OpeningPoint> points;
+    };
+    void follow();
+    void take(Answer answer);
+    void fillCard();
+    void preview(int point, int other);
+    void adopt(int point, int other);
+    void closed();
+    [[nodiscard]] const OtherReading* otherAt(int point, int other) const;
+
+    Session& session_;
+    Files& files_;
+    NoticeBar& notice_;
+    OpeningCard* card_ = nullptr;
+    std::optional<std::vector<OpeningPoint>> points_;
+    QString path_;                         // that points_ are of
+    std::optional<ReadingOptions> before_; // a preview, while one is on the screen
+    bool cardWanted_ = false;              // as soon as the points are known
+    Newest<Question, Answer> worker_;      // last
+};
+
+} // namespace edgescan::ui

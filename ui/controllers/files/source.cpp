@@ -1,0 +1,72 @@
+// The badge of the picture.
+#include "ui/controllers/files/source.h"
+
+#include "core/base/utc_time.h"
+#include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/placement.h"
+#include "ui/base/shown_text.h"
+#include "ui/panels/live/scanner_link.h"
+
+#include <QObject>
+
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kLongestName = 28; // characters
+
+/// "2026-11-19 08:12:05 UTC"; empty where it is not known.
+QString timeWords(const std::string& utc) {
+    const auto seconds = parseUtc(utc);
+    if (!seconds) return {};
+    return shownText(utcText(*seconds)).left(19).replace('T', ' ') + " UTC";
+}
+
+QString agoWords(const std::string& utc) {
+    const double seconds = utcNow() - parseUtc(utc).value_or(std::nan(""));
+    if (!(seconds >= 0.0)) return {}; // not known, or the clocks disagree
+    if (seconds < 7200.0) return QObject::tr(", %1 min ago").arg(std::floor(seconds / 60.0), 0, 'f', 0);
+    if (seconds < 172800.0) return QObject::tr(", %1 h ago").arg(std::floor(seconds / 3600.0), 0, 'f', 0);
+    return QObject::tr(", %1 days ago").arg(std::floor(seconds / 86400.0), 0, 'f', 0);
+}
+
+/// What gave the scan its place: pose and calibration, by name and SHA-256.
+QString placedWords(const Scan& scan) {
+    return scan.placement ? "\n" + QObject::tr("Placed by %1").arg(shownText(scan.placement->source)) : QString();
+}
+
+/// Of the scanner that is connected, or was.
+PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanner) {
+    const QString last = timeWords(measured.endUtc);
+    const QString at = last.isEmpty() ? QObject::tr(" · no time") : " · " + last;
+    if (scanner.connected() && scanner.following())
+        return {signOf(scanner.health().liveness), shownText(scanner.health().badge) + at,
+                QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(shownText(scanner.health().sentence))};
+    return {StateBadge::Sign::Waiting, QObject::tr("HELD") + at,
+            scanner.connected() ? QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")
+                                : QObject::tr("The scanner is no longer connected: the time is that of the newest line")};
+}
+
+} // namespace
+
+PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
+    if (picture == nullptr) return {StateBadge::Sign::Off, QObject::tr("NO PICTURE"), QString()};
+    const Scan& scan = *picture->detection->scan;
+    const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
+    if (picture->source.stream == scanner.stream()) return scannersOwn(measured, scanner);
+    const QString time = timeWords(measured.startUtc);
+    const bool recorded = scan.format == "recording" || scan.format == "sweep";
+    if (recorded && !time.isEmpty())
+        return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + time + agoWords(measured.startUtc),
+                QObject::tr("First line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
+    const QString name = shownName(exactText(scan.name), kLongestName);
+    return {recorded ? StateBadge::Sign::Recorded : StateBadge::Sign::File,
+            (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE")) + " " + name + " · " +
+                (time.isEmpty() ? QObject::tr("no time") : time),
+            (time.isEmpty() ? QObject::tr("The file does not say when it was measured")
+                            : QObject::tr("First line, by %1").arg(shownText(measured.clockSource))) +
+                placedWords(scan)};
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,192 @@
+// What a live scanner and a recording do to the window.
+#include "ui/controllers/live.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/files/files.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/timeline.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::ui {
+namespace {
+
+SweepSettings rememberedSweep(const Memory& memory) {
+    const auto json = parseJson(memory.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
+    SweepMetadata metadata;
+    if (json && json->is_object()) {
+        for (const auto& [key, value] : json->items()) {
+            if (value.is_string()) metadata[key] = value.get<std::string>();
+        }
+    }
+    return settingsOf(metadata).settings; // what is not remembered is assumed
+}
+
+} // namespace
+
+Live::Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory)
+    : session_(session), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), memory_(memory),
+      scanner_(session) {
+    panel_.setSweep(rememberedSweep(memory_));
+    panel_.setAddress(memory_.text("live/host"), memory_.text("live/port", "2112").toInt());
+    panel_.hide();
+    recordingFolder_ = memory_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
+    connectPanel();
+    connectScanner();
+    connect(&session_, &Session::opened, this, &Live::loadTimeline);
+    connect(&session_, &Session::pictureReady, this, &Live::tellSweepEnded);
+    connect(&session_, &Session::streamChanged, this, [this] {
+        if (scanner_.connected()) showHealth();
+    });
+    connect(&timeline_, &Timeline::arrived, this, &Live::showReplayed);
+    connect(&timeline_, &Timeline::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+}
+
+void Live::connectPanel() {
+    connect(&panel_, &LivePanel::connectWanted, this, [this] {
+        if (panel_.host().isEmpty()) {
+            notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no host to connect to: type the scanner's name or address."));
+            return panel_.askAddress();
+        }
+        connectTo(panel_.host(), panel_.port(), panel_.sweep());
+    });
+    connect(&panel_, &LivePanel::disconnectWanted, &scanner_, &ScannerLink::hangUp);
+    connect(&panel_, &LivePanel::recordWanted, this, &Live::record);
+    connect(&panel_, &LivePanel::keepWanted, this, &Live::keepLastMinute);
+    connect(&panel_, &LivePanel::sweepWanted, this, &Live::useSweep);
+    connect(&panel_, &LivePanel::followWanted, this, [this](bool on) {
+        scanner_.follow(on);
+        panel_.setFollowing(scanner_.following());
+    });
+}
+
+void Live::connectScanner() {
+    connect(&scanner_, &ScannerLink::connectedChanged, &panel_, &LivePanel::setConnected);
+    connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
+    connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
+    connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
+    connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.tellSaved(path); });
+}
+
+void Live::connectTo(const QString& host, int port, const SweepSettings& sweep) {
+    panel_.setAddress(host, port);
+    panel_.setSweep(sweep);
+    panel_.show();
+    memory_.keep("live/host", host);
+    memory_.keep("live/port", QString::number(port));
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
+    timeline_.clear();
+    files_.leave();
+    SessionSettings scanner;
+    scanner.host = host.toStdString();
+    scanner.port = static_cast<std::uint16_t>(port);
+    scanner_.connectTo(scanner, sweep);
+}
+
+void Live::useSweep() {
+    const SweepSettings sweep = panel_.sweep();
+    const std::optional<int> gone = scanner_.useSweep(sweep);
+    if (!gone) return;
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
+    QStringList remarks;
+    if (*gone > 0) remarks << tr("The first %1 lines of this sweep came too long ago to be put into their new places.").arg(*gone);
+    if (scanner_.recording())
+        remarks << tr(
+            "The recording that is being written says the old mounting and steps: put it right with Scan > How the Scan Is Read when it "
+            "is opened, or begin another one.");
+    if (!remarks.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, remarks.join('\n'));
+}
+
+void Live::showHealth() {
+    // LIVE beside a picture that stands still, or comes from elsewhere, would be misleading.
+    const auto& shown = session_.picture();
+    const bool own = !shown || shown->source.stream == scanner_.stream();
+    const bool held = scanner_.connected() && !scanner_.following() && shown && own;
+    panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
+                                         : held ? HealthStrip::Picture::Held
+                                                : HealthStrip::Picture::Follows);
+    views_.setStale(scanner_.showsStale() ? shownText(scanner_.health().badge) : QString());
+    const QString note =
+        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(shownName(exactText(shown->detection->scan->name), 60))
+             : QString();
+    if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+}
+
+void Live::tellSweepEnded() {
+    const Picture& picture = *session_.picture();
+    const std::uint64_t stream = picture.source.stream;
+    const bool growing = picture.source.growth.growing;
+    const bool grew = std::exchange(growingStream_, growing ? stream : 0) == stream;
+    if (growing || !grew || stream != scanner_.stream()) return;
+    const Scan& scan = *picture.detection->scan;
+    QStringList warnings;
+    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
+    const QString name = shownText(scan.name);
+    if (warnings.isEmpty())
+        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(scan.lines()));
+    else
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
+}
+
+void Live::loadTimeline(const QString& path) {
+    fileScan_ = nullptr;
+    if (QFileInfo(path).suffix().compare("mcap", Qt::CaseInsensitive) == 0)
+        timeline_.load(path.toStdString(), files_.options());
+    else
+        timeline_.clear();
+}
+
+/// At the end of the sweep that the file opens with, it is the file's own scan again: it knows where it came from.
+void Live::showReplayed(const ReplayedSweep& at) {
+    const auto& picture = session_.picture();
+    if (!picture || !at.sweep.scan) return;
+    if (!fileScan_ && picture->source.growth.sweep < 0) fileScan_ = picture->detection->scan;
+    const std::uint64_t stream = picture->source.stream;
+    const SweepProgress& progress = at.sweep.progress;
+    if (fileScan_ && at.position == timeline_.home())
+        session_.follow(fileScan_, {stream, {}});
+    else
+        session_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
+}
+
+void Live::record(bool on) {
+    if (on)
+        scanner_.startRecording(newRecordingPath("sweep"));
+    else
+        scanner_.stopRecording();
+}
+
+void Live::keepLastMinute() { scanner_.keepRecent(newRecordingPath("last-minute")); }
+
+void Live::setRecordingFolder(const QString& folder) {
+    recordingFolder_ = folder;
+    memory_.keep("folder/recordings", folder);
+}
+
+void Live::askRecordingFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(panel_.window(), tr("Folder for recordings"), recordingFolder_);
+    if (!folder.isEmpty()) setRecordingFolder(folder);
+}
+
+QString Live::newRecordingPath(const char* kind) const {
+    QDir().mkpath(recordingFolder_);
+    const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
+    QString path = QDir(recordingFolder_).filePath(QString("%1_%2.mcap").arg(kind, time));
+    for (int again = 2; QFileInfo::exists(path); ++again)
+        path = QDir(recordingFolder_).filePath(QString("%1_%2_%3.mcap").arg(kind, time).arg(again));
+    return path;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,65 @@
+// A live scanner and recordings: connecting, health, recording, playing a recording on the timeline.
+#pragma once
+
+#include "ui/panels/live/scanner_link.h"
+
+#include <QObject>
+
+namespace edgescan::ui {
+
+class Files;
+class LinkedViews;
+class LivePanel;
+class Memory;
+class NoticeBar;
+class Timeline;
+struct ReplayedSweep;
+
+/// GUI thread only. What it is given must outlive it.
+class Live : public QObject {
+    Q_OBJECT
+public:
+    Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
+
+    /// Connects to a live scanner; reads and a subscription are all that is sent to it.
+    void connectTo(const QString& host, int port, const SweepSettings& sweep);
+    void record(bool on);
+    void keepLastMinute();
+    /// Where recordings are written to; from then on.
+    void setRecordingFolder(const QString& folder);
+    void askRecordingFolder();
+
+    /// The file that has, or had, the sweeps of a stream as they came; empty: none.
+    [[nodiscard]] QString recordingOf(std::uint64_t stream) const {
+        return stream == scanner_.stream() ? scanner_.recordingPath() : QString();
+    }
+
+    [[nodiscard]] ScannerLink& scanner() { return scanner_; }
+    [[nodiscard]] LivePanel& panel() { return panel_; }
+    [[nodiscard]] Timeline& timeline() { return timeline_; }
+
+private:
+    void connectPanel();
+    void useSweep();
+    void connectScanner();
+    void showHealth();
+    void showReplayed(const ReplayedSweep& at);
+    void loadTimeline(const QString& path);
+    void tellSweepEnded();
+    [[nodiscard]] QString newRecordingPath(const char* kind) const;
+
+    Session& session_;
+    LivePanel& panel_;
+    Timeline& timeline_;
+    LinkedViews& views_;
+    Files& files_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    ScannerLink scanner_;
+    std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as the file gives it
+    QString recordingFolder_;
+    QString heldNote_;
+    std::uint64_t growingStream_ = 0; // of the picture before, while its scan grew
+};
+
+} // namespace edgescan::ui

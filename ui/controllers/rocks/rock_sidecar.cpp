@@ -1,0 +1,116 @@
+// Reading and writing SCAN.rocks.json.
+#include "ui/controllers/rocks/rock_sidecar.h"
+
+#include "core/base/whole_file.h"
+#include "ui/base/shown_text.h"
+#include "ui/engine/worker_bridge/in_background.h"
+
+#include <filesystem>
+#include <mutex>
+#include <system_error>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSoonMs = 400; // a slider that moves is written once
+
+} // namespace
+
+class RocksBeside::Disk {
+public:
+    Result<Done> write(const Writing& writing) {
+        const std::lock_guard lock(mutex_);
+        if (writing.number < last_) return Done{};
+        last_ = writing.number;
+        if (!writing.text.empty()) return writeWholeFile(writing.path, writing.text);
+        std::error_code problem;
+        std::filesystem::remove(writing.path, problem);
+        if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", writing.path, "check the rights of its folder"};
+        return Done{};
+    }
+
+private:
+    std::mutex mutex_;
+    std::uint64_t last_ = 0;
+};
+
+RocksBeside::RocksBeside(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
+    soon_.setSingleShot(true);
+    soon_.setInterval(kSoonMs);
+    connect(&soon_, &QTimer::timeout, this, &RocksBeside::writeInBackground);
+}
+
+RocksBeside::~RocksBeside() { writeNow(); }
+
+void RocksBeside::follow(std::shared_ptr<const Scan> scan) {
+    writeNow();
+    scan_ = std::move(scan);
+    ++number_;
+    path_.clear();
+    ours_ = false;
+    reading_ = false;
+    if (!scan_) return;
+    reading_ = true;
+    inBackground(
+        this,
+        [this, about = scan_, number = number_]() -> std::function<void()> {
+            std::error_code none;
+            const std::filesystem::path path = rockPresetPath(about->path);
+            const bool isFile = std::filesystem::is_regular_file(about->path, none);
+            const bool isThere = isFile && std::filesystem::exists(path, none);
+            auto preset = isThere ? readRockPreset(path, *about) : Result<RockPreset>(RockPreset{});
+            return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
+                if (number != number_) return; // another scan is on the screen
+                reading_ = false;
+                if (isFile && preset) path_ = path;
+                ours_ = isThere && preset;
+                if (!preset)
+                    emit failed(tr("%1 Edits of rocks are not kept until then.").arg(exactText(preset.error().sentence())));
+                else if (isThere)
+                    emit found(*preset);
+                emit readEnded();
+            };
+        },
+        [this](const QString& what) {
+            reading_ = false;
+            emit failed(what);
+            emit readEnded();
+        });
+}
+
+void RocksBeside::keep(const RockSettings& settings, const std::vector<RockEdit>& edits) {
+    if (!scan_ || path_.empty()) return;
+    const bool any = !edits.empty() || !settings.region.empty();
+    if (!any && !ours_) return;
+    waiting_ = {++writings_, path_, any ? rockPresetText({settings, edits, scan_->sha256}, scan_->lines(), scan_->beams()) : std::string()};
+    ours_ = any;
+    soon_.start();
+}
+
+// Another scan comes, or the program ends: a small file, and the last chance.
+void RocksBeside::writeNow() {
+    soon_.stop();
+    if (!waiting_) return;
+    const auto written = disk_->write(*std::exchange(waiting_, std::nullopt));
+    if (!written) emit failed(tr("Edits of rocks are not kept: %1").arg(exactText(written.error().sentence())));
+}
+
+void RocksBeside::writeInBackground() {
+    if (writing_) {
+        soon_.start(); // one after the other
+        return;
+    }
+    if (!waiting_) return;
+    writing_ = true;
+    inBackground(
+        this,
+        [this, disk = disk_, writing = *std::exchange(waiting_, std::nullopt)]() -> std::function<void()> {
+            auto written = disk->write(writing);
+            return [this, written = std::move(written)] {
+                if (!written) emit failed(tr("Edits of rocks are not kept: %1").arg(exactText(written.error().sentence())));
+            };
+        },
+        [this](const QString& what) { emit failed(tr("Edits of rocks are not kept: %1").arg(what)); }, [this] { writing_ = false; });
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,131 @@
+// What mouse and wheel do with rocks while a tool is in use: pieces of a rock to choose from, lines, the region of interest.
+#include "core/rocks/selection/region_of_interest.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+CellDrag::Wanted wantedBy(RockTool tool) {
+    if (tool == RockTool::None) return CellDrag::Wanted::Nothing;
+    return tool == RockTool::Split ? CellDrag::Wanted::Wheel : CellDrag::Wanted::Drag;
+}
+
+} // namespace
+
+void Rocks::useTool(RockTool tool) {
+    if (tool != RockTool::None && (!on_ || !picture_)) tool = RockTool::None;
+    if (tool != RockTool::None) notice_.window()->installEventFilter(&drag_); // Esc, wherever the keyboard is
+    const RockTool before = std::exchange(tool_, tool);
+    if (before != tool) {
+        drag_.want(wantedBy(tool));
+        views_.setTrail({});
+        familyPicture_ = nullptr;
+        if (before == RockTool::Split) showSelection();
+    }
+    emit toolChanged(tool_); // also where it was refused: a switch that was pressed goes back
+}
+
+void Rocks::choosePieceAt(std::size_t cell) {
+    const Grid<std::uint32_t>& leaf = picture_->study.leaves->leaf;
+    if (familyPicture_ == picture_ && leaf[familyCell_] == leaf[cell]) return;
+    const RockStudy& study = picture_->study;
+    family_ = familyAt(*study.leaves, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell));
+    familyPicture_ = picture_;
+    familyCell_ = cell;
+    piece_ = family_.split;
+}
+
+void Rocks::stepPiece(int by) {
+    if (familyPicture_ == nullptr || familyPicture_ != picture_ || family_.line.pieces.empty()) return;
+    const int last = static_cast<int>(family_.line.pieces.size()) - 1;
+    piece_ = static_cast<std::size_t>(std::clamp(static_cast<int>(piece_) + by, 0, last));
+    showPiece(nullptr);
+}
+
+// Its outline in all views, and what a click would do.
+void Rocks::showPiece(const QObject* from) {
+    if (family_.line.pieces.empty()) return;
+    const RockAncestor& piece = family_.line.pieces[piece_];
+    const Grid<std::uint32_t>& leaf = picture_->study.leaves->leaf;
+    std::vector<std::uint8_t> isOfPiece(picture_->study.leaves->sums.size(), 0);
+    for (const std::uint32_t n : piece.leaves) isOfPiece[n] = 1;
+    Grid<std::uint32_t> mask(leaf.lines, leaf.beams);
+    for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = isOfPiece[leaf[k]];
+    RockOutline outline = outlineOf(mask, 1);
+    QString does = tr("the whole piece as it is");
+    if (piece_ < family_.line.region) does = tr("a click splits it off");
+    if (piece_ > family_.line.region) does = tr("larger than the rock: a click joins it");
+    const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(piece.cells).arg(does);
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+        view->setOutline(outline.sides);
+        const bool isHere = view == from || (from == nullptr && view->underMouse());
+        view->setTip(isHere ? views_.placeOf(familyCell_) : QPoint(), isHere ? tip : QString());
+    }
+    views_.cloud().setTip(tip);
+    views_.cloud().setOutline(std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
+}
+
+void Rocks::splitAt(std::size_t cell) {
+    if (picture_->regionAt(cell) == nullptr) {
+        useTool(RockTool::None);
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: click on a rock, on the part that is a rock of its own."));
+        return;
+    }
+    choosePieceAt(cell);
+    const bool isLarger = piece_ > family_.line.region;
+    RockEdit edit = family_.line.pieces[piece_].part;
+    useTool(RockTool::None);
+    if (edit.cells.empty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece with nothing to tell its parts by."));
+        return;
+    }
+    select({cell});
+    push(isLarger ? stepName("merge of rocks") : stepName("split of a rock"), std::move(edit));
+}
+
+void Rocks::takeStroke(const std::vector<QPoint>& cells) {
+    const RockTool tool = tool_;
+    useTool(RockTool::None);
+    if (!picture_) return;
+    if (tool == RockTool::Region) return takeRegion(cells);
+    CutLine stroke;
+    for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
+    if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that went on
+    const RockStudy& study = picture_->study;
+    if (tool == RockTool::Join) {
+        if (auto join = joinAlong(*study.leaves, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was joined: draw the line from one rock over the crack into the next."));
+    }
+    if (tool == RockTool::Cut) {
+        auto cut = stroke.size() < 2 ? std::nullopt : cutAlong(*study.leaves, study.map, stroke);
+        if (cut) return push(stepName("cut of a rock"), std::move(*cut));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was cut: draw the line through a rock, from one side to the other."));
+    }
+}
+
+void Rocks::takeRegion(const std::vector<QPoint>& cells) {
+    std::vector<RegionCorner> drawn;
+    for (const QPoint& cell : cells) drawn.push_back({cell.y(), cell.x()});
+    RockByHand after = byHand();
+    after.region = regionOfDrawing(drawn);
+    if (after.region.empty())
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no region yet: draw the line round what counts, in one of the images."));
+    else
+        pushByHand(stepName("region of interest"), std::move(after));
+}
+
+void Rocks::clearRegion() {
+    if (settings_.region.empty()) return;
+    RockByHand after = byHand();
+    after.region.clear();
+    pushByHand(stepName("region of interest"), std::move(after));
+}
+
+} // namespace edgescan::ui

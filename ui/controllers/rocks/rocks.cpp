@@ -1,0 +1,274 @@
+// Rocks in all views.
+#include "ui/controllers/rocks/rocks.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/panels/rocks/rock_card.h"
+#include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kBetweenSweepsMs = 800; // rocks are those of a second ago at most, and the time that they take
+
+bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier); }
+
+} // namespace
+
+Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : session_(session), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
+      beside_(this) {
+    nextOfSweep_.setSingleShot(true);
+    nextOfSweep_.setInterval(kBetweenSweepsMs);
+    connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::follow);
+    connect(&session_, &Session::pictureReady, this, &Rocks::follow);
+    connect(&finder_, &RockFinder::found, this, &Rocks::take);
+    connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
+        notice_.showNotice(NoticeBar::Kind::Error,
+                           tr("the rocks could not be worked out (%1); close other programs or open a smaller scan.").arg(what));
+    });
+    connect(&panel_, &RocksPanel::edited, this, &Rocks::turn);
+    connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
+        std::vector<std::size_t> cells;
+        for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
+        select(std::move(cells));
+    });
+    connect(&table_, &RockTable::jumpWanted, this, &Rocks::jumpTo);
+    connect(&table_, &RockTable::exportWanted, this, &Rocks::askExport);
+    RockCard& card = panel_.card();
+    connect(&card, &RockCard::closeWanted, this, [this] { select({}); });
+    connect(&card, &RockCard::splitWanted, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
+    connect(&card, &RockCard::mergeWanted, this, &Rocks::mergeSelected);
+    connect(&card, &RockCard::callWanted, this, &Rocks::callSelected);
+    connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
+    connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
+    connect(&beside_, &RocksBeside::readEnded, this, [this] {
+        follow();
+        if (restored_) restore(*std::exchange(restored_, std::nullopt));
+    });
+    connect(&beside_, &RocksBeside::failed, this,
+            [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
+    connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
+    connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
+    connect(&drag_, &CellDrag::stepped, this, &Rocks::stepPiece);
+    connect(&drag_, &CellDrag::givenUp, this, [this] { useTool(RockTool::None); });
+    connectViews();
+}
+
+void Rocks::connectViews() {
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+        connect(view, &ImageView::hovered, this, [this, view](int line, int beam) { point(views_.cellAt(line, beam), view); });
+        connect(view, &ImageView::hoverLeft, this, [this, view] { point(std::nullopt, view); });
+        connect(view, &ImageView::clicked, this, [this](int line, int beam) {
+            if (const auto cell = views_.cellAt(line, beam)) click(*cell);
+        });
+        connect(view, &ImageView::cleared, this, [this] { select({}); });
+    }
+    CloudView& cloud = views_.cloud();
+    connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
+    connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
+    connect(&cloud, &CloudView::clicked, this, [this](qint64 cell) { click(static_cast<std::size_t>(cell)); });
+}
+
+void Rocks::setShown(bool on) {
+    if (on == on_) return;
+    on_ = on;
+    if (on)
+        follow();
+    else
+        forget();
+    emit shownChanged(on);
+}
+
+void Rocks::forget() {
+    useTool(RockTool::None);
+    nextOfSweep_.stop();
+    picture_ = nullptr;
+    asked_ = nullptr;
+    selected_.clear();
+    point(std::nullopt, nullptr);
+    show();
+}
+
+bool Rocks::ofAnotherPicture() const { return !picture_ || !session_.picture() || picture_->detection != session_.picture()->detection; }
+
+bool Rocks::behind() const { return on_ && session_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
+
+// A new picture is on the screen.
+void Rocks::follow() {
+    const std::shared_ptr<const Picture>& shown = session_.picture();
+    if (!shown) return;
+    if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {
+        edits_.clear();
+        restored_.reset();
+        settings_.region.clear();
+        if (on_) forget();
+    }
+    if (!on_) return;
+    if (std::exchange(besideStream_, stream_) != stream_) {
+        const bool isFile = shown->source.growth.sweep < 0;
+        beside_.follow(isFile ? shown->detection->scan : nullptr);
+    }
+    if (beside_.reading()) return show();
+    if (asked_ != shown->detection) {
+        if (shown->source.growth.growing && nextOfSweep_.isActive()) {
+            show(); // what is known stays, and is marked as older
+            return;
+        }
+        ask();
+        if (shown->source.growth.growing) nextOfSweep_.start();
+    }
+    show();
+}
+
+void Rocks::ask() {
+    if (!on_ || !session_.picture()) return;
+    asked_ = session_.picture()->detection;
+    finder_.ask({asked_, settings_, edits_});
+}
+
+void Rocks::useSettings(const RockSettings& settings) {
+    if (settings == settings_) return;
+    settings_ = settings;
+    panel_.showSettings(settings);
+    beside_.keep(settings_, edits_);
+    ask();
+    emit changed();
+}
+
+void Rocks::takePreset(const RockPreset& preset) {
+    if (preset.settings) settings_ = *preset.settings;
+    edits_ = preset.edits;
+    panel_.showSettings(settings_);
+}
+
+void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
+    // An answer about another scan, or after rocks were switched off, is no longer wanted.
+    if (!on_ || !session_.picture() || (finder_.behind() && picture->detection->scan != session_.picture()->detection->scan)) return;
+    picture_ = picture;
+    show();
+    emit rocksShown();
+}
+
+QString Rocks::remark() const {
+    QStringList words;
+    if (session_.picture() && session_.picture()->source.growth.growing && picture_)
+        words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
+    if (on_ && session_.picture() && !picture_) words << tr("being worked out …");
+    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
+    if (on_ && !session_.picture()) words << tr("open a scan first");
+    return words.join(" · ");
+}
+
+void Rocks::show() {
+    table_.show(picture_, remark());
+    panel_.showResult(picture_.get(), remark());
+    showFaces();
+    showSelection();
+}
+
+void Rocks::showFaces() {
+    const bool stale = picture_ && ofAnotherPicture();
+    const bool away = views_.flipped(); // another picture is shown for a moment: these are not its rocks
+    const QString told = !on_ || !session_.picture() ? QString()
+                                                     : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
+                                                           (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+        view->setFaces(picture_ && !away ? picture_->faces : nullptr, stale);
+        view->setTitle(told);
+    }
+    CloudView& cloud = views_.cloud();
+    cloud.setCaption(told);
+    const std::size_t cells = cloud.geometryOfCloud() ? cloud.geometryOfCloud()->cells() : 0;
+    if (!picture_ || away || picture_->labels.beams != cloud.geometryOfCloud()->beams) {
+        cloud.setFaces(nullptr);
+    } else if (picture_->points->size() == cells) {
+        cloud.setFaces(picture_->points);
+    } else { // lines came or went since: the cells of both are the same ones
+        auto fitted = std::make_shared<std::vector<std::uint32_t>>(*picture_->points);
+        fitted->resize(cells, kBesideRocks);
+        cloud.setFaces(std::move(fitted));
+    }
+}
+
+void Rocks::select(std::vector<std::size_t> cells) {
+    if (cells.empty()) useTool(RockTool::None);
+    selected_ = std::move(cells);
+    showSelection();
+}
+
+void Rocks::showSelection() {
+    std::vector<std::uint32_t> labels;
+    RockOutline outline;
+    if (picture_) {
+        for (const std::size_t cell : selected_) {
+            const std::uint32_t label = picture_->labelAt(cell);
+            if (label == 0 || std::find(labels.begin(), labels.end(), label) != labels.end()) continue;
+            labels.push_back(label);
+            const RockOutline one = outlineOf(picture_->labels, label);
+            outline.sides.insert(outline.sides.end(), one.sides.begin(), one.sides.end());
+            outline.cells.insert(outline.cells.end(), one.cells.begin(), one.cells.end());
+        }
+        panel_.card().show(*picture_, selected_, behind());
+    } else {
+        panel_.card().hide();
+    }
+    table_.select(labels);
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setOutline(outline.sides);
+    std::sort(outline.cells.begin(), outline.cells.end());
+    views_.cloud().setOutline(outline.cells.empty() ? nullptr
+                                                    : std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
+}
+
+void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
+    if (tool_ == RockTool::Split && cell && picture_ && picture_->regionAt(*cell) != nullptr) {
+        choosePieceAt(*cell);
+        return showPiece(from);
+    }
+    const Rock* rock = picture_ && cell ? picture_->rockAt(*cell) : nullptr;
+    const QString tip = rock != nullptr ? rockTip(*rock) : QString();
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+        if (view == from && rock != nullptr)
+            view->setTip(views_.placeOf(*cell), tip);
+        else
+            view->setTip({}, QString());
+    }
+    views_.cloud().setTip(tip);
+}
+
+void Rocks::click(std::size_t cell) {
+    if (!picture_ || views_.tool() != Tool::Pin) return;
+    if (tool_ == RockTool::Split) return splitAt(cell);
+    if (!severalWanted()) return select({cell});
+    std::vector<std::size_t> cells = selected_;
+    const auto sameRock = [&](std::size_t other) {
+        return picture_->regionAt(cell) != nullptr && picture_->regionAt(other) == picture_->regionAt(cell);
+    };
+    const auto was = std::find_if(cells.begin(), cells.end(), sameRock);
+    if (was != cells.end())
+        cells.erase(was);
+    else
+        cells.push_back(cell);
+    select(std::move(cells));
+}
+
+void Rocks::jumpTo(std::uint32_t label) {
+    if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
+    const std::size_t cell = picture_->rock(label)->cell;
+    select({cell});
+    views_.pinByClick(cell);
+    views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
+    views_.cloud().flyTo(static_cast<qint64>(cell));
+}
+
+} // namespace edgescan::ui

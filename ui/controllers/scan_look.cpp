@@ -1,0 +1,98 @@
+// Colours of the points and the window of the range image, worked out and shown.
+#include "ui/controllers/scan_look.h"
+
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/scale_plate.h"
+
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr const char* kLocked = "view/range-window"; // "near far" where it is locked
+constexpr const char* kColourBy = "view/colour-by";
+
+} // namespace
+
+ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory)
+    : session_(session), views_(views), plate_(plate), window_(window), memory_(memory),
+      worker_(
+          this,
+          [](const Asked& asked) {
+              auto histogram = asked.counted ? std::nullopt : std::optional(rangeHistogram(*asked.scan));
+              return Answer{asked.number, asked.cloud, std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
+          },
+          [this](const Answer& answer) { take(answer); }, [this](const QString&) { answered_ = posted_; }) { // gray is true as well
+    by_ = colourOfKey(memory_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
+    const QStringList kept = memory_.text(kLocked).split(' ');
+    if (kept.size() == 2 && kept[1].toDouble() > kept[0].toDouble()) {
+        views_.setRangeWindow(RangeSpan{kept[0].toDouble(), kept[1].toDouble()});
+        views_.keepRangeWindow(true);
+        window_.setLocked(true);
+    }
+    const auto remember = [this] {
+        const auto span = window_.locked() ? views_.rangeWindow() : std::nullopt;
+        memory_.keep(kLocked, span ? QString("%1 %2").arg(span->nearM).arg(span->farM) : QString());
+    };
+    connect(&window_, &RangeWindow::windowWanted, this, [this](double nearM, double farM) {
+        views_.setRangeWindow(RangeSpan{nearM, farM});
+    });
+    connect(&window_, &RangeWindow::automaticWanted, this, [this] { views_.setRangeWindow(std::nullopt); });
+    connect(&window_, &RangeWindow::lockWanted, this, [this, remember](bool on) {
+        // What is locked has numbers, also where it was automatic.
+        if (on && !views_.rangeWindow()) views_.setRangeWindow(views_.rangesShown());
+        views_.keepRangeWindow(on);
+        remember();
+        emit changed();
+    });
+    connect(&views_, &LinkedViews::rangeWindowChanged, this, [this, remember] {
+        showWindow();
+        remember();
+    });
+    connect(&session_, &Session::pictureReady, this, &ScanLook::follow);
+}
+
+void ScanLook::setColourBy(ColourBy by) {
+    if (by == by_) return;
+    by_ = by;
+    memory_.keep(kColourBy, QString(colourKey(by)));
+    asked_ = nullptr;
+    follow();
+    emit colourByChanged(by);
+    emit changed();
+}
+
+void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locked) {
+    window_.setLocked(false); // what it gets first is of the one before
+    views_.setRangeWindow(window);
+    window_.setLocked(locked && window);
+}
+
+void ScanLook::follow() {
+    showWindow();
+    const auto& picture = session_.picture();
+    if (!picture || picture->cloud == asked_) return;
+    asked_ = picture->cloud;
+    worker_.post({++posted_, picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});
+}
+
+void ScanLook::take(const Answer& answer) {
+    answered_ = answer.number;
+    if (answer.number != posted_) return;
+    if (answer.histogram) {
+        window_.showHistogram(*answer.histogram);
+        counted_ = answer.of;
+        showWindow();
+    }
+    views_.cloud().setColours(answer.colours.of, answer.colours.points);
+    plate_.showColours(answer.colours);
+}
+
+void ScanLook::showWindow() {
+    const RangeSpan shown = views_.rangesShown();
+    window_.showWindow({shown.nearM, shown.farM}, !views_.rangeWindow());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,105 @@
+// The report of what is on the screen.
+#include "ui/controllers/scan_report.h"
+
+#include "core/base/shell_quoted.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/edges/settings/command_text.h"
+#include "core/exports/html/scan_page.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/comparing.h"
+#include "ui/controllers/files/files.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/controllers/targets/targets.h"
+#include "ui/engine/worker_bridge/in_background.h"
+#include "ui/engine/worker_bridge/memory.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace edgescan::ui {
+
+ScanReport::ScanReport(Session& session, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
+                       NoticeBar& notice, Memory& memory)
+    : session_(session), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), memory_(memory) {}
+
+void ScanReport::ask() {
+    if (!session_.picture()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to report yet: open a scan first."));
+        return;
+    }
+    SaveQuestion question;
+    question.title = tr("Report");
+    question.extension = ".html";
+    const QString name = shownName(exactText(session_.picture()->detection->scan->name), 80).replace(' ', '-').replace('/', '-');
+    question.place = QDir(memory_.folder("exports")).filePath(name + "_report.html");
+    question.filters << tr("Page for any browser (*.html)");
+    const QString path = askWhereToSave(notice_.window(), question);
+    if (!path.isEmpty()) writeTo(path);
+}
+
+std::string ScanReport::commandFor(const Detection& detection, const QString& path) const {
+    const Scan& scan = *detection.scan;
+    if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
+    std::string command = "edgescan-cli report " + shellQuoted(QFileInfo(exactText(scan.path)).absoluteFilePath().toStdString()) + " -o " +
+                          shellQuoted(path.toStdString());
+    const std::string reading = readingFlags(files_.options());
+    command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
+    std::string missing; // a remark of the shell
+    if (!targets_.notebook().empty()) {
+        const QString kept = targets_.keptIn();
+        if (kept.isEmpty())
+            missing = " # without what was pinned and measured: no file keeps it";
+        else
+            command += " --targets " + shellQuoted(kept.toStdString());
+    }
+    if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
+        const std::string& before = compared->asked.before->detection->scan->path;
+        if (!before.empty()) command += " --before " + shellQuoted(QFileInfo(exactText(before)).absoluteFilePath().toStdString());
+    }
+    if (!rocks_.shown()) return command + missing;
+    command += " --rocks";
+    if (!rocks_.keptIn().empty()) return command + " --edits " + shellQuoted(rocks_.keptIn()) + missing;
+    const std::string flags = rockSettingsFlags(rocks_.settings());
+    return (flags.empty() ? command : command + " " + flags) + missing;
+}
+
+void ScanReport::writeTo(const QString& path) {
+    if (!session_.picture()) return;
+    if (rocks_.behind()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
+        return;
+    }
+    const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
+    const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : session_.picture()->detection;
+    std::shared_ptr<const Comparison> compared = comparing_.comparison();
+    if (compared && compared->asked.now != session_.picture()) compared = nullptr; // of the picture before
+    const PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
+    memory_.keepFolder("exports", path);
+    ++working_;
+    inBackground(
+        this,
+        [this, detection, rocks, words, path, notebook = targets_.notebook(), compared]() -> std::function<void()> {
+            PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
+            if (compared) {
+                const Detection& before = *compared->asked.before->detection;
+                notes.change = &compared->change;
+                notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
+            }
+            const auto written = writeWholeFile(path.toStdString(), scanPage(*detection, words, notes));
+            return [this, written, path] {
+                if (!written) return notice_.tell(written.error());
+                notice_.tellSaved(path, tr("a page for any browser"));
+                emit saved(path);
+            };
+        },
+        [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, tr("The report could not be made (%1).").arg(what)); },
+        [this] {
+            --working_;
+            emit ended();
+        });
+}
+
+} // namespace edgescan::ui

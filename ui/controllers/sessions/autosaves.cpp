@@ -1,0 +1,77 @@
+// Files of sessions that nobody named.
+#include "ui/controllers/sessions/autosaves.h"
+
+#include "core/inspect/session_file/session_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMostLeftBehind = 3; // older ones go away
+const char* const kRunningStart = "running-";
+
+QString lockOf(const QString& path) { return path + ".lock"; }
+
+} // namespace
+
+Autosaves::Autosaves(const QString& folder) : folder_(folder) {
+    if (folder.isEmpty() || !QDir().mkpath(folder)) return;
+    // Several windows of one process are told apart by a number.
+    for (int n = 0; n < 100 && own_.isEmpty(); ++n) {
+        const QString path =
+            folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) + kSittingEnding;
+        auto lock = std::make_unique<QLockFile>(lockOf(path));
+        lock->setStaleLockTime(0);
+        if (QFile::exists(path) || !lock->tryLock(0)) continue; // of a process before that had the same number
+        lock_ = std::move(lock);
+        own_ = path;
+    }
+    const QStringList left = leftBehind();
+    for (const QString& old : left.mid(kMostLeftBehind)) QFile::remove(old);
+}
+
+Autosaves::~Autosaves() = default;
+
+bool Autosaves::isRunning(const QString& path) const {
+    if (path == own_) return true;
+    QLockFile lock(lockOf(path));
+    lock.setStaleLockTime(0);
+    if (!lock.tryLock(0)) return true; // a lock whose process is gone is taken
+    lock.unlock();
+    return false;
+}
+
+QStringList Autosaves::leftBehind() const {
+    QStringList left;
+    if (folder_.isEmpty()) return left;
+    for (const QFileInfo& file : QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + kSittingEnding}, QDir::Files, QDir::Time)) {
+        const QString path = file.absoluteFilePath();
+        if (!takenUp_.contains(path) && !isRunning(path)) left << path;
+    }
+    return left;
+}
+
+QString Autosaves::last() const {
+    const QString path = folder_ + "/last" + kSittingEnding;
+    return !folder_.isEmpty() && QFile::exists(path) ? path : QString();
+}
+
+void Autosaves::takenUp(const QString& path) {
+    if (path != own_ && QFileInfo(path).fileName().startsWith(kRunningStart) &&
+        QFileInfo(path).absolutePath() == QFileInfo(folder_).absoluteFilePath())
+        takenUp_ << path;
+}
+
+void Autosaves::end() {
+    if (own_.isEmpty() || !QFile::exists(own_)) return;
+    const QString last = folder_ + "/last" + kSittingEnding;
+    QFile::remove(last);
+    QFile::rename(own_, last);
+    for (const QString& path : takenUp_) QFile::remove(path);
+}
+
+} // namespace edgescan::ui

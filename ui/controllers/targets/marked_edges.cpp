@@ -1,0 +1,200 @@
+// Marks, proposals, previews.
+#include "ui/controllers/targets/marked_edges.h"
+
+#include "core/edges/settings/method_traits.h"
+#include "ui/base/cell_marks.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/targets/targets.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/dialogs/proposals_card.h"
+
+#include <QMenu>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+class AdoptedSettings : public QUndoCommand {
+public:
+    AdoptedSettings(Session& session, const Settings& after)
+        : QUndoCommand(stepName("Settings for These Marks")), session_(session), before_(session.settings()), after_(after) {}
+
+    void undo() override { session_.setSettings(before_); }
+    void redo() override { session_.setSettings(after_); }
+
+private:
+    Session& session_;
+    Settings before_, after_;
+};
+
+} // namespace
+
+/// A step on one scan; once another is on the screen there is nothing to take back.
+class MarksChange : public QUndoCommand {
+public:
+    MarksChange(const QString& name, MarkedEdges& marked, const EdgeMarks& after)
+        : QUndoCommand(name), marked_(marked), stream_(marked.stream_), before_(marked.marks_), after_(after) {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    void apply(const EdgeMarks& marks) {
+        if (marked_.stream_ == stream_)
+            marked_.use(marks);
+        else
+            setObsolete(true);
+    }
+
+    MarkedEdges& marked_;
+    std::uint64_t stream_;
+    EdgeMarks before_, after_;
+};
+
+MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
+    : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
+      worker_(
+          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { tell(answer); },
+          [this](const QString& what) {
+              working_ = false;
+              card_->hide();
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
+          }) {
+    connect(&session_, &Session::pictureReady, this, [this] {
+        if (std::exchange(stream_, session_.picture()->source.stream) != session_.picture()->source.stream) use({});
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
+        menu.addAction(tr("This is &no edge"), this, [this, cell] { mark(cell, false); });
+    });
+}
+
+void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
+    if (!cell) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then say whether an edge is there."));
+        return;
+    }
+    const auto k = static_cast<std::uint32_t>(*cell);
+    EdgeMarks after = marks_;
+    std::vector<std::uint32_t>& these = isEdge ? after.wanted : after.unwanted;
+    std::vector<std::uint32_t>& others = isEdge ? after.unwanted : after.wanted;
+    std::erase(others, k);
+    if (std::erase(these, k) == 0) these.push_back(k);
+    if (after.wanted.size() > kMostMarks || after.unwanted.size() > kMostMarks) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell was not marked: there are %1 marks, clear some first.").arg(kMostMarks));
+        return;
+    }
+    change(isEdge ? stepName("Mark of an Edge") : stepName("Mark of No Edge"), after);
+}
+
+void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
+
+void MarkedEdges::restore(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+
+void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
+    if (after != marks_) undo_.push(new MarksChange(what, *this, after));
+}
+
+void MarkedEdges::use(const EdgeMarks& marks) {
+    marks_ = marks;
+    if (marks_.empty()) {
+        wanted_ = 0;
+        putBack();
+        proposals_.clear();
+        if (card_ != nullptr) card_->hide();
+    }
+    show();
+    emit changed();
+}
+
+void MarkedEdges::show() {
+    std::vector<TargetMark> tags;
+    for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
+    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ no edge"), tr("✕"), false});
+    targets_.showBeside(std::move(tags));
+}
+
+void MarkedEdges::propose() {
+    if (marks_.empty() || session_.picture() == nullptr) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none."));
+        return;
+    }
+    if (session_.picture()->source.growth.growing) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("The sweep is still growing: wait for its end, or hold it."));
+        return;
+    }
+    if (card_ == nullptr) makeCard();
+    const Settings before = before_.value_or(session_.settings());
+    putBack();
+    working_ = true;
+    wanted_ = ++questions_;
+    card_->begin();
+    showStage(questions_, 0);
+    worker_.post({questions_, session_.picture()->detection->scan, before, marks_});
+}
+
+// One question per method: what it asks says how far the work is.
+MarkedEdges::Answer MarkedEdges::run(const Question& question) {
+    int method = 0;
+    const auto goOn = [&] {
+        QMetaObject::invokeMethod(
+            this, [this, number = question.number, method] { showStage(number, method); }, Qt::QueuedConnection);
+        ++method;
+        return wanted_ == question.number;
+    };
+    return {question, edgeProposals(question.scan, question.settings, question.marks, goOn)};
+}
+
+void MarkedEdges::showStage(std::uint64_t number, int method) {
+    if (number != wanted_ || !card_->working()) return;
+    const auto methods = static_cast<int>(methodTraits().size());
+    card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
+                     methods);
+}
+
+void MarkedEdges::makeCard() {
+    card_ = new ProposalsCard(notice_.window());
+    connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
+        if (!before_ || session_.settings() != previewed_) before_ = session_.settings();
+        previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
+        session_.setSettings(previewed_);
+    });
+    connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
+        const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
+        putBack(); // so that undo leads back to what was set before the preview
+        undo_.push(new AdoptedSettings(session_, adopted));
+        card_->hide();
+    });
+    connect(card_, &QDialog::rejected, this, [this] {
+        if (card_->working()) wanted_ = 0; // given up
+        putBack();
+    });
+}
+
+void MarkedEdges::tell(const Answer& answer) {
+    working_ = false;
+    if (answer.asked.number != wanted_) return;
+    if (marks_.empty() || session_.picture()->detection->scan != answer.asked.scan) return card_->hide();
+    putBack();
+    proposals_ = answer.proposals;
+    QStringList rows;
+    for (const EdgeProposal& proposal : proposals_) rows << shownText(proposalText(proposal, answer.asked.marks));
+    const auto fit = std::ranges::count_if(proposals_, &EdgeProposal::separates);
+    card_->tell(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
+                        : tr("No setting separates these marks. Those that get most of them right come first."),
+                rows);
+}
+
+void MarkedEdges::putBack() {
+    const auto before = std::exchange(before_, std::nullopt);
+    if (before && session_.settings() == previewed_) session_.setSettings(*before); // what was turned since is the user's
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,83 @@
+// "This is an edge, this is not": marks on cells, and the settings that agree with them.
+#pragma once
+
+#include "core/edges/tuning/marked_edges.h"
+#include "ui/engine/worker_bridge/newest.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+class QUndoStack;
+
+namespace edgescan::ui {
+
+class LinkedViews;
+class NoticeBar;
+class ProposalsCard;
+class Session;
+class Targets;
+
+/// GUI thread only. What it is given must outlive it.
+class MarkedEdges : public QObject {
+    Q_OBJECT
+public:
+    MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
+
+    /// The cell that is pinned or pointed at; the same mark again takes it away.
+    void mark(std::optional<std::size_t> cell, bool isEdge);
+    void clear();
+    /// All of them, as one step of undo.
+    void restore(const EdgeMarks& marks);
+    /// Works out on a thread of its own which settings agree, and shows them.
+    ~MarkedEdges() override { wanted_ = 0; }
+    void propose();
+    [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
+    [[nodiscard]] bool settled() const { return !working_; }
+    /// Null before the first proposals.
+    [[nodiscard]] ProposalsCard* card() const { return card_; }
+
+signals:
+    void changed();
+
+private:
+    friend class MarksChange;
+    struct Question {
+        std::uint64_t number = 0;
+        std::shared_ptr<const Scan> scan;
+        Settings settings;
+        EdgeMarks marks;
+    };
+    struct Answer {
+        Question asked;
+        std::vector<EdgeProposal> proposals;
+    };
+    void change(const QString& what, const EdgeMarks& after);
+    void use(const EdgeMarks& marks);
+    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    void makeCard();
+    void showStage(std::uint64_t number, int method);
+    void tell(const Answer& answer);
+    void show();
+    void putBack();
+
+    Session& session_;
+    LinkedViews& views_;
+    Targets& targets_;
+    QUndoStack& undo_;
+    NoticeBar& notice_;
+    EdgeMarks marks_;
+    std::uint64_t stream_ = 0; // that the marks belong to
+    std::vector<EdgeProposal> proposals_;
+    std::optional<Settings> before_; // while a proposal is previewed
+    Settings previewed_;
+    std::uint64_t questions_ = 0;
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
+    ProposalsCard* card_ = nullptr;
+    bool working_ = false;
+    Newest<Question, Answer> worker_; // last
+};
+
+} // namespace edgescan::ui

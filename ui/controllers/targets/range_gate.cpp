@@ -1,0 +1,68 @@
+// Range gate and clip box: cells that are hidden by where they lie.
+#include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/targets/selection.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/dialogs/range_gate_dialog.h"
+
+#include <limits>
+
+namespace edgescan::ui {
+
+void Selection::hideToo(const QString& what, const CellSet& cells) {
+    if (cells.empty())
+        notice_.showNotice(NoticeBar::Kind::Done, tr("No cell lies there: nothing more is hidden."));
+    else
+        change(what, {without(state_.selected, cells), united(state_.hidden, cells)});
+    tellOfGrowth();
+}
+
+void Selection::tellOfGrowth() {
+    if (!session_.picture() || !session_.picture()->source.growth.growing) return;
+    notice_.showNotice(NoticeBar::Kind::Warning,
+                       tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
+}
+
+void Selection::restore(CellSet selected, CellSet hidden) { change(stepName("Open Session"), {std::move(selected), std::move(hidden)}); }
+
+void Selection::hideBeyond(double nearM, double farM) {
+    if (session_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*session_.picture()->detection->scan, nearM, farM));
+}
+
+std::optional<double> Selection::rangeAt(std::optional<std::size_t> cell) {
+    if (session_.picture() && cell && *cell < session_.picture()->detection->scan->cells()) {
+        const Scan& scan = *session_.picture()->detection->scan;
+        if (scan.state[*cell] == CellState::Valid) return static_cast<double>(scan.rangeMm[*cell]) / 1000.0;
+    }
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("No range is known there: click a cell, or point at one that has a range, first."));
+    return std::nullopt;
+}
+
+void Selection::hideFartherThan(std::optional<std::size_t> cell) {
+    if (const auto range = rangeAt(cell)) hideBeyond(0.0, *range);
+}
+
+void Selection::hideNearerThan(std::optional<std::size_t> cell) {
+    if (const auto range = rangeAt(cell)) hideBeyond(*range, std::numeric_limits<double>::infinity());
+}
+
+void Selection::askRangeGate() {
+    if (!session_.picture()) return;
+    const RangeLimits limits = rangeLimits(*session_.picture()->detection->scan);
+    const auto gate =
+        askForRangeGate(notice_.window(), static_cast<double>(limits.minMm) / 1000.0, static_cast<double>(limits.maxMm) / 1000.0);
+    if (gate) hideBeyond(gate->nearM, gate->farM);
+}
+
+void Selection::clipToSelected() {
+    if (!needSelection()) return;
+    const Scan& scan = *session_.picture()->detection->scan;
+    const CellSet outside = cellsOutsideBoxOf(scan, state_.selected);
+    // The selection was the corner stones of the box; what it holds is what is looked at now.
+    if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);
+    change(stepName("Clip to Box"), {{}, united(state_.hidden, outside)});
+    tellOfGrowth();
+}
+
+} // namespace edgescan::ui

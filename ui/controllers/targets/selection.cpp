@@ -1,0 +1,239 @@
+// Selecting, hiding, isolating.
+#include "ui/controllers/targets/selection.h"
+
+#include "ui/base/count_text.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/selected_colour.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+
+#include <QMenu>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+// Over the images: the selection hatched in the colour that it has in the cloud, what is hidden under a dark veil.
+std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const CellSet& hidden, int beams, int rows) {
+    if (selected.empty() && hidden.empty()) return nullptr;
+    auto image = std::make_shared<QImage>(beams, rows, QImage::Format_ARGB32_Premultiplied);
+    image->fill(Qt::transparent);
+    const auto width = static_cast<std::uint32_t>(beams);
+    const auto pixel = [&](std::uint32_t k) -> QRgb& {
+        return reinterpret_cast<QRgb*>(image->scanLine(static_cast<int>(k / width)))[k % width];
+    };
+    const std::size_t cells = static_cast<std::size_t>(beams) * static_cast<std::size_t>(rows);
+    for (const std::uint32_t k : hidden) {
+        if (k < cells) pixel(k) = qPremultiply(qRgba(30, 30, 30, 225));
+    }
+    for (const std::uint32_t k : selected) {
+        if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | ((k / width + k % width) % 4 == 0 ? 230U : 130U) << 24U);
+    }
+    return image;
+}
+
+} // namespace
+
+/// A step on one scan; once another is on the screen there is nothing to take back.
+class SelectionChange : public QUndoCommand {
+public:
+    SelectionChange(const QString& name, Selection& selection, Selection::State after)
+        : QUndoCommand(name), selection_(selection), stream_(selection.stream_), before_(selection.state_), after_(std::move(after)) {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    void apply(const Selection::State& state) {
+        if (selection_.stream_ == stream_)
+            selection_.use(state);
+        else
+            setObsolete(true);
+    }
+
+    Selection& selection_;
+    std::uint64_t stream_;
+    Selection::State before_, after_;
+};
+
+Selection::Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo)
+    : session_(session), views_(views), rocks_(rocks), notice_(notice), undo_(undo),
+      worker_(
+          this,
+          [](const Question& question) {
+              return Answer{question.cloud, pointsInside(*question.cloud, question.view, question.corners), question.modifiers};
+          },
+          [this](Answer answer) {
+              if (answer.cloud == views_.cloud().geometryOfCloud()) combine(std::move(answer.cells), answer.modifiers);
+          },
+          [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); }) {
+    connect(&session_, &Session::pictureReady, this, &Selection::followPicture);
+    connect(&views_, &LinkedViews::imageOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
+        const Scan& scan = *views_.shown()->detection->scan;
+        std::vector<Eigen::Vector2d> way;
+        for (const QPointF& corner : corners) way.emplace_back(corner.x(), corner.y());
+        combine(without(cellsInside(scan.lines(), scan.beams(), way), state_.hidden), modifiers);
+    });
+    connect(&views_, &LinkedViews::cloudOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
+        CloudView& cloud = views_.cloud();
+        if (!cloud.geometryOfCloud()) return;
+        QPolygonF pixels;
+        for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
+        worker_.post({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
+    });
+    connect(&views_, &LinkedViews::picked, this, [this](std::size_t cell) {
+        if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;
+        const bool edge = (*views_.shown()->detection->mask)[cell] != 0;
+        edge ? selectChainAt(cell) : selectRockAt(cell);
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, &Selection::addToMenu);
+}
+
+void Selection::followPicture() {
+    const Picture& picture = *session_.picture();
+    if (std::exchange(stream_, picture.source.stream) != picture.source.stream) {
+        state_ = {};
+        emit changed();
+    }
+    if (std::exchange(shownOn_, picture.detection->scan) != picture.detection->scan) show();
+}
+
+/// With Shift to what is selected, with Ctrl away from it.
+void Selection::combine(CellSet cells, Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier)) cells = united(state_.selected, cells);
+    if (modifiers.testFlag(Qt::ControlModifier)) cells = without(state_.selected, cells);
+    select(std::move(cells));
+}
+
+void Selection::select(CellSet cells) {
+    change(cells.empty() ? stepName("Select Nothing") : stepName("Select"), {std::move(cells), state_.hidden});
+}
+
+void Selection::selectChainAt(std::size_t cell) {
+    if (!views_.shown()) return;
+    CellSet chain = chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
+    if (chain.empty())
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is no edge, so it is on no chain of edges: choose one that is."));
+    else
+        select(std::move(chain));
+}
+
+void Selection::selectRockAt(std::size_t cell) {
+    const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
+    if (label == 0) {
+        notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture()
+                                                         ? tr("There is no rock at this cell: choose one that lies on a coloured face.")
+                                                         : tr("Rocks are not shown, so none can be selected: press K first."));
+        return;
+    }
+    CellSet rock;
+    const auto& labels = rocks_.picture()->labels.cells;
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        if (labels[k] == label) rock.push_back(static_cast<std::uint32_t>(k));
+    }
+    select(std::move(rock));
+}
+
+bool Selection::needSelection() {
+    if (!state_.selected.empty()) return true;
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
+    return false;
+}
+
+void Selection::hideSelected() {
+    if (needSelection()) change(stepName("Hide"), {{}, united(state_.hidden, state_.selected)});
+}
+
+void Selection::isolateSelected() {
+    if (needSelection())
+        change(stepName("Isolate"), {state_.selected, allBut(state_.selected, session_.picture()->detection->scan->cells())});
+}
+
+void Selection::showAll() {
+    if (!state_.hidden.empty()) change(stepName("Show All"), {state_.selected, {}});
+}
+
+void Selection::zoomTo() {
+    if (!needSelection()) return;
+    const int beams = session_.picture()->detection->scan->beams();
+    QRect around;
+    for (const std::uint32_t k : state_.selected) {
+        const QPoint at = views_.placeOf(k);
+        around = around.united(QRect(at, QSize(1, 1)));
+    }
+    views_.gray().viewPort()->fitTo(QRectF(around.intersected(QRect(0, 0, beams, session_.picture()->detection->scan->lines()))));
+    views_.cloud().zoomToCells(state_.selected);
+}
+
+void Selection::change(const QString& what, State after) {
+    if (after != state_) undo_.push(new SelectionChange(what, *this, std::move(after)));
+}
+
+void Selection::use(const State& state) {
+    state_ = state;
+    show();
+    emit changed();
+}
+
+void Selection::show() {
+    if (!session_.picture()) return;
+    const Picture& picture = *session_.picture();
+    // Where nothing else is left to be seen it needs no colour of its own.
+    const bool isolated = state_.selected.size() + state_.hidden.size() >= picture.detection->scan->cells();
+    const CellSet coloured = isolated ? CellSet() : state_.selected;
+    const auto image = selectionPicture(coloured, state_.hidden, picture.gray->width(), picture.gray->height());
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setSelection(image);
+    CloudView& cloud = views_.cloud();
+    std::shared_ptr<std::vector<std::uint8_t>> mask;
+    if (!state_.hidden.empty()) {
+        mask = std::make_shared<std::vector<std::uint8_t>>(picture.detection->scan->cells(), 0);
+        for (const std::uint32_t k : state_.hidden) {
+            if (k < mask->size()) (*mask)[k] = 1;
+        }
+    }
+    cloud.setHidden(std::move(mask));
+    cloud.setSelection(coloured.empty() ? nullptr : std::make_shared<const CellSet>(coloured));
+}
+
+QString Selection::words() const {
+    QString words;
+    if (!state_.selected.empty() && session_.picture()) {
+        const Detection& detection = *session_.picture()->detection;
+        std::size_t points = 0, edges = 0;
+        for (const std::uint32_t k : state_.selected) {
+            if (k >= detection.scan->cells()) continue;
+            points += detection.scan->state[k] == CellState::Valid ? 1 : 0;
+            edges += (*detection.mask)[k] != 0 ? 1 : 0;
+        }
+        words = tr("%1 cells selected, %2 points, %3 edges").arg(countText(state_.selected.size()), countText(points), countText(edges));
+    }
+    if (!state_.hidden.empty()) words += (words.isEmpty() ? "" : " · ") + tr("▲ %1 cells hidden").arg(countText(state_.hidden.size()));
+    return words;
+}
+
+void Selection::addToMenu(QMenu& menu, std::size_t cell) {
+    if (!views_.shown()) return;
+    QMenu* more = menu.addMenu(tr("&Select"));
+    more->setObjectName("select-menu");
+    more->addAction(tr("Edge &Chain Here"), this, [this, cell] { selectChainAt(cell); })
+        ->setEnabled((*views_.shown()->detection->mask)[cell] != 0);
+    more->addAction(tr("&Rock Here"), this, [this, cell] { selectRockAt(cell); })
+        ->setEnabled(rocks_.picture() && rocks_.picture()->labelAt(cell) != 0);
+    more->addSeparator();
+    const bool some = !state_.selected.empty();
+    more->addAction(tr("&Hide Selected"), this, &Selection::hideSelected)->setEnabled(some);
+    more->addAction(tr("&Isolate Selected"), this, &Selection::isolateSelected)->setEnabled(some);
+    more->addAction(tr("Show &All"), this, &Selection::showAll)->setEnabled(!state_.hidden.empty());
+    more->addAction(tr("&Export Selected…"), this, &Selection::exportWanted)->setEnabled(some);
+}
+
+} // namespace edgescan::ui

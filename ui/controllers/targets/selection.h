@@ -1,0 +1,99 @@
+// One selection of cells for both images, the cloud and exports; and what is hidden of the scan.
+#pragma once
+
+#include "core/inspect/measure/cell_sets.h"
+#include "ui/engine/worker_bridge/newest.h"
+#include "ui/views/cloud/point_pick.h"
+
+#include <QObject>
+#include <QPolygonF>
+
+#include <memory>
+#include <optional>
+
+class QMenu;
+class QUndoStack;
+
+namespace edgescan::ui {
+
+class LinkedViews;
+class NoticeBar;
+class Rocks;
+class Session;
+
+/// GUI thread only. What it is given must outlive it.
+class Selection : public QObject {
+    Q_OBJECT
+public:
+    Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
+
+    [[nodiscard]] const CellSet& cells() const { return state_.selected; }
+    [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
+    /// Each of these is one step of undo.
+    void select(CellSet cells);
+    void selectChainAt(std::size_t cell);
+    void selectRockAt(std::size_t cell);
+    void hideSelected();
+    /// Hides all but the selection.
+    void isolateSelected();
+    void showAll();
+    void restore(CellSet selected, CellSet hidden);
+    /// Also hides what lies nearer or farther, metres.
+    void hideBeyond(double nearM, double farM);
+    /// The same with the range of a cell as one of the two.
+    void hideFartherThan(std::optional<std::size_t> cell);
+    void hideNearerThan(std::optional<std::size_t> cell);
+    /// Asks for both.
+    void askRangeGate();
+    /// Also hides what lies outside the box that holds the selection, along the axes of the scan's frame.
+    void clipToSelected();
+    /// All views come close to it.
+    void zoomTo();
+
+    /// "1,234 cells selected, 1,200 points, 56 of them edges"; empty where nothing is.
+    [[nodiscard]] QString words() const;
+
+signals:
+    void changed();
+    void exportWanted();
+
+private:
+    friend class SelectionChange;
+    struct State {
+        CellSet selected, hidden;
+        bool operator==(const State&) const = default;
+    };
+    struct Question { // about the cloud
+        std::shared_ptr<const CloudGeometry> cloud;
+        ScreenView view;
+        QPolygonF corners;
+        Qt::KeyboardModifiers modifiers;
+    };
+    struct Answer {
+        std::shared_ptr<const CloudGeometry> cloud;
+        CellSet cells;
+        Qt::KeyboardModifiers modifiers;
+    };
+    void followPicture();
+    void combine(CellSet cells, Qt::KeyboardModifiers modifiers);
+    void change(const QString& what, State after);
+    void use(const State& state);
+    void show();
+    void addToMenu(QMenu& menu, std::size_t cell);
+    [[nodiscard]] bool needSelection();
+    void tellOfGrowth();
+    void hideToo(const QString& what, const CellSet& cells);
+    [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
+
+    Session& session_;
+    LinkedViews& views_;
+    Rocks& rocks_;
+    NoticeBar& notice_;
+    QUndoStack& undo_;
+    std::uint64_t stream_ = 0;
+    std::shared_ptr<const Scan> shownOn_; // the views let go of it with every new scan
+    State state_;
+    Newest<Question, Answer> worker_; // last
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,79 @@
+// Files of targets.
+#include "ui/controllers/targets/target_store.h"
+
+#include "core/base/whole_file.h"
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr std::uint64_t kMostNotebookBytes = std::uint64_t{1} << 20U;
+
+} // namespace
+
+TargetStore::TargetStore(const QString& folder)
+    : folder_(folder), worker_(
+                           this, [](const Texts& texts) { return write(texts); }, [this](const Written& written) { take(written); },
+                           [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }) {}
+
+TargetStore::~TargetStore() {
+    if (!waiting_.empty()) (void)write(waiting_); // again, where the worker had begun: the bytes are the same
+}
+
+QString TargetStore::pathOf(const NotebookScan& scan) const {
+    const std::string name = notebookFileName(scan);
+    return folder_.isEmpty() || name.empty() ? QString() : folder_ + "/" + exactText(name);
+}
+
+Result<Notebook> TargetStore::load(const NotebookScan& scan) {
+    const std::string path = pathOf(scan).toStdString();
+    if (path.empty()) return Notebook{};
+    std::string text;
+    if (const auto waits = waiting_.find(path); waits != waiting_.end()) {
+        text = waits->second;
+    } else {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) return Notebook{};
+        const auto bytes = readWholeFile(path, kMostNotebookBytes);
+        if (!bytes) {
+            refused_.insert(path);
+            return bytes.error();
+        }
+        text = textOf(*bytes);
+    }
+    auto notebook = notebookFromText(text, scan, path);
+    if (!notebook)
+        refused_.insert(path);
+    else
+        refused_.erase(path);
+    return notebook;
+}
+
+void TargetStore::save(const Notebook& notebook, const NotebookScan& scan) {
+    const std::string path = pathOf(scan).toStdString();
+    if (path.empty() || refused_.contains(path)) return;
+    waiting_[path] = notebookText(notebook, scan);
+    worker_.post(waiting_);
+}
+
+TargetStore::Written TargetStore::write(const Texts& texts) {
+    Written written{texts, {}};
+    for (const auto& [path, text] : texts) {
+        std::error_code failed;
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failed);
+        if (const auto done = writeWholeFile(path, text); !done) written.trouble = done.error().sentence();
+    }
+    return written;
+}
+
+void TargetStore::take(const Written& written) {
+    for (const auto& [path, text] : written.texts) {
+        if (const auto waits = waiting_.find(path); waits != waiting_.end() && waits->second == text) waiting_.erase(waits);
+    }
+    if (!written.trouble.empty()) emit failed(exactText(written.trouble));
+}
+
+} // namespace edgescan::ui

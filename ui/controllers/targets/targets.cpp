@@ -1,0 +1,314 @@
+// Pinning, and what is shown of it.
+#include "ui/controllers/targets/targets.h"
+
+#include "core/base/utc_time.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/step_name.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <utility>
+
+namespace edgescan::ui {
+
+/// A step on one scan; once another is on the screen there is nothing to take back.
+class NotebookChange : public QUndoCommand {
+public:
+    NotebookChange(const QString& name, Targets& targets, Notebook after)
+        : QUndoCommand(name), targets_(targets), key_(targets.key_), before_(targets.notebook_), after_(std::move(after)) {}
+
+    void undo() override { apply(before_); }
+    void redo() override { apply(after_); }
+
+private:
+    void apply(const Notebook& notebook) {
+        if (targets_.key_ == key_)
+            targets_.use(notebook);
+        else
+            setObsolete(true);
+    }
+
+    Targets& targets_;
+    QString key_;
+    Notebook before_, after_;
+};
+
+Targets::Targets(Session& session, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory,
+                 QUndoStack& undo)
+    : session_(session), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
+      store_(memory.ownFolder().isEmpty() ? QString() : memory.ownFolder() + "/targets"),
+      worker_(
+          this, [this](const Question& question) { return workOut(question); }, [this](KnownTargets known) { take(std::move(known)); },
+          [this](const QString& what) {
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
+          }) {
+    connect(&session_, &Session::pictureReady, this, &Targets::followPicture);
+    connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
+    connect(&views_, &LinkedViews::letGoOf, this, [this](std::size_t cell) {
+        const auto target = std::ranges::find(notebook_.targets, cell, &PinnedTarget::cell);
+        if (target != notebook_.targets.end() && !target->locked) letGo(target->number);
+    });
+    connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
+    connect(&rocks_, &Rocks::shownChanged, this, &Targets::showCard);
+    connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+    connectPanel();
+}
+
+void Targets::connectPanel() {
+    connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
+        if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
+    });
+    connect(&panel_, &TargetsPanel::letGoOfAllWanted, this, &Targets::letGoOfAll);
+    connect(&panel_, &TargetsPanel::measureRemoved, this, [this](int place) { removeMeasure(static_cast<std::size_t>(place)); });
+    TargetCard& card = panel_.card();
+    const auto ofActive = [this](auto act) {
+        return [this, act](const auto&... given) {
+            if (const PinnedTarget* target = active()) act(*target, given...);
+        };
+    };
+    connect(&card, &TargetCard::closeWanted, this, ofActive([this](const PinnedTarget& target) { letGo(target.number); }));
+    connect(&card, &TargetCard::lockWanted, this, ofActive([this](const PinnedTarget& target, bool on) { lock(target.number, on); }));
+    connect(&card, &TargetCard::renamed, this,
+            ofActive([this](const PinnedTarget& target, const QString& name) { rename(target.number, name); }));
+    connect(card.why(), &QPushButton::clicked, this, ofActive([this](const PinnedTarget& target, bool) { emit whyWanted(target.cell); }));
+    connect(card.measure(), &QPushButton::clicked, this,
+            ofActive([this](const PinnedTarget& target, bool) { emit measureWanted(target.cell); }));
+    connect(card.copy(), &QPushButton::clicked, this, &Targets::copyCard);
+}
+
+const PinnedTarget* Targets::active() const {
+    const auto cell = views_.pinned();
+    if (!cell) return nullptr;
+    const auto target = std::ranges::find(notebook_.targets, *cell, &PinnedTarget::cell);
+    return target == notebook_.targets.end() ? nullptr : &*target;
+}
+
+PinnedTarget* Targets::numbered(Notebook& notebook, int number) const {
+    const auto target = std::ranges::find(notebook.targets, number, &PinnedTarget::number);
+    return target == notebook.targets.end() ? nullptr : &*target;
+}
+
+// Of a file: that file and the sweep in it, however it was read. Of a scanner: the sweep.
+QString Targets::keyOf(const Picture& picture) const {
+    const std::string name = notebookFileName(notebookScan(*picture.detection->scan));
+    if (!name.empty()) return exactText(name);
+    return QString("%1 %2").arg(picture.source.stream).arg(picture.source.growth.sweep);
+}
+
+void Targets::followPicture() {
+    const QString key = keyOf(*session_.picture());
+    if (key != key_) {
+        if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
+        key_ = key;
+        rockPin_ = 0;
+        notebook_ = {};
+        const NotebookScan scan = notebookScan(*session_.picture()->detection->scan);
+        const QString path = store_.pathOf(scan);
+        panel_.showNote(path.isEmpty() ? tr("Not kept: this picture is of no file, or nothing is remembered.") : QString());
+        if (const auto other = others_.find(key); other != others_.end()) {
+            notebook_ = other->second;
+        } else if (auto kept = store_.load(scan)) {
+            notebook_ = std::move(*kept);
+        } else {
+            panel_.showNote(tr("▲ Not kept: the targets of this scan were refused."));
+            notice_.tell(kept.error());
+        }
+        if (!notebook_.empty()) emit pinned();
+    }
+    ask();
+    show();
+}
+
+void Targets::followPin(std::optional<std::size_t> cell) {
+    if (using_) return;
+    if (cell) pin(*cell);
+    show();
+}
+
+void Targets::pin(std::size_t cell) {
+    if (!session_.picture() || std::ranges::any_of(notebook_.targets, [&](const PinnedTarget& target) { return target.cell == cell; }))
+        return emit pinned();
+    const bool onRock = views_.pinnedByClick() && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
+    if (onRock && moveRockPin(cell)) return emit pinned();
+    if (notebook_.targets.size() >= kMostTargets) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(kMostTargets));
+        return;
+    }
+    Notebook after = notebook_;
+    PinnedTarget target;
+    target.number = nextNumber(after);
+    target.cell = static_cast<std::uint32_t>(cell);
+    target.pinnedUtc = utcText(utcNow());
+    after.targets.push_back(target);
+    if (onRock) rockPin_ = target.number;
+    change(stepName("Pin %1", target.number), std::move(after));
+    emit pinned();
+}
+
+/// Who looks through the rocks leaves no pin on each: the last one that a click set on a rock goes along, until it is locked or named.
+bool Targets::moveRockPin(std::size_t cell) {
+    Notebook after = notebook_;
+    PinnedTarget* target = numbered(after, rockPin_);
+    if (target == nullptr || target->locked || !target->name.empty()) return false;
+    target->cell = static_cast<std::uint32_t>(cell);
+    target->pinnedUtc = utcText(utcNow());
+    target->asPinned.clear();
+    change(stepName("Move %1", target->number), std::move(after));
+    return true;
+}
+
+void Targets::letGo(int number) {
+    Notebook after = notebook_;
+    std::erase_if(after.targets, [&](const PinnedTarget& target) { return target.number == number && !target.locked; });
+    if (after != notebook_) change(stepName("Let Go of %1", number), std::move(after));
+}
+
+void Targets::letGoOfAll() {
+    Notebook after = notebook_;
+    std::erase_if(after.targets, [](const PinnedTarget& target) { return !target.locked; });
+    if (after != notebook_) change(stepName("Let Go of All"), std::move(after));
+}
+
+void Targets::rename(int number, const QString& name) {
+    Notebook after = notebook_;
+    PinnedTarget* target = numbered(after, number);
+    if (target == nullptr) return;
+    const std::string text = name.toStdString();
+    if (text.size() > kLongestTargetName) return;
+    target->name = text;
+    if (after != notebook_) change(stepName("Name %1", number), std::move(after));
+}
+
+void Targets::lock(int number, bool on) {
+    Notebook after = notebook_;
+    PinnedTarget* target = numbered(after, number);
+    if (target == nullptr) return;
+    target->locked = on;
+    if (after != notebook_) change(on ? stepName("Lock %1", number) : stepName("Unlock %1", number), std::move(after));
+}
+
+void Targets::keepMeasure(const KeptMeasure& measure) {
+    if (notebook_.measures.size() >= kMostMeasures) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("This was not kept: there are %1 measurements, remove some first.").arg(kMostMeasures));
+        return;
+    }
+    Notebook after = notebook_;
+    after.measures.push_back(measure);
+    change(stepName("Measure"), std::move(after));
+    emit pinned();
+}
+
+void Targets::removeMeasure(std::size_t place) {
+    if (place >= notebook_.measures.size()) return;
+    Notebook after = notebook_;
+    after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
+    change(stepName("Remove Measurement"), std::move(after));
+}
+
+void Targets::restore(const Notebook& notebook) {
+    if (notebook == notebook_) return;
+    change(stepName("Open Session"), notebook);
+    emit pinned();
+}
+
+void Targets::change(const QString& what, Notebook after) { undo_.push(new NotebookChange(what, *this, std::move(after))); }
+
+void Targets::use(const Notebook& notebook) {
+    notebook_ = notebook;
+    keep();
+    ask();
+    using_ = true;
+    if (views_.pinned() && active() == nullptr) views_.pin(std::nullopt);
+    using_ = false;
+    show();
+}
+
+void Targets::keep() {
+    if (session_.picture()) store_.save(notebook_, notebookScan(*session_.picture()->detection->scan));
+}
+
+QString Targets::keptIn() const {
+    return session_.picture() ? store_.pathOf(notebookScan(*session_.picture()->detection->scan)) : QString();
+}
+
+void Targets::ask() {
+    if (session_.picture()) worker_.post({session_.picture(), notebook_});
+}
+
+bool Targets::settled() const {
+    if (known_.picture != session_.picture()) return notebook_.empty() && session_.picture() == nullptr;
+    return std::ranges::all_of(notebook_.targets, [&](const PinnedTarget& target) { return knownOf(target.cell) != nullptr; }) &&
+           known_.measures.size() == notebook_.measures.size();
+}
+
+KnownTargets Targets::workOut(const Question& question) {
+    const Detection& detection = *question.picture->detection;
+    KnownTargets known{question.picture, {}, {}};
+    if (question.notebook.empty()) return known;
+    if (noiseScan_ != detection.scan) {
+        noise_ = noiseOf(detection);
+        noiseScan_ = detection.scan;
+    }
+    for (const PinnedTarget& target : question.notebook.targets) {
+        if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, targetAt(detection, noise_, target.cell));
+    }
+    for (const KeptMeasure& measure : question.notebook.measures)
+        known.measures.emplace_back(measure, measureCells(*detection.scan, noise_, measure.kind, measure.cells));
+    return known;
+}
+
+void Targets::take(KnownTargets known) {
+    if (!session_.picture() || known.picture->detection->scan->beams() != session_.picture()->detection->scan->beams()) return;
+    known_ = std::move(known);
+    // What the card says first is what was pinned.
+    bool more = false;
+    for (PinnedTarget& target : notebook_.targets) {
+        const CellTarget* now = knownOf(target.cell);
+        if (!target.asPinned.empty() || now == nullptr || known_.picture != session_.picture()) continue;
+        target.asPinned = rowsToKeep(*now, around(target.cell));
+        pinnedOn_[{target.number, target.cell}] = known_.picture;
+        more = true;
+    }
+    if (more) keep();
+    show();
+}
+
+void Targets::setConfidence(const KnownConfidence& confidence) {
+    if (confidence_ == confidence) return;
+    confidence_ = confidence;
+    keepConfidence();
+    showCard();
+}
+
+/// It comes later than the rest of a card: what was kept of the card gets it, if it is of the same picture.
+void Targets::keepConfidence() {
+    bool more = false;
+    for (PinnedTarget& target : notebook_.targets) {
+        const auto on = pinnedOn_.find({target.number, target.cell});
+        const CellTarget* now = knownOf(target.cell);
+        if (!confidence_.made || on == pinnedOn_.end() || on->second.lock() != confidence_.of || now == nullptr) continue;
+        if (known_.picture != confidence_.of) continue;
+        const auto isIt = [](const auto& row) { return row.first == kConfidenceRow; };
+        const auto rows = rowsToKeep(*now, around(target.cell));
+        const auto row = std::ranges::find_if(rows, isIt);
+        if (row == rows.end() || std::ranges::any_of(target.asPinned, isIt)) continue;
+        target.asPinned.push_back(*row);
+        more = true;
+    }
+    if (more) keep();
+}
+
+} // namespace edgescan::ui

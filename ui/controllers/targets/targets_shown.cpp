@@ -1,0 +1,126 @@
+// What panel and views show of the targets.
+#include "ui/base/shown_text.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/controllers/targets/targets.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+
+const CellTarget* Targets::knownOf(std::uint32_t cell) const {
+    const auto found = known_.targets.find(cell);
+    return found == known_.targets.end() ? nullptr : &found->second;
+}
+
+const MeasuredCells* Targets::knownOf(const KeptMeasure& measure) const {
+    const auto found = std::ranges::find(known_.measures, measure, [](const auto& each) { return each.first; });
+    return found == known_.measures.end() || !found->second ? nullptr : &*found->second;
+}
+
+TargetSurroundings Targets::around(std::size_t cell) const {
+    TargetSurroundings around;
+    around.rocksShown = rocks_.shown();
+    around.rock = rocks_.picture() ? rocks_.picture()->rockAt(cell) : nullptr;
+    around.source = source_;
+    around.confidence.state = confidence_.otherwise;
+    if (confidence_.made && cell < confidence_.made->percent.size() && confidence_.made->percent[cell] > 0)
+        around.confidence = {ToldConfidence::State::Known, confidence_.made->percent[cell], confidence_.made->settings};
+    return around;
+}
+
+QString Targets::tagOf(const PinnedTarget& target) const {
+    const CellTarget* now = knownOf(target.cell);
+    QString tag = QString::number(target.number);
+    if (!target.name.empty()) tag += " " + shownName(exactText(target.name), 20);
+    if (now != nullptr && now->probe.state == CellState::Valid) tag += QString(" · %1 m").arg(now->distanceM, 0, 'f', 2);
+    return tag;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Targets::linksOf(MeasureKind kind) {
+    if (kind == MeasureKind::Angle) return {{0, 1}, {1, 2}};
+    if (kind == MeasureKind::Spans) return {{0, 1}, {2, 3}};
+    return {{0, 1}};
+}
+
+CellMarks Targets::marks() const {
+    CellMarks marks;
+    const PinnedTarget* shown = active();
+    for (const PinnedTarget& target : notebook_.targets)
+        marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown});
+    for (const KeptMeasure& measure : notebook_.measures) {
+        const MeasuredCells* now = knownOf(measure);
+        marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
+                                  linksOf(measure.kind),
+                                  now != nullptr ? shownText(measureText(*now)) : QString("–")});
+    }
+    if (!draft_.cells.empty()) marks.measures.push_back(draft_);
+    marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
+    return marks;
+}
+
+void Targets::show() {
+    views_.setMarks(marks());
+    const PinnedTarget* shown = active();
+    std::vector<TargetLine> lines;
+    for (const PinnedTarget& target : notebook_.targets) {
+        const CellTarget* now = knownOf(target.cell);
+        QString words = QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
+        if (now != nullptr) words += "   " + distanceText(*now);
+        if (target.locked) words += "   " + tr("locked");
+        lines.push_back({words, tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
+    }
+    panel_.showTargets(lines);
+    lines.clear();
+    for (const KeptMeasure& measure : notebook_.measures) {
+        const MeasuredCells* now = knownOf(measure);
+        const QString value = now != nullptr ? shownText(measureText(*now)) : tr("a cell of it has no range");
+        const QString basis = now != nullptr ? shownText(measureBasis(*now)) : QString();
+        lines.push_back({tr(traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
+    }
+    panel_.showMeasures(lines);
+    showCard();
+}
+
+void Targets::showCard() {
+    if (const PinnedTarget* shown = active())
+        panel_.card().show(*shown, knownOf(shown->cell), around(shown->cell));
+    else
+        panel_.card().hide();
+    emit cardChanged();
+}
+
+void Targets::goTo(int by) {
+    const auto count = static_cast<int>(notebook_.targets.size());
+    if (count == 0) return;
+    const PinnedTarget* shown = active();
+    const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : 0;
+    views_.pin(notebook_.targets[static_cast<std::size_t>(((at + by) % count + count) % count)].cell);
+}
+
+void Targets::showDraft(const MeasureMark& draft) {
+    draft_ = draft;
+    views_.setMarks(marks());
+}
+
+void Targets::showBeside(std::vector<TargetMark> marks) {
+    if (beside_ == marks) return;
+    beside_ = std::move(marks);
+    views_.setMarks(this->marks());
+}
+
+void Targets::setSource(const QString& source) {
+    if (std::exchange(source_, source) != source) showCard();
+}
+
+void Targets::copyCard() {
+    if (active() != nullptr) QGuiApplication::clipboard()->setText(panel_.card().text());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,171 @@
+// From the panel to the session and back.
+#include "ui/controllers/tuning.h"
+
+#include "core/base/whole_file.h"
+#include "core/edges/settings/parameters.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/step_name.h"
+#include "ui/engine/worker_bridge/edge_counter.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/tuning/edges_panel.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QUndoCommand>
+
+#include <functional>
+#include <vector>
+
+namespace edgescan::ui {
+namespace {
+
+// "Lower threshold 10 to 25": the first parameter that differs.
+QString describe(const Settings& before, const Settings& after) {
+    for (const Parameter& p : parameters()) {
+        const std::string from = formatValue(p, p.get(before));
+        const std::string to = formatValue(p, p.get(after));
+        if (from == to) continue;
+        const QStringList values{shownText(from), shownText(to)};
+        return QString("%1 %2 to %3").arg(QString(p.label), values[0], values[1]) + '\n' +
+               QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), values[0], values[1]);
+    }
+    return stepName("settings");
+}
+
+// Changes with the same number of a drag become one step of undo; 0 never does.
+class SettingsChange : public QUndoCommand {
+public:
+    SettingsChange(Session& session, const Settings& after, int drag)
+        : QUndoCommand(describe(session.settings(), after)), session_(session), before_(session.settings()), after_(after), drag_(drag) {}
+
+    void undo() override { session_.setSettings(before_); }
+    void redo() override { session_.setSettings(after_); }
+    [[nodiscard]] int id() const override { return drag_ == 0 ? -1 : drag_; }
+    bool mergeWith(const QUndoCommand* later) override {
+        if (later->id() != id()) return false;
+        after_ = static_cast<const SettingsChange*>(later)->after_;
+        setText(describe(before_, after_));
+        return true;
+    }
+
+private:
+    Session& session_;
+    Settings before_;
+    Settings after_;
+    int drag_;
+};
+
+} // namespace
+
+Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : session_(session), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
+    connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
+    connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
+    connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+    connect(&panel_, &EdgesPanel::presetChosen, this, &Tuning::usePreset);
+    connect(&panel_, &EdgesPanel::openPresetWanted, this, &Tuning::askOpenPreset);
+    connect(&panel_, &EdgesPanel::savePresetWanted, this, &Tuning::askSavePreset);
+    connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
+    connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
+    connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
+    connect(&session_, &Session::settingsChanged, this, &Tuning::noteChange);
+    connect(&session_, &Session::pictureReady, this, &Tuning::showResult);
+    recall();
+}
+
+void Tuning::recall() {
+    const QString preset = memory_.text("edges/preset");
+    if (const auto found = findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
+    if (!memory_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
+    useSettings(memory_.settings(session_.settings()));
+}
+
+void Tuning::noteChange() {
+    sinceChange_.start();
+    panel_.show(session_.settings());
+    panel_.setBehind(session_.behind());
+    if (!starting_) memory_.keepSettings(session_.settings());
+}
+
+void Tuning::showResult() {
+    const Picture& picture = *session_.picture();
+    const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
+    updateMs_ = sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : picture.detection->totalMs;
+    panel_.showResult(*picture.detection);
+    panel_.setBehind(session_.behind());
+    if (picture.source.growth.growing)
+        panel_.forgetCounts();
+    else
+        counts_->want(picture.detection);
+}
+
+void Tuning::change(const Settings& settings, bool dragging) {
+    if (settings == session_.settings()) return;
+    std::vector<const Parameter*> differs;
+    for (const Parameter& p : parameters()) {
+        if (formatValue(p, p.get(settings)) != formatValue(p, p.get(session_.settings()))) differs.push_back(&p);
+    }
+    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
+    undo_.push(new SettingsChange(session_, settings, dragging ? drag_ : 0));
+}
+
+const Parameter& Tuning::lastTurned() const {
+    const Settings& settings = session_.settings();
+    return turned_ != nullptr && turned_->usedBy(settings) ? *turned_ : sweptParameter(settings.method);
+}
+
+void Tuning::usePreset(const Preset& preset) {
+    panel_.setPreset(preset);
+    memory_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
+    change(preset.settings, false);
+    panel_.show(session_.settings());
+}
+
+void Tuning::useSettings(const Settings& settings) {
+    session_.setSettings(settings);
+    panel_.show(session_.settings());
+}
+
+void Tuning::turn(const char* key, double value) {
+    Settings settings = session_.settings();
+    findParameter(key)->set(settings, value);
+    change(settings, false);
+}
+
+void Tuning::startWith(const Preset& preset, const Settings& settings) {
+    starting_ = true;
+    panel_.setPreset(preset);
+    useSettings(settings);
+    starting_ = false;
+}
+
+void Tuning::askOpenPreset() {
+    const QString path =
+        QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
+    if (path.isEmpty()) return;
+    memory_.keepFolder("presets", path);
+    if (const Result<Preset> preset = findPreset(path.toStdString()); preset)
+        usePreset(*preset);
+    else
+        notice_.tell(preset.error());
+}
+
+void Tuning::askSavePreset() {
+    SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
+    // Scans have this extension too.
+    question.keeps = [](const QString& there) {
+        return findPreset(there.toStdString()) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+    };
+    const QString path = askWhereToSave(panel_.window(), question);
+    if (path.isEmpty()) return;
+    memory_.keepFolder("presets", path);
+    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings(), path.toStdString()};
+    if (const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset)); written)
+        usePreset(preset);
+    else
+        notice_.tell(written.error());
+}
+
+} // namespace edgescan::ui

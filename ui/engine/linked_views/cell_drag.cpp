@@ -1,0 +1,77 @@
+// Drags, wheel and Esc of a tool, taken before the views see them.
+#include "ui/engine/linked_views/cell_drag.h"
+
+#include "ui/base/gestures.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+
+#include <QKeyEvent>
+
+#include <cmath>
+
+namespace edgescan::ui {
+
+CellDrag::CellDrag(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {
+    for (QWidget* view :
+         {static_cast<QWidget*>(&views.gray()), static_cast<QWidget*>(&views.edges()), static_cast<QWidget*>(&views.cloud())})
+        view->installEventFilter(this);
+}
+
+void CellDrag::want(Wanted what) {
+    wanted_ = what;
+    down_ = false;
+    turned_ = 0.0;
+    cells_.clear();
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+        if (what == Wanted::Drag)
+            view->setCursor(Qt::CrossCursor);
+        else
+            view->unsetCursor();
+    }
+}
+
+bool CellDrag::eventFilter(QObject* watched, QEvent* event) {
+    if (wanted_ == Wanted::Nothing) return false;
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        emit givenUp();
+        return true;
+    }
+    if (wanted_ == Wanted::Wheel) return takeWheel(*event);
+    auto* view = qobject_cast<ImageView*>(watched);
+    return view != nullptr && takeMouse(*view, *event);
+}
+
+bool CellDrag::takeMouse(ImageView& view, QEvent& event) {
+    const QEvent::Type type = event.type();
+    if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove && type != QEvent::MouseButtonRelease) return false;
+    const auto& mouse = static_cast<QMouseEvent&>(event);
+    if (type == QEvent::MouseButtonPress) {
+        if (mouse.button() != Qt::LeftButton) return false;
+        down_ = true;
+        cells_.clear();
+    }
+    if (!down_) return false;
+    const auto cell = view.cellAt(place(mouse));
+    if (cell && (cells_.empty() || cells_.back() != *cell)) {
+        cells_.push_back(*cell);
+        emit drawn(cells_);
+    }
+    if (type == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton) {
+        down_ = false;
+        emit finished(std::exchange(cells_, {}));
+    }
+    return true;
+}
+
+bool CellDrag::takeWheel(QEvent& event) {
+    if (event.type() != QEvent::Wheel) return false;
+    turned_ += notches(static_cast<QWheelEvent&>(event));
+    const double whole = std::trunc(turned_); // wheels without notches turn by little at a time
+    turned_ -= whole;
+    if (whole != 0) emit stepped(static_cast<int>(whole));
+    event.accept();
+    return true;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,50 @@
+// The demo draw-bell.
+#include "ui/engine/worker_bridge/demo_scan.h"
+
+#include "core/base/version.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/sim/simulate.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace edgescan::ui {
+namespace {
+
+QString cachedPath(bool afterBlast) {
+    // The version is in the name: a newer program draws its own bell.
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" +
+           (afterBlast ? "after-" : "") + version() + ".json";
+}
+
+} // namespace
+
+Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress, bool afterBlast) {
+    const std::string path = cachedPath(afterBlast).toStdString();
+    const char* name = afterBlast ? "demo draw-bell after the blast" : "demo draw-bell";
+    if (QFile::exists(cachedPath(afterBlast))) {
+        ReadingOptions options;
+        options.progress = progress;
+        Result<Scan> cached = openScan(path, options);
+        if (cached && cached->lines() == SimulationSettings{}.lines) {
+            cached->name = name;
+            return cached;
+        }
+    }
+    SimulationSettings settings;
+    settings.afterBlast = afterBlast;
+    Result<Simulation> simulation = simulate(settings, [&](double fraction) { return progress("casting beams", fraction); });
+    if (!simulation) return simulation.error();
+    // Without a cache the demo works all the same, only not as fast the next time.
+    QDir().mkpath(QFileInfo(cachedPath(afterBlast)).path());
+    if (const auto saved = saveScan(simulation->scan, path); saved) {
+        if (Result<Scan> reread = openScan(path); reread) simulation->scan = std::move(*reread);
+    }
+    simulation->scan.name = name;
+    return std::move(simulation->scan);
+}
+
+} // namespace edgescan::ui

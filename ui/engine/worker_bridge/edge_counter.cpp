@@ -1,0 +1,39 @@
+// How many edges every threshold would give.
+#include "ui/engine/worker_bridge/edge_counter.h"
+
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/slider_scale.h"
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand is on a slider
+
+} // namespace
+
+EdgeCounter::EdgeCounter(QObject* parent)
+    : QObject(parent), worker_(
+                           this,
+                           [](const std::shared_ptr<const Detection>& detection) {
+                               const std::vector<double> thresholds = sliderValues(sweptParameter(detection->settings.method));
+                               return Counted{detection, edgeCountCurve(thresholdMapOf(*detection), thresholds)};
+                           },
+                           [this](const Counted& counted) {
+                               if (counted.detection != asked_) return; // the newest follows
+                               emit this->counted(QString::fromUtf8(sweptParameter(asked_->settings.method).key), counted.curve);
+                           },
+                           [](const QString&) {}) {
+    quiet_.setSingleShot(true);
+    quiet_.setInterval(kQuietMs);
+    connect(&quiet_, &QTimer::timeout, this, [this] { worker_.post(asked_); });
+}
+
+void EdgeCounter::want(const std::shared_ptr<const Detection>& detection) {
+    if (asked_ && asked_->scan == detection->scan && sameUpTo(Stage::Edges, asked_->settings, detection->settings)) return;
+    asked_ = detection;
+    emit outdated();
+    quiet_.start();
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,97 @@
+// What survives a restart and a kill.
+#include "ui/engine/worker_bridge/memory.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/edges/settings/parameters.h"
+#include "ui/base/shown_text.h"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <nlohmann/json.hpp>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kRecentFiles = 10;
+constexpr int kVersion = 1; // of the file; another one is not read
+
+} // namespace
+
+Memory::Memory(const QString& iniPath) {
+    if (iniPath.isEmpty()) return;
+    file_ = std::make_unique<QSettings>(iniPath, QSettings::IniFormat);
+    if (file_->value("version", kVersion).toInt() != kVersion) file_->clear();
+    file_->setValue("version", kVersion);
+}
+
+QString Memory::usualPath() { return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/edgescan/viewer.ini"; }
+
+QString Memory::place() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
+
+QByteArray Memory::bytes(const QString& key) const { return file_ ? file_->value(key).toByteArray() : QByteArray(); }
+void Memory::keep(const QString& key, const QByteArray& value) {
+    if (file_) file_->setValue(key, value);
+}
+
+QString Memory::text(const QString& key, const QString& otherwise) const {
+    return file_ ? file_->value(key, otherwise).toString() : otherwise;
+}
+void Memory::keep(const QString& key, const QString& value) {
+    if (file_) file_->setValue(key, value);
+}
+
+bool Memory::flag(const QString& key, bool otherwise) const { return file_ ? file_->value(key, otherwise).toBool() : otherwise; }
+void Memory::keep(const QString& key, bool value) {
+    if (file_) file_->setValue(key, value);
+}
+
+QString Memory::ownFolder() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
+
+QStringList Memory::recentFiles() const { return file_ ? file_->value("recent/files").toStringList() : QStringList(); }
+
+void Memory::keepRecentFile(const QString& path) {
+    if (!file_) return;
+    QStringList files = recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    file_->setValue("recent/files", QStringList(files.mid(0, kRecentFiles)));
+}
+
+void Memory::forgetRecentFiles() {
+    if (file_) file_->remove("recent/files");
+}
+
+void Memory::forgetRecentFile(const QString& path) {
+    if (!file_) return;
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    file_->setValue("recent/files", files);
+}
+
+QString Memory::folder(const QString& kind) const {
+    for (const QString& each : {kind, QString("scans")}) {
+        const auto now = folders_.find(each);
+        const QString place = now != folders_.end() ? now->second : text("folder/" + each);
+        if (!place.isEmpty() && QFileInfo(place).isDir()) return place;
+    }
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void Memory::keepFolder(const QString& kind, const QString& path) {
+    folders_[kind] = QFileInfo(path).absolutePath();
+    keep("folder/" + kind, folders_[kind]);
+}
+
+Settings Memory::settings(const Settings& otherwise) const {
+    const auto json = parseJson(text("edges/settings").toStdString(), "viewer.ini", kSettingsJson);
+    if (!json || !json->is_object()) return otherwise;
+    const Result<Settings> read = settingsFromJson(*json, otherwise, "viewer.ini");
+    return read && checkSettings(*read) ? *read : otherwise;
+}
+
+void Memory::keepSettings(const Settings& settings) { keep("edges/settings", exactText(jsonText(settingsToJson(settings)))); }
+
+} // namespace edgescan::ui

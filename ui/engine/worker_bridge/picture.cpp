@@ -1,0 +1,161 @@
+// Images of a frame.
+#include "ui/engine/worker_bridge/picture.h"
+
+#include <QColor>
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan::ui {
+namespace {
+
+// Dark violet cannot be mistaken for 0 m or 40 m; the hatch tells it apart without colour.
+constexpr QRgb kMissing = qRgb(40, 20, 60);
+constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
+constexpr QRgb kStatus = qRgb(70, 20, 50);
+constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
+constexpr QRgb kLost = qRgb(14, 46, 66);
+constexpr QRgb kLostHatch = qRgb(70, 160, 210);
+constexpr QRgb kFilled = qRgb(20, 66, 58);
+constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
+constexpr QRgb kToCome = qRgb(30, 30, 30);
+constexpr int kRoomAtFirst = 64; // lines, when nobody said how many there will be
+
+QRgb missingColour(CellState state, int line, int beam) {
+    // Lost lines are hatched the other way and wider: a single one is a dashed line.
+    if (state == CellState::Lost) return (beam - line % 8 + 8) % 8 < 4 ? kLostHatch : kLost;
+    const bool stripe = (line + beam) % 4 == 0;
+    if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
+    return stripe ? kMissingHatch : kMissing;
+}
+
+// Upright stripes: no other kind of cell without a range has them.
+void paintFilled(QImage& image, const Detection& detection) {
+    if (!detection.filled) return;
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    for (const FilledCell& filled : detection.filled->cells) {
+        const std::size_t beam = filled.cell % beams;
+        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(filled.cell / beams)))[beam] = beam % 2 == 0 ? kFilledHatch : kFilled;
+    }
+}
+
+template <class ValidColour>
+QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
+    QImage image(scan.beams(), rows, QImage::Format_RGB32);
+    for (int row = scan.lines(); row < rows; ++row) {
+        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
+        std::fill(pixels, pixels + scan.beams(), kToCome);
+    }
+    std::size_t k = 0;
+    for (int line = 0; line < scan.lines(); ++line) {
+        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
+        for (int beam = 0; beam < scan.beams(); ++beam, ++k) {
+            const CellState state = scan.state[k];
+            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam);
+        }
+    }
+    return image;
+}
+
+// The pixels of the edge cells, each in the colour of its cell; all others stay.
+template <class EdgeColour>
+void paintEdges(QImage& image, const Detection& detection, EdgeColour edgeColour) {
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    for (const std::uint32_t k : *detection.edges)
+        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
+}
+
+std::array<QRgb, kEdgeClasses + 1> byDepthEdge(const EdgeColours& colours, QRgb none) {
+    std::array<QRgb, kEdgeClasses + 1> table{none};
+    for (std::size_t n = 0; n < colours.size(); ++n) table[n + 1] = colours[n].rgba();
+    return table;
+}
+
+EdgeCells edgeCellsOf(const Detection& detection) {
+    EdgeCells cells{detection.edges, {}};
+    if (!detection.classes) return cells;
+    std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
+    for (const std::uint32_t k : *detection.edges) {
+        const DepthEdge kind = (*detection.classes)[k];
+        if (kind != DepthEdge::None) lists[static_cast<std::size_t>(kind) - 1].push_back(k);
+    }
+    for (std::size_t n = 0; n < lists.size(); ++n)
+        cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    return cells;
+}
+
+} // namespace
+
+int shownLines(const Scan& scan, const Growth& growth) {
+    if (!growth.growing) return scan.lines();
+    if (growth.expectedLines > 0) return std::max(growth.expectedLines, scan.lines());
+    int room = kRoomAtFirst;
+    while (room < scan.lines()) room *= 2;
+    return room;
+}
+
+QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows) {
+    const Scan& scan = *detection.scan;
+    const auto ink = [](int level) { return qRgb(level, level, level); };
+    QImage image;
+    if (span) {
+        const double nearMm = 1000.0 * span->nearM, perMm = 255.0 / std::max(1e-6, 1000.0 * (span->farM - span->nearM));
+        image = paintCells(scan, rows, [&](std::size_t k) {
+            return ink(static_cast<int>(std::clamp((static_cast<double>(scan.rangeMm[k]) - nearMm) * perMm, 0.0, 255.0)));
+        });
+    } else {
+        image = paintCells(scan, rows, [&](std::size_t k) { return ink(detection.gray->levels[k]); });
+    }
+    paintFilled(image, detection);
+    return image;
+}
+
+QImage edgePicture(const Detection& detection, int rows) {
+    QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
+    paintFilled(image, detection);
+    // Edges last: without masking they also lie on cells without a range.
+    paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
+    return image;
+}
+
+QImage classPicture(const Picture& picture, const EdgeColours& colours) {
+    QImage image = *picture.edges;
+    const Detection& detection = *picture.detection;
+    if (!detection.classes) return image;
+    const auto table = byDepthEdge(colours, qRgb(255, 255, 255));
+    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
+    return image;
+}
+
+QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
+    QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    const QRgb every = colours.front().rgba();
+    if (!byClass || !detection.classes) {
+        paintEdges(image, detection, [&](std::size_t) { return every; });
+        return image;
+    }
+    const auto table = byDepthEdge(colours, every);
+    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
+    return image;
+}
+
+std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
+                                           const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
+                                           const std::shared_ptr<const Picture>& last) {
+    auto picture = std::make_shared<Picture>();
+    picture->source = source;
+    picture->asked = asked;
+    picture->detection = detection;
+    picture->cloud = cloud;
+    const int rows = shownLines(*detection->scan, source.growth);
+    const bool grayHolds = last && last->detection->gray == detection->gray && last->detection->filled == detection->filled &&
+                           last->detection->scan == detection->scan && last->gray->height() == rows;
+    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, std::nullopt, rows));
+    picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
+    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));
+    picture->edgeCells = edgeCellsOf(*detection);
+    return picture;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,122 @@
+// The one bridge between the window and the core's threads: opens scans, runs the method, saves results.
+#pragma once
+
+#include "core/base/inputs.h"
+#include "core/base/result.h"
+#include "core/edges/gray/steady_window.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/settings.h"
+#include "core/exports/provenance/provenance.h"
+#include "core/files/open_save/open_scan.h"
+#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/picture.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace edgescan::ui {
+
+/// GUI thread only. What is on the screen stays until the next scan has its first picture.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
+    void open(const QString& path, const ReadingOptions& options = {});
+    /// The demo draw-bell: simulated once, then kept in the cache folder.
+    void openDemo(bool afterBlast = false);
+    /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
+    void cancel();
+    [[nodiscard]] bool opening() const { return opening_; }
+    [[nodiscard]] bool saving() const { return savings_ > 0; }
+    [[nodiscard]] bool working() const { return opening_ || savings_ > 0; }
+
+    /// Shows a scan that grows, from a scanner or a recording that is played: newest wins. A new stream sets the views up anew;
+    /// further scans of it keep them. Gives up an opening that is under way.
+    void follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
+    /// For follow(): never the same twice.
+    [[nodiscard]] static std::uint64_t newStream();
+
+    void setSettings(const Settings& settings);
+    [[nodiscard]] const Settings& settings() const { return asked_.settings; }
+    /// The picture shown was not computed with settings(), or not of the scan posted last.
+    [[nodiscard]] bool behind() const;
+
+    /// The newest picture, null before the first.
+    [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+
+    /// Of the picture shown, in the scan's usual frame unless `options` say otherwise.
+    void save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
+
+signals:
+    void workStarted(const QString& title);
+    void workProgressed(const QString& stage, double fraction);
+    void workEnded();
+    /// A scan was read; its first picture follows.
+    void opened(const QString& path);
+    /// `count`: points or cells in the file.
+    void saved(edgescan::ExportContent what, const QString& path, qint64 count);
+    void failed(const QString& sentence);
+    void settingsChanged();
+    void pictureReady();
+    /// After pictureReady(): the first picture of another file, scanner or recording.
+    void streamChanged();
+
+private:
+    using Progress = std::function<bool(const char* stage, double fraction)>;
+    struct Opening {
+        std::uint64_t number = 0;
+        QString path; // empty: the demo
+        std::function<Result<Scan>(const Progress&)> read;
+    };
+    struct Opened {
+        std::uint64_t number = 0;
+        QString path;
+        Result<std::shared_ptr<const Scan>> scan;
+        std::shared_ptr<const InputClaims> inputs; // files that nothing may be saved over while the scan is shown
+    };
+    void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
+    [[nodiscard]] Opened read(const Opening& opening); // opener's thread
+    void takeOpened(const Opened& opened);
+    void endWork();
+    void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
+    /// What a picture is made of.
+    struct Asked {
+        std::shared_ptr<const Scan> scan;
+        Settings settings;
+        PictureSource source;
+    };
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // worker's thread
+    void takePicture(std::shared_ptr<const Picture> newest);
+
+    Asked asked_; // no scan: nothing was posted yet
+    std::shared_ptr<const Picture> picture_;
+    bool opening_ = false; // until the last one ended, given up or not
+    int savings_ = 0;
+    std::shared_ptr<const InputClaims> inputs_;   // of the scan that was opened last
+    std::uint64_t openings_ = 0;                  // number of the newest
+    std::atomic<std::uint64_t> wantedOpening_{0}; // whose result is waited for; 0: none
+    std::mutex retiredMutex_;
+    std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
+
+    // Worker's thread only.
+    Pipeline pipeline_;
+    SteadyWindow window_;
+    std::shared_ptr<const CloudGeometry> cloud_;
+    std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
+    PictureSource lastSource_;              // of the last run
+    std::shared_ptr<const Picture> lastMade_;
+
+    Newest<Asked, std::shared_ptr<const Picture>> worker_; // last, with the opener: their threads use all of the above
+    Newest<Opening, Opened> opener_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,110 @@
+// Head, tools, the middle, numbers.
+#include "ui/panels/cab/cab_frame.h"
+
+#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/tool_column.h"
+
+#include <QDateTime>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kClockMs = 5000;
+constexpr int kNarrowHead = 1100;    // px: below it the head has no clock and no button to connect: both are in the menu
+constexpr double kSideShare = 0.225; // of the width
+constexpr int kNarrowestSide = 236, kWidestSide = 400;
+
+} // namespace
+
+CabHead::CabHead(QWidget* badge, QWidget* parent)
+    : QWidget(parent), menu_(gloveButton("cab-menu", "menu", tr("Menu"))), open_(gloveButton("cab-open", "open", tr("Open"))),
+      connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new QLabel),
+      cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())),
+      clock_(new QLabel), locked_(new HoldButton) {
+    makeGloveButton(*locked_, "cab-locked", "lock", tr("Locked"), true);
+    locked_->setAccessibleName(tr("Locked: hold for one second to leave cab mode"));
+    cancel_->hide();
+    warnings_->hide();
+    for (QLabel* each : {name_, facts_}) {
+        each->setTextFormat(Qt::PlainText);
+        each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name must not push the window wider
+    }
+    name_->setObjectName("cab-name");
+    facts_->setObjectName("cab-facts");
+    clock_->setObjectName("cab-clock");
+    clock_->setAlignment(Qt::AlignCenter);
+    QFont bold = name_->font();
+    bold.setBold(true);
+    name_->setFont(bold);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(name_);
+    words->addWidget(facts_);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(8);
+    row->setSizeConstraint(QLayout::SetNoConstraint);
+    for (QWidget* each : std::initializer_list<QWidget*>{menu_, open_, connect_}) row->addWidget(each);
+    row->addLayout(words, 1);
+    for (QWidget* each : std::initializer_list<QWidget*>{cancel_, warnings_, badge, clock_, locked_}) row->addWidget(each);
+    auto* tick = new QTimer(this);
+    tick->setInterval(kClockMs);
+    connect(tick, &QTimer::timeout, this, &CabHead::showClock);
+    tick->start();
+    showClock();
+}
+
+void CabHead::showClock() { clock_->setText(QDateTime::currentDateTimeUtc().toString("hh:mm") + "\nUTC"); }
+
+void CabHead::showScan(const QString& name, const QString& facts) {
+    scan_ = name;
+    facts_->setText(facts);
+    facts_->setToolTip(facts);
+    fit();
+}
+
+void CabHead::fit() {
+    const bool wide = width() >= kNarrowHead;
+    clock_->setVisible(wide);
+    connect_->setVisible(wide);
+    name_->setText(name_->fontMetrics().elidedText(scan_, Qt::ElideRight, std::max(40, name_->width())));
+}
+
+void CabHead::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+CabFrame::CabFrame(QWidget* middle, QWidget* badge, QWidget* parent)
+    : QWidget(parent), head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+    grid->addWidget(head_, 0, 0, 1, 3);
+    grid->addWidget(tools_, 1, 0);
+    grid->addWidget(middle, 1, 1);
+    grid->addWidget(side_, 1, 2);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(1, 1);
+    setCab(false);
+}
+
+void CabFrame::setCab(bool on) {
+    for (QWidget* each : std::initializer_list<QWidget*>{head_, tools_, side_}) each->setVisible(on);
+}
+
+void CabFrame::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    side_->setFixedWidth(std::clamp(static_cast<int>(kSideShare * event->size().width()), kNarrowestSide, kWidestSide));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,104 @@
+// The picture in the corner.
+#include "ui/panels/cab/corner_picture.h"
+
+#include "ui/base/marks.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kFromEdge = 12; // px
+constexpr int kNarrowest = 150, kWidest = 300;
+constexpr int kMargin = 8;
+constexpr int kFewestForWords = 48;
+
+} // namespace
+
+CornerPicture::CornerPicture(QWidget* parent) : QAbstractButton(parent) {
+    setFocusPolicy(Qt::TabFocus);
+    parent->installEventFilter(this);
+    place();
+}
+
+void CornerPicture::show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked) {
+    marked_ = marked;
+    if (std::exchange(image_, std::move(image)) != image_) {
+        scaled_ = QPixmap();
+        place();
+    }
+    update();
+}
+
+void CornerPicture::setWords(const QString& words) {
+    setText(words);
+    setAccessibleName(words);
+    place();
+    update();
+}
+
+/// A quarter of the room at most, in the image's own shape.
+void CornerPicture::place() {
+    const QSize room = parentWidget()->size();
+    int width = std::min(kWidest, std::max(kNarrowest, room.width() / 4));
+    int height = 0;
+    if (image_ && !image_->isNull()) {
+        const double shape = static_cast<double>(image_->height()) / image_->width();
+        height = static_cast<int>(std::min(width * shape, room.height() * 0.4));
+    }
+    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + wordsHeight(width));
+    if (at.size() != size()) scaled_ = QPixmap();
+    const int before = reach();
+    setGeometry(at);
+    if (reach() != before) emit reachChanged(reach());
+}
+
+/// As many lines as the words take.
+int CornerPicture::wordsHeight(int width) const {
+    const QRect lines = fontMetrics().boundingRect(0, 0, width - 2 * kMargin, 1 << 14, Qt::AlignLeft | Qt::TextWordWrap, text());
+    return std::max(kFewestForWords, lines.height() + kMargin);
+}
+
+int CornerPicture::reach() const { return width() + kFromEdge; }
+
+bool CornerPicture::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) place();
+    return QAbstractButton::eventFilter(watched, event);
+}
+
+void CornerPicture::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::FontChange) place();
+}
+
+void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), QColor(0x1b, 0x1d, 0x1f));
+    const QRect above = rect().adjusted(0, 0, 0, -wordsHeight(width()));
+    if (image_ && !image_->isNull() && above.height() > 0) {
+        if (scaled_.isNull()) {
+            const QSize pixels = image_->size().scaled(above.size() * devicePixelRatioF(), Qt::KeepAspectRatio);
+            scaled_ = QPixmap::fromImage(image_->scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+            scaled_.setDevicePixelRatio(devicePixelRatioF());
+        }
+        QRectF at(QPointF(), QSizeF(scaled_.size()) / devicePixelRatioF());
+        at.moveCenter(QRectF(above).center());
+        painter.drawPixmap(at.topLeft(), scaled_);
+        if (marked_) {
+            const QPointF cell(at.left() + (marked_->x() + 0.5) / image_->width() * at.width(),
+                               at.top() + (marked_->y() + 0.5) / image_->height() * at.height());
+            strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), [&] { painter.drawEllipse(cell, 8.0, 8.0); });
+        }
+    }
+    painter.setPen(QColor(0xe8, 0xe8, 0xe8));
+    painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
+    painter.setPen(QPen(hasFocus() ? QColor(0x6c, 0xb2, 0xff) : QColor(0x63, 0x68, 0x6e), hasFocus() ? 2.0 : 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,220 @@
+// Large numbers and steppers.
+#include "ui/panels/cab/numbers_side.h"
+
+#include "ui/base/icons.h"
+#include "ui/base/themes.h"
+#include "ui/panels/cab/fitted_label.h"
+#include "ui/panels/cab/stepper.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScroller>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17;
+
+QLabel* label(const char* name, int px, bool bold) {
+    auto* made = new QLabel;
+    made->setObjectName(name);
+    QFont letters = made->font();
+    letters.setPixelSize(px);
+    letters.setBold(bold);
+    made->setFont(letters);
+    made->setTextFormat(Qt::PlainText);
+    return made;
+}
+
+FittedLabel* fitted(const char* name, int px) {
+    auto* made = new FittedLabel(px, kTextPx);
+    made->setObjectName(name);
+    return made;
+}
+
+// It moves under a finger.
+QScrollArea* scrolledByFinger(QWidget* content, Qt::ScrollBarPolicy bar, QScroller::ScrollerGestureType gesture) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setVerticalScrollBarPolicy(bar);
+    scroll->setWidget(content);
+    QScroller::grabGesture(scroll->viewport(), gesture);
+    return scroll;
+}
+
+QToolButton* arrow(const char* name, const char* sign, const QString& words) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setIcon(toolIcon(sign));
+    button->setIconSize({28, 28});
+    button->setFixedSize(56, 56);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(words);
+    return button;
+}
+
+} // namespace
+
+NumbersSide::NumbersSide(QWidget* parent)
+    : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target"))),
+      next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
+      hint_(label("cab-hint", kTextPx, false)), told_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
+      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
+      sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
+      rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
+    hint_->setText(tr("Touch a rock in the cloud: its distance and its size stand here."));
+    for (QLabel* each : {hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
+    main_->setObjectName("cab-main-stepper");
+    title_->setAlignment(Qt::AlignCenter);
+    auto* head = new QHBoxLayout;
+    head->addWidget(previous_);
+    head->addWidget(title_, 1);
+    head->addWidget(next_);
+    auto* numbers = new QWidget;
+    auto* column = new QVBoxLayout(numbers);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(head);
+    column->addWidget(scrolledByFinger(makeNumbers(), Qt::ScrollBarAlwaysOff, QScroller::LeftMouseButtonGesture), 1);
+    column->addWidget(main_);
+    pages_->addWidget(numbers);
+    pages_->addWidget(scrolledByFinger(makeSettings(), Qt::ScrollBarAsNeeded, QScroller::TouchGesture));
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(12, 8, 8, 8);
+    all->setSpacing(8);
+    all->addWidget(pages_, 1);
+    all->addLayout(foot_);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    connect(previous_, &QToolButton::clicked, this, [this] { emit nextWanted(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { emit nextWanted(+1); });
+    connect(main_, &Stepper::stepped, this, [this](int steps) { emit stepped(mainKey_, steps); });
+    connect(main_, &Stepper::stepEnded, this, &NumbersSide::stepEnded);
+    showNumbers({});
+}
+
+QWidget* NumbersSide::makeNumbers() {
+    auto* column = new QVBoxLayout(told_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(hint_);
+    auto* name = label("cab-distance-name", kNotePx, false);
+    distanceName_ = name;
+    name->setText(tr("Distance"));
+    for (QLabel* each : std::initializer_list<QLabel*>{name, distance_, tolerance_, rock_, size_, sizeRemark_}) column->addWidget(each);
+    column->addSpacing(8);
+    column->addLayout(coordinates_);
+    column->addWidget(pose_);
+    column->addSpacing(8);
+    column->addLayout(rows_);
+    column->addStretch(1);
+    coordinates_->setColumnStretch(1, 1);
+    rows_->setColumnStretch(1, 1);
+    followColours(*pose_, [this](const Theme& theme) {
+        QPalette letters = pose_->palette();
+        letters.setColor(QPalette::WindowText, theme.warn);
+        pose_->setPalette(letters);
+    });
+    return told_;
+}
+
+QWidget* NumbersSide::makeSettings() {
+    auto* content = new QWidget;
+    settings_ = new QVBoxLayout(content);
+    settings_->setContentsMargins(0, 0, 0, 0);
+    settings_->setSpacing(12);
+    settings_->addStretch(1);
+    return content;
+}
+
+void NumbersSide::showNumbers(const LargeNumbers& numbers) {
+    const bool some = !numbers.title.isEmpty();
+    hint_->setVisible(!some);
+    for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
+    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(some);
+    title_->setText(some ? numbers.title + '\n' + numbers.place : tr("No target"));
+    distance_->showText(numbers.distance);
+    tolerance_->setText(numbers.tolerance);
+    rock_->setText(numbers.rock);
+    size_->showText(numbers.size);
+    sizeRemark_->setText(numbers.sizeRemark);
+    sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
+    pose_->setText(numbers.pose);
+    pose_->setVisible(!numbers.pose.isEmpty());
+    fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
+    fillRows(*rows_, rowLabels_, numbers.rows, false);
+}
+
+void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels,
+                           const std::vector<std::pair<QString, QString>>& rows, bool large) {
+    while (labels.size() < rows.size()) {
+        const int row = static_cast<int>(labels.size());
+        QLabel* const value = large ? fitted(nullptr, kCoordinatePx) : label(nullptr, kNotePx, false);
+        labels.emplace_back(label(nullptr, kNotePx, large), value);
+        labels.back().first->setWordWrap(!large);
+        value->setWordWrap(!large);
+        labels.back().second->setAlignment((large ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        grid.addWidget(labels.back().first, row, 0);
+        grid.addWidget(labels.back().second, row, 1);
+    }
+    for (std::size_t n = 0; n < labels.size(); ++n) {
+        const bool some = n < rows.size();
+        if (some) {
+            labels[n].first->setText(rows[n].first);
+            if (auto* const number = dynamic_cast<FittedLabel*>(labels[n].second))
+                number->showText(rows[n].second);
+            else
+                labels[n].second->setText(rows[n].second);
+        }
+        labels[n].first->setVisible(some);
+        labels[n].second->setVisible(some);
+    }
+}
+
+void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
+    main_->setVisible(!settings.empty());
+    if (!settings.empty()) {
+        mainKey_ = settings.front().key;
+        main_->showName(settings.front().name);
+        main_->showValue(settings.front().value);
+    }
+    for (const auto& [key, stepper] : steppers_) {
+        stepper->setVisible(std::ranges::any_of(settings, [&k = key](const SteppedSetting& each) { return each.key == k; }));
+    }
+    for (const SteppedSetting& each : settings) {
+        Stepper* shown = stepper(each.key);
+        if (shown == nullptr) {
+            shown = new Stepper(each.name);
+            shown->setObjectName("step-" + each.key);
+            connect(shown, &Stepper::stepped, this, [this, key = each.key](int steps) { emit stepped(key, steps); });
+            connect(shown, &Stepper::stepEnded, this, &NumbersSide::stepEnded);
+            settings_->insertWidget(static_cast<int>(steppers_.size()), shown);
+            steppers_.emplace_back(each.key, shown);
+        }
+        shown->showValue(each.value);
+    }
+}
+
+Stepper* NumbersSide::stepper(const QString& key) const {
+    const auto found = std::ranges::find(steppers_, key, &std::pair<QString, Stepper*>::first);
+    return found == steppers_.end() ? nullptr : found->second;
+}
+
+void NumbersSide::setTuning(bool on) { pages_->setCurrentIndex(on ? 1 : 0); }
+bool NumbersSide::tuning() const { return pages_->currentIndex() == 1; }
+QString NumbersSide::distanceShown() const { return distance_->text(); }
+QString NumbersSide::sizeShown() const { return size_->text(); }
+
+void NumbersSide::addButton(QToolButton* button) {
+    foot_->addWidget(button, 0, buttons_);
+    ++buttons_;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,76 @@
+// Minus, number, plus.
+#include "ui/panels/cab/stepper.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kButton = 64, kLetters = 24, kValue = 20; // px
+constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
+
+// A long way is not gone in small steps.
+int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
+
+} // namespace
+
+Stepper::Stepper(const QString& name, QWidget* parent)
+    : QWidget(parent), name_(new QLabel), less_(new QToolButton), value_(new QLabel), more_(new QToolButton) {
+    less_->setText(QStringLiteral("−"));
+    more_->setText(QStringLiteral("+"));
+    less_->setObjectName("less");
+    more_->setObjectName("more");
+    value_->setObjectName("stepper-value");
+    QFont bold = font();
+    bold.setBold(true);
+    bold.setPixelSize(kLetters);
+    for (QWidget* each : std::initializer_list<QWidget*>{less_, value_, more_}) each->setFont(bold);
+    bold.setPixelSize(kValue);
+    value_->setFont(bold);
+    value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    value_->setAlignment(Qt::AlignCenter);
+    value_->setFrameShape(QFrame::StyledPanel);
+    value_->setMinimumHeight(kButton);
+    value_->setAutoFillBackground(true);
+    value_->setBackgroundRole(QPalette::Base);
+    name_->setWordWrap(true);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(8);
+    grid->addWidget(name_, 0, 0, 1, 3);
+    grid->addWidget(less_, 1, 0);
+    grid->addWidget(value_, 1, 1);
+    grid->addWidget(more_, 1, 2);
+    grid->setColumnStretch(1, 1);
+    addButton(*less_, -1);
+    addButton(*more_, +1);
+    showName(name);
+}
+
+void Stepper::addButton(QToolButton& button, int direction) {
+    button.setFixedSize(kButton, kButton);
+    button.setFocusPolicy(Qt::TabFocus);
+    button.setAutoRepeat(true);
+    button.setAutoRepeatDelay(kFirstRepeatMs);
+    button.setAutoRepeatInterval(kRepeatMs);
+    connect(&button, &QToolButton::clicked, this, [this, &button, direction] {
+        emit stepped(direction * stepsAfter(repeats_++));
+        if (button.isDown()) return; // it is still held
+        repeats_ = 0;
+        emit stepEnded();
+    });
+}
+
+void Stepper::showName(const QString& name) {
+    name_->setText(name);
+    less_->setAccessibleName(tr("less: %1").arg(name));
+    more_->setAccessibleName(tr("more: %1").arg(name));
+}
+
+void Stepper::showValue(const QString& value) { value_->setText(value); }
+
+QString Stepper::value() const { return value_->text(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,98 @@
+// Tools one below the other.
+#include "ui/panels/cab/tool_column.h"
+
+#include "ui/base/icons.h"
+#include "ui/base/themes.h"
+
+#include <QGridLayout>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kWide = 72, kHigh = 64, kBetween = 8; // px
+constexpr int kSign = 28;
+constexpr int kWordPx = 15;
+constexpr int kFewest = 3; // rows
+
+} // namespace
+
+void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word, bool lit) {
+    button.setObjectName(name);
+    button.setIcon(toolIcon(sign));
+    button.setIconSize({kSign, kSign});
+    button.setText(word);
+    button.setAccessibleName(word);
+    button.setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button.setFocusPolicy(Qt::TabFocus); // a tap leaves the keys to the view
+    button.setMinimumSize(kWide, kHigh);
+    button.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    QFont letters = button.font();
+    letters.setPixelSize(kWordPx);
+    button.setFont(letters);
+    if (lit) {
+        button.setCheckable(true);
+        button.setChecked(true);
+        QObject::connect(&button, &QToolButton::toggled, &button, [&button] { button.setChecked(true); });
+    }
+    // On: a ground and a border of its own, so that no colour says it alone.
+    followColours(button, [&button](const Theme& theme) {
+        button.setStyleSheet(QString("QToolButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 2px; }"
+                                     "QToolButton:checked { background: %4; color: white; border: 2px solid %5; }"
+                                     "QToolButton:pressed { background: %6; }"
+                                     "QToolButton:focus { border: 2px solid %5; }"
+                                     "QToolButton:disabled { color: %7; }"
+                                     "QToolButton::menu-indicator { image: none; }")
+                                 .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.chosen.name(), theme.accent.name(),
+                                      theme.base.name(), theme.unusable.name()));
+    });
+}
+
+QToolButton* gloveButton(const char* name, const char* sign, const QString& word) {
+    auto* button = new QToolButton;
+    makeGloveButton(*button, name, sign, word);
+    return button;
+}
+
+ToolColumn::ToolColumn(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+    grid_->setContentsMargins(kBetween, kBetween, kBetween, kBetween);
+    grid_->setSpacing(kBetween);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+}
+
+QToolButton* ToolColumn::add(const char* name, const char* sign, const QString& word) {
+    buttons_.push_back(gloveButton(name, sign, word));
+    layOut();
+    return buttons_.back();
+}
+
+void ToolColumn::setFoot(QToolButton* button) {
+    foot_ = button;
+    layOut();
+}
+
+/// As high as three tools: the others go beside them.
+QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), kFewest * (kHigh + kBetween) + kBetween}; }
+
+void ToolColumn::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const int room = (height() - kBetween) / (kHigh + kBetween);
+    if (room != rows_ && room >= kFewest) {
+        rows_ = room;
+        layOut();
+    }
+}
+
+void ToolColumn::layOut() {
+    const int most = std::max(1, rows_ - (foot_ != nullptr ? 1 : 0));
+    const int rows = std::min(most, static_cast<int>(buttons_.size()));
+    for (int n = 0; n < static_cast<int>(buttons_.size()); ++n)
+        grid_->addWidget(buttons_[static_cast<std::size_t>(n)], n % rows, n / rows, Qt::AlignTop);
+    for (int n = 0; n < grid_->rowCount(); ++n) grid_->setRowStretch(n, 0);
+    grid_->setRowStretch(rows, 1);
+    if (foot_ != nullptr) grid_->addWidget(foot_, rows + 1, 0, Qt::AlignBottom);
+}
+
+} // namespace edgescan::ui

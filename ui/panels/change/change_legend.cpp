@@ -1,0 +1,149 @@
+// The legend of a comparison.
+#include "ui/panels/change/change_legend.h"
+
+#include "core/inspect/change_detection/change_report.h"
+#include "ui/base/shown_text.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPixmap>
+#include <QToolButton>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kLongestName = 30; // letters
+
+QString nameOf(ChangeRow row) {
+    switch (row) {
+    case ChangeRow::Gained:
+        return ChangeLegend::tr("+ gained");
+    case ChangeRow::Lost:
+        return ChangeLegend::tr("− lost");
+    case ChangeRow::Kept:
+        return ChangeLegend::tr("kept");
+    case ChangeRow::Unseen:
+        return ChangeLegend::tr("? not seen in the other");
+    case ChangeRow::Nearer:
+        return ChangeLegend::tr("surface nearer than in A");
+    default:
+        return ChangeLegend::tr("surface farther than in A");
+    }
+}
+
+QString thousands(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
+
+QLabel* wordsOf(QWidget* parent, const char* name) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setTextFormat(Qt::PlainText); // lines are broken where they are made: a plate over the cloud must know its height
+    return label;
+}
+
+} // namespace
+
+ChangeLegend::ChangeLegend(QWidget* parent)
+    : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")),
+      covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")), next_(new QToolButton(this)) {
+    setObjectName("change-legend");
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 6, 8, 6);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(2);
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+    grid->addWidget(title_, 0, 0, 1, 2);
+    for (int n = 0; n < kChangeRows; ++n) {
+        const auto row = static_cast<ChangeRow>(n);
+        Row& made = rows_[static_cast<std::size_t>(n)];
+        made = {new QCheckBox(nameOf(row)), new QLabel};
+        made.box->setObjectName(QString("change-%1").arg(n));
+        made.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+        made.box->setChecked(true);
+        QPixmap swatch(16, row == ChangeRow::Nearer || row == ChangeRow::Farther ? 11 : 5);
+        swatch.fill(changeColour(row));
+        made.box->setIconSize(swatch.size());
+        made.box->setIcon(QIcon(swatch));
+        grid->addWidget(made.box, n + 1, 0);
+        grid->addWidget(made.count, n + 1, 1, Qt::AlignRight);
+        connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::tellRows);
+    }
+    grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
+    covered_->setText(tr("Rocks cover them in the cloud"));
+    covered_->hide();
+    grid->addWidget(covered_, kChangeRows + 2, 0, 1, 2);
+    next_->setText(tr("Next changed region"));
+    next_->setFocusPolicy(Qt::TabFocus);
+    grid->addWidget(next_, kChangeRows + 3, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 4, 0, 1, 2);
+    connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionWanted);
+    hide();
+}
+
+void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working) {
+    before_ = before.size() > kLongestName ? before.left(kLongestName - 1) + "…" : before;
+    for (int n = 0; n < kChangeRows; ++n) {
+        const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
+        const Row& row = rows_[static_cast<std::size_t>(n)];
+        const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
+        const bool told = some && (!ofSurfaces || comparison->isOfTwoScans());
+        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(told && rowsShown_);
+        row.count->setText(told ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
+    }
+    QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
+    if (comparison != nullptr && !working) {
+        how = shownText(lineUpText(comparison->change.earlier.how)).replace("; ", "\n");
+        if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
+        if (comparison->isOfTwoScans())
+            how += '\n' + tr("half of the cells differ by less than %1 mm\na change is more than %2 mm at 5 m")
+                              .arg(comparison->change.differMm, 0, 'f', 0)
+                              .arg(kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
+    }
+    how_->setText(how);
+    how_->setVisible(rowsShown_ || comparison == nullptr);
+    next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
+    showRegion(QString());
+    showFlipped(flipped_);
+    show();
+    adjustSize();
+}
+
+void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
+
+void ChangeLegend::showFlipped(bool flipped) {
+    flipped_ = flipped;
+    title_->setText(flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1\nhold \\ to see it").arg(before_));
+    adjustSize();
+}
+
+void ChangeLegend::showCovered(bool on) {
+    covered_->setVisible(on);
+    adjustSize();
+}
+
+void ChangeLegend::showRegion(const QString& words) {
+    region_->setText(words);
+    region_->setVisible(!words.isEmpty());
+    adjustSize();
+}
+
+QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }
+QString ChangeLegend::howText() const { return how_->text(); }
+QString ChangeLegend::titleText() const { return title_->text(); }
+QString ChangeLegend::regionText() const { return region_->text(); }
+
+void ChangeLegend::setRows(const ChangeRows& rows) {
+    for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);
+}
+
+void ChangeLegend::tellRows() {
+    ChangeRows rows{};
+    for (std::size_t n = 0; n < rows.size(); ++n) rows[n] = rows_[n].box->isChecked();
+    emit rowsWanted(rows);
+}
+
+} // namespace edgescan::ui

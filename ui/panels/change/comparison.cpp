@@ -1,0 +1,199 @@
+// Lists, images and colours of what changed.
+#include "ui/panels/change/comparison.h"
+
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/files/open_save/open_as_asked.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "ui/engine/worker_bridge/demo_scan.h"
+#include "ui/engine/worker_bridge/session.h"
+#include "ui/views/cloud/cloud_geometry.h"
+
+#include <algorithm>
+#include <new>
+#include <vector>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr std::uint32_t kDimmed = 0xff545454U; // 84: gained and lost have 3 : 1 to it
+const QColor kUnseenColour(200, 200, 200);
+
+std::optional<ChangeRow> rowOf(EdgeChange change) {
+    switch (change) {
+    case EdgeChange::Gained:
+        return ChangeRow::Gained;
+    case EdgeChange::Lost:
+        return ChangeRow::Lost;
+    case EdgeChange::Kept:
+        return ChangeRow::Kept;
+    case EdgeChange::Unseen:
+        return ChangeRow::Unseen;
+    default:
+        return std::nullopt;
+    }
+}
+
+std::optional<ChangeRow> rowOf(RangeChange change) {
+    if (change == RangeChange::Nearer) return ChangeRow::Nearer;
+    if (change == RangeChange::Farther) return ChangeRow::Farther;
+    return std::nullopt;
+}
+
+bool isOn(const ChangeRows& rows, std::optional<ChangeRow> row) { return row && rows[static_cast<std::size_t>(*row)]; }
+
+EdgeCells cellsOf(const Comparison& made) {
+    std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
+    std::vector<std::uint32_t> all;
+    const auto& cells = made.change.edges.cells;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const auto row = rowOf(cells[k]);
+        if (!isOn(made.asked.rows, row)) continue;
+        lists[static_cast<std::size_t>(*row)].push_back(static_cast<std::uint32_t>(k));
+        all.push_back(static_cast<std::uint32_t>(k));
+    }
+    EdgeCells found{std::make_shared<const std::vector<std::uint32_t>>(std::move(all)), {}};
+    for (std::size_t n = 0; n < lists.size(); ++n)
+        found.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    return found;
+}
+
+QRgb* pixelsOf(QImage& image, int line) { return reinterpret_cast<QRgb*>(image.scanLine(line)); }
+
+void paint(Comparison& made) {
+    const Picture& now = *made.asked.now;
+    const auto& edges = made.change.edges.cells;
+    const auto& ranges = made.change.ranges.cells;
+    auto map = std::make_shared<QImage>(*now.edges);
+    auto overlay = std::make_shared<QImage>(now.edges->width(), now.edges->height(), QImage::Format_ARGB32_Premultiplied);
+    overlay->fill(Qt::transparent);
+    for (int line = 0; line < edges.lines; ++line) {
+        QRgb* onMap = pixelsOf(*map, line);
+        QRgb* over = pixelsOf(*overlay, line);
+        for (int beam = 0; beam < edges.beams; ++beam) {
+            const std::size_t k = edges.index(line, beam);
+            if (now.detection->scan->state[k] == CellState::Valid) onMap[beam] = qRgb(0, 0, 0);
+            if (ranges.size() != 0) {
+                const auto row = rowOf(ranges[k]);
+                // The hatch tells nearer from farther without colour.
+                const bool stripe = (row == ChangeRow::Nearer ? line + beam : line - beam + edges.beams) % 4 == 0;
+                const QColor colour = row ? changeColour(*row) : QColor();
+                if (isOn(made.asked.rows, row))
+                    over[beam] = qPremultiply(qRgba(colour.red(), colour.green(), colour.blue(), stripe ? 190 : 100));
+            }
+            if (const auto row = rowOf(edges[k]); isOn(made.asked.rows, row)) over[beam] = onMap[beam] = changeColour(*row).rgba();
+        }
+    }
+    made.map = std::move(map);
+    made.overlay = std::move(overlay);
+}
+
+std::uint32_t pointColour(const QColor& colour) {
+    const auto half = [](int c) { return static_cast<std::uint32_t>((84 + c) / 2); };
+    return 0xff000000U | half(colour.blue()) << 16U | half(colour.green()) << 8U | half(colour.red());
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& made) {
+    const auto& ranges = made.change.ranges.cells;
+    auto points = std::make_shared<std::vector<std::uint32_t>>(made.asked.now->detection->scan->cells(), kDimmed);
+    const std::uint32_t nearer = pointColour(changeColour(ChangeRow::Nearer)), farther = pointColour(changeColour(ChangeRow::Farther));
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+        const auto row = rowOf(ranges[k]);
+        if (isOn(made.asked.rows, row)) (*points)[k] = row == ChangeRow::Nearer ? nearer : farther;
+    }
+    return points;
+}
+
+/// The earlier picture where its cells are those of the later one, else one of its points on that grid.
+std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const EarlierOnGrid& earlier) {
+    if (earlier.how.sameCells) return before;
+    const auto found = detectEdges(earlier.scan, before->detection->settings);
+    auto moved = std::make_shared<Detection>(*found);
+    moved->mask = earlier.edges;
+    moved->classes = nullptr;
+    std::vector<std::uint32_t> edges;
+    for (std::size_t k = 0; k < earlier.edges->size(); ++k) {
+        if ((*earlier.edges)[k] != 0) edges.push_back(static_cast<std::uint32_t>(k));
+    }
+    moved->edges = std::make_shared<const std::vector<std::uint32_t>>(std::move(edges));
+    return makePicture(moved, {before->source.stream, {}}, before->asked, makeCloudGeometry(*earlier.scan), nullptr);
+}
+
+bool sameScans(const ComparisonAsked& asked, const Comparison& last) {
+    return last.asked.before == asked.before && last.asked.now->detection->scan == asked.now->detection->scan;
+}
+
+std::shared_ptr<const Picture> bySettingsOfNow(const ComparisonAsked& asked, const Comparison* last) {
+    const Picture& before = *asked.before;
+    const Settings& settings = asked.now->asked;
+    if (before.detection->scan == asked.now->detection->scan || before.asked == settings) return asked.before;
+    if (last != nullptr && last->asked.before == asked.before && last->earlier->asked == settings) return last->earlier;
+    return makePicture(detectEdges(before.detection->scan, settings), before.source, settings, before.cloud, nullptr);
+}
+
+} // namespace
+
+const EdgeColours& changeColours() {
+    static const EdgeColours colours{changeColour(ChangeRow::Gained), changeColour(ChangeRow::Lost), changeColour(ChangeRow::Kept),
+                                     changeColour(ChangeRow::Unseen)};
+    return colours;
+}
+
+QColor changeColour(ChangeRow row) {
+    if (row == ChangeRow::Kept) return colourOf(kKeptColour);
+    if (row == ChangeRow::Unseen) return kUnseenColour;
+    return colourOf(row == ChangeRow::Gained || row == ChangeRow::Nearer ? kGainedColour : kLostColour);
+}
+
+std::size_t Comparison::count(ChangeRow row) const {
+    const std::array<std::size_t, kChangeRows> counts{change.edges.gained, change.edges.lost,    change.edges.kept,
+                                                      change.edges.unseen, change.ranges.nearer, change.ranges.farther};
+    return counts[static_cast<std::size_t>(row)];
+}
+
+Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last) {
+    auto made = std::make_shared<Comparison>();
+    made->asked = asked;
+    made->earlier = bySettingsOfNow(asked, last);
+    const ScanEdges now{asked.now->detection->scan, asked.now->detection->mask};
+    if (last != nullptr && sameScans(asked, *last) && last->earlier == made->earlier) {
+        made->change = withEdges(last->change, now);
+        made->before = last->before;
+    } else {
+        auto change = sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask});
+        if (!change) return change.error();
+        made->change = std::move(*change);
+        made->before = beforeOf(made->earlier, made->change.earlier);
+    }
+    made->edges = cellsOf(*made);
+    made->points = pointsOf(*made);
+    paint(*made);
+    return std::shared_ptr<const Comparison>(std::move(made));
+}
+
+Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+    try {
+        if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
+        return makePicture(detectEdges(scan, settings), {Session::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory for a second picture", scan->path, "close other programs or choose a smaller scan"};
+    }
+}
+
+Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const Settings& settings) {
+    try {
+        Result<Scan> scan = openAsAsked(path.toStdString(), reading);
+        if (!scan) return scan.error();
+        return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory for a second scan", path.toStdString(), "close other programs or choose a smaller one"};
+    }
+}
+
+Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings) {
+    Result<Scan> scan = demoScan([](const char*, double) { return true; }, afterBlast);
+    if (!scan) return scan.error();
+    return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,209 @@
+// The question before an export.
+#include "ui/panels/dialogs/export_dialog.h"
+
+#include "core/files/open_save/save_scan.h"
+#include "core/scan/gap_filling/gap_filling.h"
+#include "core/scan/georef/placed_points.h"
+#include "ui/base/scrolled.h"
+#include "ui/base/shown_text.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMargins = 64; // px, the title of the window included
+
+// Thousands apart, the same in every locale.
+QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
+
+} // namespace
+
+ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected, QWidget* parent)
+    : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
+      selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
+    setWindowTitle(tr("Export"));
+    auto* questions = new QWidget; // on a low screen they scroll; what is squeezed cannot be read
+    auto* column = new QVBoxLayout(questions);
+    column->addWidget(contentBox());
+    coordinatesGroup_ = coordinatesBox();
+    column->addWidget(coordinatesGroup_);
+    writingGroup_ = writingBox();
+    column->addWidget(writingGroup_);
+    onlySelected_->setObjectName("onlySelected");
+    onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(number(selected_.cells ? selected_.cells->size() : 0)));
+    onlySelected_->setVisible(selected_.cells != nullptr);
+    onlySelected_->setChecked(selected_.cells != nullptr && selected_.only);
+    column->addWidget(onlySelected_);
+    const std::size_t hidden = detection_->scan->attached.size();
+    attached_->setObjectName("attached");
+    attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
+    attached_->setVisible(hidden > 0);
+    column->addWidget(attached_);
+    column->addStretch(1);
+    count_->setObjectName("count");
+    auto* whole = new QVBoxLayout(this);
+    QScrollArea* area = scrolled(*questions);
+    whole->addWidget(area, 1);
+    whole->addWidget(count_);
+    whole->addWidget(buttons_);
+    const int wide = area->minimumWidth() + kMargins;
+    resize(QSize(wide, column->heightForWidth(wide) + count_->sizeHint().height() + buttons_->sizeHint().height() + kMargins)
+               .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
+    buttons_->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    for (QAbstractButton* button : contents_->buttons()) connect(button, &QAbstractButton::toggled, this, &ExportDialog::follow);
+    for (const QCheckBox* box : {attached_, onlySelected_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::follow);
+    contents_->button(static_cast<int>(wanted))->setChecked(true);
+    follow();
+}
+
+QGroupBox* ExportDialog::contentBox() {
+    auto* box = new QGroupBox(tr("What"));
+    auto* column = new QVBoxLayout(box);
+    const auto add = [&](ExportContent content, const QString& text, const char* name) {
+        auto* button = new QRadioButton(text);
+        button->setObjectName(name);
+        contents_->addButton(button, static_cast<int>(content));
+        column->addWidget(button);
+    };
+    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
+    add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false, false))), "edges");
+    add(ExportContent::FullCloud,
+        tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false, false))), "all");
+    add(ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
+    add(ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
+    add(ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
+    return box;
+}
+
+QGroupBox* ExportDialog::coordinatesBox() {
+    auto* box = new QGroupBox(tr("Coordinates"));
+    auto* column = new QVBoxLayout(box);
+    const bool placed = detection_->scan->placement != nullptr;
+    const auto add = [&](CoordinateFrame frame, const QString& text, const char* name, bool possible) {
+        auto* button = new QRadioButton(text);
+        button->setObjectName(name);
+        button->setEnabled(possible);
+        coordinates_->addButton(button, static_cast<int>(frame));
+        column->addWidget(button);
+    };
+    add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
+    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
+    add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
+    coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
+    if (const auto why = checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
+        const std::string& what = why.error().what;
+        auto* reason = new QLabel(tr("No mine grid: %1. Scan > How the Scan Is Read takes a pose and a calibration.").arg(shownText(what)));
+        reason->setObjectName("reason");
+        reason->setWordWrap(true);
+        column->addWidget(reason);
+    }
+    return box;
+}
+
+QGroupBox* ExportDialog::writingBox() {
+    auto* box = new QGroupBox(tr("For the program that will read it"));
+    auto* grid = new QGridLayout(box);
+    grid->setColumnStretch(1, 1);
+    for (const WritingChoice& choice : kWritingChoices) {
+        auto* mark = new QCheckBox;
+        mark->setObjectName(choice.key);
+        auto* words = new QLabel(QObject::tr(choice.help));
+        words->setWordWrap(true);
+        words->setMinimumWidth(520);
+        words->setBuddy(mark);
+        mark->setAccessibleName(words->text());
+        if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // where nothing was filled
+        const int row = grid->rowCount();
+        connect(mark, &QCheckBox::toggled, this, &ExportDialog::follow);
+        grid->addWidget(mark, row, 0, Qt::AlignTop);
+        grid->addWidget(words, row, 1);
+        choices_.push_back(mark);
+    }
+    return box;
+}
+
+std::size_t ExportDialog::countOf(ExportContent content, bool withAttached, bool onlySelected) const {
+    const Scan& scan = *detection_->scan;
+    if (!isCloud(content)) return scan.cells();
+    const bool edges = content == ExportContent::EdgeCloud;
+    const auto wanted = [&](std::size_t k) {
+        return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0) &&
+               (!onlySelected || std::ranges::binary_search(*selected_.cells, static_cast<std::uint32_t>(k)));
+    };
+    std::size_t points = 0;
+    if (onlySelected)
+        points = static_cast<std::size_t>(std::ranges::count_if(*selected_.cells, wanted));
+    else if (edges)
+        points = static_cast<std::size_t>(std::count_if(detection_->edges->begin(), detection_->edges->end(), wanted));
+    else
+        points = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
+    if (fillsToo()) points += filledToo(edges, onlySelected);
+    if (!withAttached) return points;
+    return points + static_cast<std::size_t>(std::count_if(scan.attached.begin(), scan.attached.end(),
+                                                           [&](const AttachedPoint& point) { return wanted(point.cell); }));
+}
+
+bool ExportDialog::fillsToo() const {
+    for (std::size_t n = 0; n < choices_.size(); ++n) {
+        if (kWritingChoices[n].member == &WritingChoices::filled) return choices_[n]->isChecked() && detection_->filled;
+    }
+    return false;
+}
+
+/// Filled cells that have a place; those of a cloud whose rays are not known have none.
+std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
+    if (!filledCells_) {
+        const ScanWithFilled whole = withFilled(*detection_->scan, *detection_->filled);
+        filledCells_.emplace();
+        for (const FilledCell& each : detection_->filled->cells) {
+            if (whole.scan.state[each.cell] == CellState::Valid) filledCells_->push_back(each.cell);
+        }
+    }
+    return static_cast<std::size_t>(std::ranges::count_if(*filledCells_, [&](std::uint32_t k) {
+        return (!edges || (*detection_->mask)[k] != 0) && (!onlySelected || std::ranges::binary_search(*selected_.cells, k));
+    }));
+}
+
+ExportContent ExportDialog::content() const { return static_cast<ExportContent>(contents_->checkedId()); }
+
+ExportOptions ExportDialog::options() const {
+    ExportOptions options;
+    options.frame = static_cast<CoordinateFrame>(coordinates_->checkedId());
+    options.includeAttached = isCloud(content()) && attached_->isChecked();
+    if (isCloud(content()) && onlySelected_->isChecked()) options.selection = selected_.cells;
+    for (std::size_t n = 0; n < choices_.size(); ++n)
+        options.choices.*kWritingChoices[n].member = isCloud(content()) && choices_[n]->isChecked();
+    return options;
+}
+
+std::size_t ExportDialog::count() const { return countOf(content(), options().includeAttached, options().selection != nullptr); }
+
+void ExportDialog::follow() {
+    if (contents_->checkedId() < 0) return;
+    const bool cloud = isCloud(content());
+    coordinatesGroup_->setEnabled(cloud);
+    writingGroup_->setEnabled(cloud);
+    attached_->setEnabled(cloud);
+    onlySelected_->setEnabled(cloud);
+    count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,138 @@
+// The list of what was taken for granted.
+#include "ui/panels/dialogs/opening_card.h"
+
+#include "ui/base/shown_text.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QShowEvent>
+#include <QStyle>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kAroundWords = 8; // px above and below the words of a row together
+
+/// A sign and a word: no colour.
+QString signOf(const OpeningPoint& point) {
+    if (!point.against.empty()) return "▲ " + OpeningCard::tr("doubtful");
+    if (point.source == OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("found out");
+    return "✓ " + (point.source == OpeningPoint::Source::Typed ? OpeningCard::tr("as you said") : OpeningCard::tr("as the file says"));
+}
+
+QTreeWidgetItem* rowOf(const QStringList& words) {
+    auto* row = new QTreeWidgetItem(words);
+    for (int column = 0; column < words.size(); ++column) row->setToolTip(column, words[column]);
+    return row;
+}
+
+} // namespace
+
+QString shownSentence(const Sentence& sentence) {
+    return shownText(filledIn(QObject::tr(sentence.pattern).toStdString(), sentence.values));
+}
+
+OpeningCard::OpeningCard(QWidget* parent)
+    : QDialog(parent), verdict_(new QLabel), state_(new QLabel), list_(new QTreeWidget), adopt_(nullptr) {
+    setObjectName("opening-card");
+    setWindowTitle(tr("Does This Look Right?"));
+    for (QLabel* label : {verdict_, state_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    list_->setObjectName("opening-list");
+    list_->setColumnCount(2);
+    list_->setHeaderHidden(true);
+    list_->setWordWrap(true);
+    list_->setMinimumSize(660, 300);
+    list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list_->header()->setStretchLastSection(true);
+    connect(list_->header(), &QHeaderView::sectionResized, this, &OpeningCard::fitRows);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    adopt_ = buttons->addButton(tr("&Adopt"), QDialogButtonBox::ApplyRole);
+    adopt_->setEnabled(false);
+    auto* about = new QLabel(
+        tr("A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there."));
+    about->setWordWrap(true);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(verdict_);
+    column->addWidget(about);
+    column->addWidget(list_, 1);
+    column->addWidget(state_);
+    column->addWidget(buttons);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this] {
+        int point = 0, other = 0;
+        const bool some = chosen(point, other);
+        adopt_->setEnabled(some);
+        if (some) emit previewWanted(point, other);
+    });
+    connect(adopt_, &QPushButton::clicked, this, [this] {
+        int point = 0, other = 0;
+        if (chosen(point, other)) emit adoptWanted(point, other);
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+/// Rows as high as their words need at the width that they have: a tree asks its rows without a width.
+void OpeningCard::fitRows() {
+    const int margin = 2 * (list_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+    const QRect room(0, 0, std::max(60, list_->columnWidth(1) - margin), 10000);
+    bool others = false;
+    for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
+        const int high = list_->fontMetrics().boundingRect(room, Qt::TextWordWrap, (*row)->text(1)).height() + kAroundWords;
+        if ((*row)->sizeHint(1).height() == high) continue;
+        (*row)->setSizeHint(1, QSize(0, high));
+        others = true;
+    }
+    if (others) list_->doItemsLayout(); // the tree keeps the heights that it knows
+}
+
+void OpeningCard::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
+}
+
+bool OpeningCard::chosen(int& point, int& other) const {
+    const QTreeWidgetItem* row = list_->currentItem();
+    const QTreeWidgetItem* above = row != nullptr ? row->parent() : nullptr;
+    if (above == nullptr || row->data(0, Qt::UserRole).isNull()) return false;
+    point = list_->indexOfTopLevelItem(above->parent() != nullptr ? above->parent() : const_cast<QTreeWidgetItem*>(above));
+    other = row->data(0, Qt::UserRole).toInt();
+    return true;
+}
+
+void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& points) {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const OpeningPoint& point : points) {
+        auto* row = rowOf({signOf(point), QObject::tr(point.what) + ": " + shownSentence(point.taken)});
+        list_->addTopLevelItem(row);
+        if (!point.against.empty()) row->addChild(rowOf({QString(), "▲ " + shownSentence(point.against)}));
+        for (std::size_t n = 0; n < point.others.size(); ++n) {
+            auto* other = rowOf({tr("or"), shownSentence(point.others[n].words)});
+            other->setData(0, Qt::UserRole, static_cast<int>(n));
+            row->addChild(other);
+        }
+        row->setExpanded(true);
+    }
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
+    adopt_->setEnabled(false);
+    verdict_->setText(points.empty()       ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
+                      : looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)
+                                           : tr("%1: nothing speaks against how it was read.").arg(scan));
+    showState(QString());
+}
+
+void OpeningCard::showState(const QString& words) { state_->setText(words); }
+
+QString OpeningCard::verdict() const { return verdict_->text(); }
+
+} // namespace edgescan::ui

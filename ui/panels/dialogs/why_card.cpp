@@ -1,0 +1,124 @@
+// Why a cell is an edge.
+#include "ui/panels/dialogs/why_card.h"
+
+#include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
+
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
+constexpr int kRim = 12;                      // px
+constexpr double kMostStretched = 20.0;       // times that depth may be drawn larger than width
+
+QLabel* words() {
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setMinimumWidth(420);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+} // namespace
+
+void ProfileView::show(const EdgeProfile& profile) {
+    profile_ = profile;
+    setVisible(profile.points.size() > 2);
+    update();
+}
+
+void ProfileView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = themeInUse();
+    painter.fillRect(rect(), theme.base);
+    if (profile_.points.empty()) return;
+    const auto [left, right] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::acrossM);
+    const auto [near, far] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::awayM);
+    const double wide = std::max(1e-3, right.acrossM - left.acrossM), deep = std::max(1e-3, far.awayM - near.awayM);
+    const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
+    const QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
+    const QRect wrapped =
+        fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // in some languages two lines
+    const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
+    const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
+    // Near is below, as where the scanner stands.
+    const double top = room.center().y() - perAway * deep / 2;
+    const auto at = [&, leftM = left.acrossM, farM = far.awayM](double across, double away) {
+        return QPointF(room.left() + (across - leftM) * perAcross, top + (farM - away) * perAway);
+    };
+    for (const auto& line : profile_.sides) {
+        if (!line) continue;
+        painter.setPen(QPen(theme.accent, 2.0));
+        painter.drawLine(at(line->fromAcrossM, line->fromAwayM), at(line->toAcrossM, line->toAwayM));
+    }
+    for (const ProfilePoint& point : profile_.points) {
+        painter.setPen(QPen(theme.text, 1.2));
+        painter.setBrush(point.side == 0 ? QBrush(theme.text) : Qt::NoBrush);
+        const double radius = point.side == 0 ? 4.5 : 2.5;
+        painter.drawEllipse(at(point.acrossM, point.awayM), radius, radius);
+    }
+    painter.setPen(theme.quietText);
+    painter.drawText(QRect(kRim, height() - 2 - wrapped.height(), width() - 2 * kRim, wrapped.height()), Qt::TextWordWrap, below);
+}
+
+WhyCard::WhyCard(QWidget* parent)
+    : QDialog(parent), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton), picture_(new ProfileView) {
+    setObjectName("why-card");
+    setWindowTitle(tr("Why is this cell an edge, or none?"));
+    verdict_->setObjectName("why-verdict");
+    QFont bold = verdict_->font();
+    bold.setBold(true);
+    verdict_->setFont(bold);
+    picture_->setFixedHeight(130);
+    below_->setText(tr("The points across the cell, and a line through the nearest of either side."));
+    below_->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    beside_->setObjectName("why-beside");
+    beside_->setAutoDefault(false);
+    beside_->hide();
+    buttons->addButton(beside_, QDialogButtonBox::ActionRole);
+    connect(beside_, &QPushButton::clicked, this, &WhyCard::besideWanted);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(verdict_);
+    layout->addWidget(picture_);
+    layout->addWidget(below_);
+    layout->addWidget(numbers_);
+    layout->addWidget(buttons);
+}
+
+void WhyCard::tell(const QString& verdict, const EdgeProfile& profile, const QString& numbers) {
+    verdict_->setText(verdict);
+    picture_->show(profile);
+    below_->setVisible(!picture_->isHidden());
+    numbers_->setText(numbers);
+    numbers_->setVisible(!numbers.isEmpty());
+    adjustSize();
+    if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the cell that it speaks of
+        const QRect window = parentWidget()->frameGeometry();
+        move(window.right() - width() - kFromRight, window.top() + kFromTop);
+    }
+    show();
+    raise();
+}
+
+void WhyCard::offerBeside(int cells) {
+    beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
+    beside_->setVisible(cells > 0);
+}
+
+QString WhyCard::text() const { return numbers_->text().isEmpty() ? verdict_->text() : numbers_->text() + "\n" + verdict_->text(); }
+
+QString WhyCard::verdict() const { return verdict_->text(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,98 @@
+// Menus and keys from a table of commands.
+#include "ui/panels/keys/commands.h"
+
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/keys/shortcuts.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QMenu>
+
+namespace edgescan::ui {
+namespace {
+
+void makeSwitch(QAction& action, const Command& command, Memory& memory) {
+    action.setCheckable(true);
+    if (command.remembered == nullptr) {
+        QObject::connect(&action, &QAction::triggered, &action, command.set);
+        return;
+    }
+    if (command.inSessions) action.setProperty(kInSessions, command.remembered);
+    action.setChecked(memory.flag(command.remembered, command.on));
+    command.set(action.isChecked()); // also when it is what an action starts with
+    QObject::connect(&action, &QAction::toggled, &action, [&memory, set = command.set, key = command.remembered](bool on) {
+        set(on);
+        memory.keep(key, on);
+    });
+}
+
+} // namespace
+
+Command command(const char* text, const char* keys, std::function<void()> run) {
+    return {.text = QObject::tr(text), .keys = keys, .run = std::move(run), .source = text};
+}
+
+Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set) {
+    return {.text = QObject::tr(text), .keys = keys, .set = std::move(set), .remembered = remembered, .on = on, .source = text};
+}
+
+Command habit(Command command) {
+    command.inSessions = false;
+    return command;
+}
+
+Command submenu(const char* text, std::vector<Command> commands) {
+    return {.text = QObject::tr(text), .submenu = std::move(commands), .source = text};
+}
+
+Command linked(Command command, std::function<void(QAction&)> link) {
+    command.link = std::move(link);
+    return command;
+}
+
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path) {
+    for (const Command& command : commands) {
+        if (!command.submenu.empty() || command.fill) {
+            QMenu* submenu = menu.addMenu(command.text);
+            addCommands(*submenu, command.submenu, window, memory, path.isEmpty() ? command.source : path + "/" + command.source);
+            if (command.fill) QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, fill = command.fill] { fill(*submenu); });
+            continue;
+        }
+        if (command.text.isEmpty() && command.made == nullptr) {
+            menu.addSeparator();
+            continue;
+        }
+        QAction* action = command.made != nullptr ? command.made : new QAction(command.text, &menu);
+        if (*command.keys != '\0') action->setShortcuts(QKeySequence::listFromString(command.keys));
+        if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
+        if (command.set) makeSwitch(*action, command, memory);
+        if (command.link) command.link(*action);
+        const QString own =
+            action->objectName().isEmpty() && action->parent() != nullptr ? action->parent()->objectName() : action->objectName();
+        const QString name = *command.source != '\0' ? QString(command.source) : own;
+        if (!name.isEmpty()) nameCommand(*action, path, name);
+        menu.addAction(action);
+        window.addAction(action);
+    }
+}
+
+bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride) return false;
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool presses = qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
+    const bool slides = qobject_cast<QAbstractSlider*>(watched) != nullptr;
+    const bool pages =
+        slides || qobject_cast<QAbstractSpinBox*>(watched) != nullptr || qobject_cast<QAbstractItemView*>(watched) != nullptr;
+    const bool isOwn = (key == Qt::Key_Space && presses) || ((key == Qt::Key_Home || key == Qt::Key_End) && slides) ||
+                       ((key == Qt::Key_PageUp || key == Qt::Key_PageDown) && pages);
+    if (!isOwn) return false;
+    event->accept();
+    return true;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,41 @@
+// One row that answers "is what I see true now?": LIVE / STALE / LOST, lines, losses, no return, window, pose, end, recording.
+#pragma once
+
+#include "core/files/live_feed/live_health.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace edgescan::ui {
+
+class StateBadge;
+
+/// GUI thread only.
+class HealthStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit HealthStrip(QWidget* parent = nullptr);
+
+    /// What the picture on the screen has to do with the scanner.
+    enum class Picture { Follows, Held, Other };
+    void showHealth(const LiveHealth& health, Picture picture = Picture::Follows);
+    [[nodiscard]] const LiveHealth& shown() const { return shown_; }
+    [[nodiscard]] StateBadge& badge() { return *badge_; }
+
+private:
+    LiveHealth shown_;
+    StateBadge* badge_;
+    QLabel* lines_;
+    QLabel* lost_;
+    QLabel* noReturn_;
+    StateBadge* remark_;
+    StateBadge* window_;
+    StateBadge* device_;
+    QLabel* pose_;
+    QLabel* end_;
+    StateBadge* recording_;
+    QLabel* sentence_;
+};
+
+} // namespace edgescan::ui

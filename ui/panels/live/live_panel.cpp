@@ -1,0 +1,137 @@
+// The panel of a live scanner.
+#include "ui/panels/live/live_panel.h"
+
+#include "ui/base/elided_label.h"
+#include "ui/base/shown_text.h"
+#include "ui/panels/live/sweep_form.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidgetAction>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kUsualPort = 2112; // SICK's second CoLa port, as sick_scan_xd uses it
+
+QPushButton* button(const char* name, const QString& text, const QString& help) {
+    auto* made = new QPushButton(text);
+    made->setObjectName(name);
+    made->setToolTip(help);
+    return made;
+}
+
+} // namespace
+
+LivePanel::LivePanel(QWidget* parent)
+    : QWidget(parent), host_(new QLineEdit), port_(new QSpinBox),
+      connect_(button("live-connect", tr("Connect"), tr("Reads and a subscription are all that is sent to the scanner"))),
+      sweepButton_(new QToolButton), sweep_(new SweepForm),
+      record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
+      keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
+      follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner; off: it stays as it is"))),
+      scanner_(new ElidedLabel), strip_(new HealthStrip) {
+    host_->setObjectName("live-host");
+    host_->setPlaceholderText(tr("name or address of the scanner"));
+    host_->setMaximumWidth(220);
+    port_->setObjectName("live-port");
+    port_->setRange(1, 65535);
+    port_->setValue(kUsualPort);
+    addSweepMenu();
+    for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
+    scanner_->setObjectName("live-scanner");
+
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(6, 2, 6, 0);
+    row->addWidget(new QLabel(tr("Scanner")));
+    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_, sweepButton_, connect_, record_, keep_, follow_})
+        row->addWidget(each);
+    row->addWidget(scanner_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(row);
+    column->addWidget(strip_);
+
+    connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectWanted() : emit connectWanted(); });
+    connect(host_, &QLineEdit::returnPressed, this, [this] {
+        if (!connected_) emit connectWanted();
+    });
+    connect(record_, &QPushButton::clicked, this, &LivePanel::recordWanted);
+    connect(keep_, &QPushButton::clicked, this, &LivePanel::keepWanted);
+    connect(follow_, &QPushButton::clicked, this, &LivePanel::followWanted);
+    // A click leaves the focus where it was: Space is to play and pause, and must not press again a button that means something else by
+    // then.
+    for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
+    setConnected(false);
+}
+
+void LivePanel::addSweepMenu() {
+    sweepButton_->setObjectName("live-sweep");
+    sweepButton_->setText(tr("Sweep…"));
+    sweepButton_->setToolTip(tr("Lines of a sweep, step per line, mounting"));
+    sweepButton_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(sweepButton_);
+    auto* form = new QWidgetAction(menu);
+    form->setDefaultWidget(sweep_);
+    menu->addAction(form);
+    sweepButton_->setMenu(menu);
+    // One change for all that was typed.
+    connect(menu, &QMenu::aboutToHide, this, [this] {
+        if (connected_) emit sweepWanted();
+    });
+}
+
+void LivePanel::setAddress(const QString& host, int port) {
+    host_->setText(host);
+    if (port > 0) port_->setValue(port);
+}
+
+QString LivePanel::host() const { return host_->text().trimmed(); }
+int LivePanel::port() const { return port_->value(); }
+void LivePanel::setSweep(const SweepSettings& settings) { sweep_->showSettings(settings); }
+SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
+QString LivePanel::scannerShown() const { return scanner_->text(); }
+
+void LivePanel::askAddress() {
+    show();
+    host_->setFocus();
+    host_->selectAll();
+}
+
+void LivePanel::setConnected(bool connected) {
+    connected_ = connected;
+    connect_->clearFocus();
+    connect_->setText(connected ? tr("Stop") : tr("Connect"));
+    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
+    if (!connected) setRecording(false);
+    strip_->setVisible(connected || !strip_->shown().badge.empty());
+}
+
+void LivePanel::setRecording(bool recording) {
+    record_->setChecked(recording);
+    record_->setText(recording ? tr("Stop recording") : tr("Record"));
+}
+
+void LivePanel::setFollowing(bool following) {
+    follow_->setChecked(following);
+    follow_->setText(following ? tr("Following") : tr("Held: follow"));
+}
+
+void LivePanel::showHealth(const LiveHealth& health, HealthStrip::Picture picture) {
+    strip_->showHealth(health, picture);
+    strip_->show();
+    const QString scanner = shownText(health.scanner);
+    if (scanner_->text() == scanner) return;
+    scanner_->setText(scanner);
+    scanner_->setToolTip(scanner);
+}
+
+} // namespace edgescan::ui

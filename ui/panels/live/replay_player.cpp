@@ -1,0 +1,123 @@
+// Playing a recording off the GUI thread.
+#include "ui/panels/live/replay_player.h"
+
+#include "core/scan/grid/given_angles.h"
+#include "ui/base/shown_text.h"
+
+#include <QMetaObject>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr std::size_t kMostStarts = 500; // copies kept; a recording of more sweeps goes back further at a time
+
+} // namespace
+
+ReplayPlayer::ReplayPlayer(const std::filesystem::path& path, const ReadingOptions& options, QObject* parent)
+    : QObject(parent), options_(options) {
+    thread_ = std::thread([this, path] {
+        try {
+            work(path);
+        } catch (const std::bad_alloc&) {
+            const Error error{"there is not enough memory to play this recording", path.string(), "close other programs"};
+            QMetaObject::invokeMethod(
+                this, [this, text = shownText(error.sentence())] { emit refused(text); }, Qt::QueuedConnection);
+        }
+    });
+}
+
+ReplayPlayer::~ReplayPlayer() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+bool ReplayPlayer::stopping() const {
+    const std::lock_guard lock(mutex_);
+    return stop_;
+}
+
+void ReplayPlayer::seek(int line) {
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_ = line;
+    }
+    wake_.notify_one();
+}
+
+void ReplayPlayer::work(const std::filesystem::path& path) {
+    const auto recording = Recording::open(path);
+    if (!recording) {
+        QMetaObject::invokeMethod(
+            this, [this, text = shownText(recording.error().sentence())] { emit refused(text); }, Qt::QueuedConnection);
+        return;
+    }
+    Replay replay(*recording, options_);
+    const RecordingContents contents = survey(replay);
+    QMetaObject::invokeMethod(
+        this, [this, contents] { emit loaded(contents); }, Qt::QueuedConnection);
+    while (true) {
+        int line = 0;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return stop_ || wanted_; });
+            if (stop_) return;
+            line = *std::exchange(wanted_, std::nullopt);
+        }
+        const ReplayedSweep there = at(replay, line);
+        QMetaObject::invokeMethod(
+            this, [this, there] { emit arrived(there); }, Qt::QueuedConnection);
+    }
+}
+
+/// Plays all of it once: where the sweeps begin, and a copy of the state there.
+RecordingContents ReplayPlayer::survey(Replay& replay) {
+    RecordingContents contents;
+    for (int line = 0; line < replay.lines(); ++line) contents.lineNs.push_back(replay.timeNs(line));
+    int number = -1;
+    while (!stopping() && replay.step()) {
+        const SweepProgress now = replay.progress();
+        if (now.lines == 0 && now.number == number) continue;
+        if (now.number != number) {
+            number = now.number;
+            contents.sweeps.push_back({replay.position() - std::max(now.lines, 1), 0});
+            if (starts_.size() < kMostStarts) {
+                static_cast<void>(replay.feed().assembler().takeFinished());
+                static_cast<void>(replay.snapshot()); // lets go of the sweep before
+                starts_.push_back(replay);
+            }
+        }
+        contents.sweeps.back().received = now.received;
+    }
+    return contents;
+}
+
+ReplayedSweep ReplayPlayer::at(Replay& replay, int line) {
+    if (line < replay.position()) {
+        const auto behind = std::find_if(starts_.rbegin(), starts_.rend(), [line](const Replay& r) { return r.position() <= line; });
+        if (behind != starts_.rend())
+            replay = *behind;
+        else
+            replay.seek(0);
+    }
+    replay.seek(line);
+    static_cast<void>(replay.feed().assembler().takeFinished());
+    ReplayedSweep there{replay.position(), {replay.snapshot(), replay.progress()}};
+    if (there.sweep.scan) {
+        auto scan = describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);
+        if (scan) {
+            useGivenAngles(*scan, options_);
+            there.sweep.scan = std::make_shared<const Scan>(std::move(*scan));
+        }
+    }
+    return there;
+}
+
+} // namespace edgescan::ui

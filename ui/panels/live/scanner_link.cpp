@@ -1,0 +1,211 @@
+// A live scanner on the GUI thread.
+#include "ui/panels/live/scanner_link.h"
+
+#include "ui/base/shown_text.h"
+#include "ui/engine/worker_bridge/in_background.h"
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kLinkTickMs = 40;
+constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
+
+} // namespace
+
+ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    timer_.setInterval(kLinkTickMs);
+    connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
+    connect(&session_, &Session::pictureReady, this, [this] {
+        if (!awaiting_ || session_.picture()->source.stream != stream_) return;
+        awaiting_ = false;
+        if (session_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
+        // As long as it took to make it, the worker is left to the sliders.
+        restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+    });
+    connect(&session_, &Session::failed, this, [this] { awaiting_ = false; });
+    // Another file was opened: it is not to be pushed aside by the next line.
+    connect(&session_, &Session::opened, this, [this] { follow(false); });
+}
+
+ScannerLink::~ScannerLink() = default;
+
+void ScannerLink::runAside(std::function<std::function<void()>()> work) {
+    inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });
+}
+
+void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
+    hangUp();
+    stream_ = Session::newStream();
+    recordingPath_.clear();
+    recordingClosed_ = false;
+    heldNumber_ = -1;
+    finished_.reset();
+    posted_ = {};
+    awaiting_ = recordingTroubleTold_ = false;
+    restMs_ = 0;
+    sincePost_.start();
+    const auto news = news_;
+    feed_ = std::make_shared<LiveFeed>(scanner, sweep, [news] { *news = true; });
+    timer_.start();
+    emit connectedChanged(true);
+    follow(true);
+    tick();
+}
+
+std::optional<int> ScannerLink::useSweep(const SweepSettings& sweep) {
+    const std::optional<int> gone = feed_ ? feed_->useSweep(sweep) : std::nullopt;
+    if (!gone) return gone;
+    heldNumber_ = -1; // sweeps are counted anew
+    finished_.reset();
+    posted_ = {};
+    *news_ = true;
+    if (!following_) follow(true);
+    return gone;
+}
+
+void ScannerLink::hangUp() {
+    if (!feed_) return;
+    timer_.stop();
+    const bool shows = following_;
+    const std::uint64_t stream = stream_;
+    const QString recorded = recording_ ? recordingPath_ : QString();
+    const std::shared_ptr<LiveFeed> feed = std::exchange(feed_, nullptr);
+    health_ = healthOf(feed->status());
+    health_.liveness = Liveness::Stopped;
+    health_.badge = "STOPPED";
+    health_.end.clear();
+    health_.recording.clear();
+    runAside([this, feed, shows, stream, recorded]() -> std::function<void()> {
+        feed->stop();
+        const Result<RecordingState> closed = feed->stopRecording();
+        const SweepSoFar sweep = feed->sweep();
+        return [this, closed, sweep, shows, stream, recorded] {
+            if (!recorded.isEmpty() || !closed) tellRecorded(closed, recorded);
+            if (shows && stream == stream_ && sweep.scan) post(sweep, false);
+        };
+    });
+    if (std::exchange(recording_, false)) emit recordingChanged(false);
+    if (std::exchange(following_, false)) emit followingChanged(false);
+    emit connectedChanged(false);
+    emit healthChanged();
+}
+
+void ScannerLink::follow(bool on) {
+    const bool wanted = on && feed_ != nullptr;
+    if (wanted == following_) return;
+    following_ = wanted;
+    posted_ = {};
+    if (wanted) finished_.reset();
+    emit followingChanged(following_);
+    emit healthChanged();
+}
+
+bool ScannerLink::showsStale() const {
+    const auto& picture = session_.picture();
+    return following_ && health_.stale() && picture && picture->source.stream == stream_;
+}
+
+void ScannerLink::tick() {
+    if (!feed_) return;
+    const LiveStatus status = feed_->status();
+    noticeTroubles(status);
+    const auto& picture = session_.picture();
+    const bool shown = picture && picture->source.stream == stream_;
+    const bool grows = shown && following_ && picture->source.growth.growing && shown_.growing;
+    LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
+    const bool changed = !(now == health_);
+    health_ = std::move(now);
+    for (const FinishedSweep& sweep : feed_->takeFinished()) {
+        if (sweep.progress.number > heldNumber_) finished_ = sweep;
+    }
+    showSweep();
+    if (changed) emit healthChanged();
+}
+
+void ScannerLink::noticeTroubles(const LiveStatus& status) {
+    if (!status.recording || !status.recording->problem || std::exchange(recordingTroubleTold_, true)) return;
+    emit failed(shownText(status.recording->problem->sentence()));
+}
+
+/// The newest of the sweep, when the last picture is out and its time of rest is over.
+void ScannerLink::showSweep() {
+    if (!following_ || session_.opening() || (awaiting_ && session_.behind()) || sincePost_.elapsed() < restMs_) return;
+    if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
+    if (!news_->exchange(false) && posted_.scan) return;
+    const SweepSoFar sweep = feed_->sweep();
+    if (!sweep.scan || sweep.scan == posted_.scan) return;
+    if (sweep.progress.growing)
+        post(sweep, true);
+    else if (sweep.progress.number > heldNumber_)
+        showFinal(sweep);
+    else
+        post(sweep, false); // once more, because the operator asked to follow
+}
+
+void ScannerLink::showFinal(const SweepSoFar& sweep) {
+    heldNumber_ = sweep.progress.number;
+    post(sweep, false);
+    if (holdAtEnd_) follow(false);
+}
+
+void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
+    posted_ = sweep;
+    awaiting_ = true;
+    sincePost_.restart();
+    session_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});
+}
+
+void ScannerLink::startRecording(const QString& path) {
+    if (!feed_ || recording_) return;
+    recording_ = true;
+    recordingPath_ = path;
+    recordingClosed_ = false;
+    recordingTroubleTold_ = false;
+    runAside([this, feed = feed_, path]() -> std::function<void()> {
+        const Result<Done> started = feed->startRecording(path.toStdString());
+        return [this, started, feed] {
+            if (started) return;
+            emit failed(shownText(started.error().sentence()));
+            if (feed != feed_) return;
+            recording_ = false;
+            emit recordingChanged(false);
+        };
+    });
+    emit recordingChanged(true);
+}
+
+void ScannerLink::stopRecording() {
+    if (!feed_ || !recording_) return;
+    recording_ = false;
+    runAside([this, feed = feed_, path = recordingPath_]() -> std::function<void()> {
+        const Result<RecordingState> closed = feed->stopRecording();
+        return [this, closed, path] { tellRecorded(closed, path); };
+    });
+    emit recordingChanged(false);
+}
+
+void ScannerLink::tellRecorded(const Result<RecordingState>& closed, const QString& path) {
+    if (!closed) return emit failed(shownText(closed.error().sentence()));
+    recordingClosed_ = recordingClosed_ || path == recordingPath_;
+    if (closed->unsynced() == 0) return emit written(path);
+    emit failed(tr("%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.")
+                    .arg(path)
+                    .arg(closed->unsynced() / 1000 + 1));
+}
+
+void ScannerLink::keepRecent(const QString& path) {
+    if (!feed_) return;
+    runAside([this, feed = feed_, path]() -> std::function<void()> {
+        const Result<Done> kept = feed->keepRecent(path.toStdString());
+        return [this, kept, path] {
+            if (kept)
+                emit written(path);
+            else
+                emit failed(shownText(kept.error().sentence()));
+        };
+    });
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,124 @@
+// A word with a shape and a colour.
+#include "ui/panels/live/state_badge.h"
+
+#include <QPainter>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kShape = 12; // px
+constexpr int kMargin = 6;
+
+QColor groundOf(StateBadge::Sign sign) {
+    switch (sign) {
+    case StateBadge::Sign::Good:
+        return {24, 92, 48};
+    case StateBadge::Sign::Waiting:
+        return {38, 72, 120};
+    case StateBadge::Sign::Doubtful:
+        return {122, 88, 0};
+    case StateBadge::Sign::Failed:
+        return {140, 28, 28};
+    case StateBadge::Sign::Recorded:
+        return {90, 63, 134};
+    case StateBadge::Sign::File:
+        return {77, 83, 90};
+    case StateBadge::Sign::Off:
+        break;
+    }
+    return {66, 66, 66};
+}
+
+void drawShape(QPainter& painter, StateBadge::Sign sign, const QRectF& place) {
+    painter.setPen(QPen(Qt::white, 2.0));
+    painter.setBrush(sign == StateBadge::Sign::Good ? QBrush(Qt::white) : QBrush(Qt::NoBrush));
+    switch (sign) {
+    case StateBadge::Sign::Good:
+        painter.drawEllipse(place.adjusted(1, 1, -1, -1));
+        return;
+    case StateBadge::Sign::Waiting:
+        for (const double x : {0.3, 0.7})
+            painter.drawLine(QPointF(place.left() + x * place.width(), place.top() + 1),
+                             QPointF(place.left() + x * place.width(), place.bottom() - 1));
+        return;
+    case StateBadge::Sign::Doubtful:
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{QPointF(place.center().x(), place.top()), place.bottomRight(), place.bottomLeft()}));
+        return;
+    case StateBadge::Sign::Failed:
+        painter.drawLine(place.topLeft(), place.bottomRight());
+        painter.drawLine(place.topRight(), place.bottomLeft());
+        return;
+    case StateBadge::Sign::Recorded:
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{place.topLeft(), QPointF(place.right(), place.center().y()), place.bottomLeft()}));
+        return;
+    case StateBadge::Sign::File:
+        painter.drawRect(place.adjusted(2, 0.5, -2, -0.5));
+        return;
+    case StateBadge::Sign::Off:
+        painter.drawLine(QPointF(place.left(), place.center().y()), QPointF(place.right(), place.center().y()));
+    }
+}
+
+} // namespace
+
+StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
+    QFont bold = font();
+    bold.setBold(true);
+    setFont(bold);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+}
+
+void StateBadge::showState(Sign sign, const QString& text) {
+    if (sign == sign_ && text == text_) return;
+    sign_ = sign;
+    text_ = text;
+    setAccessibleName(text);
+    updateGeometry();
+    update();
+}
+
+QSize StateBadge::sizeHint() const {
+    const QFontMetrics metrics(font());
+    return {kMargin + kShape + kMargin + metrics.horizontalAdvance(text_) + kMargin, std::max(metrics.height(), kShape) + kMargin};
+}
+
+void StateBadge::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(groundOf(sign_));
+    painter.drawRoundedRect(QRectF(rect()), 3, 3);
+    drawShape(painter, sign_, QRectF(kMargin, (height() - kShape) / 2.0, kShape, kShape));
+    painter.setPen(Qt::white);
+    painter.drawText(rect().adjusted(kMargin + kShape + kMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text_);
+}
+
+StateBadge::Sign signOf(Liveness liveness) {
+    switch (liveness) {
+    case Liveness::Connecting:
+        return StateBadge::Sign::Waiting;
+    case Liveness::Live:
+        return StateBadge::Sign::Good;
+    case Liveness::Stale:
+        return StateBadge::Sign::Doubtful;
+    case Liveness::Lost:
+        return StateBadge::Sign::Failed;
+    case Liveness::Stopped:
+        break;
+    }
+    return StateBadge::Sign::Off;
+}
+
+StateBadge::Sign signOf(Condition condition) {
+    switch (condition) {
+    case Condition::Good:
+        return StateBadge::Sign::Good;
+    case Condition::OutOfSpec:
+        return StateBadge::Sign::Doubtful;
+    case Condition::Failure:
+        break;
+    }
+    return StateBadge::Sign::Failed;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,34 @@
+// One word about a state, told by text, shape and colour alike (NE 107: colour is never the only sign).
+#pragma once
+
+#include "core/files/live_feed/live_health.h"
+
+#include <QWidget>
+
+namespace edgescan::ui {
+
+class StateBadge : public QWidget {
+    Q_OBJECT
+public:
+    /// Disc, two bars, triangle, cross, bar; triangle to the right, sheet.
+    enum class Sign { Good, Waiting, Doubtful, Failed, Off, Recorded, File };
+
+    explicit StateBadge(QWidget* parent = nullptr);
+
+    void showState(Sign sign, const QString& text);
+    [[nodiscard]] Sign sign() const { return sign_; }
+    [[nodiscard]] QString text() const { return text_; }
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Sign sign_ = Sign::Off;
+    QString text_;
+};
+
+[[nodiscard]] StateBadge::Sign signOf(Liveness liveness);
+[[nodiscard]] StateBadge::Sign signOf(Condition condition);
+
+} // namespace edgescan::ui

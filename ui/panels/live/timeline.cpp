@@ -1,0 +1,179 @@
+// The timeline of a recording.
+#include "ui/panels/live/timeline.h"
+
+#include "ui/panels/live/timeline_slider.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kTickMs = 40;
+constexpr int kFirst = 1; // position: before it there is nothing to show
+constexpr double kNsPerMs = 1e6;
+constexpr double kLongestPauseNs = 2e9; // of a recording that is played: nobody wants to wait out a night
+constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0};
+
+QString utcText(std::int64_t ns) {
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(ns / 1'000'000, Qt::UTC);
+    return time.toString("yyyy-MM-dd HH:mm:ss.zzz").chopped(2) + " UTC";
+}
+
+} // namespace
+
+Timeline::Timeline(QWidget* parent)
+    : QWidget(parent), play_(new QPushButton(tr("Play"))), slider_(new TimelineSlider), label_(new QLabel), speeds_(new QComboBox) {
+    play_->setObjectName("timeline-play");
+    slider_->setObjectName("timeline-slider");
+    label_->setObjectName("timeline-label");
+    label_->setTextFormat(Qt::PlainText);
+    play_->setToolTip(tr("Space plays and pauses; Left and Right step by a line, with Shift by ten"));
+    for (const double speed : kSpeeds) speeds_->addItem(QString("× %1").arg(speed), speed);
+    speeds_->setObjectName("timeline-speed");
+    speeds_->setCurrentIndex(speeds_->findData(1.0));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 2, 6, 2);
+    row->addWidget(play_);
+    row->addWidget(speeds_);
+    row->addWidget(slider_, 1);
+    row->addWidget(label_);
+    ticking_.setInterval(kTickMs);
+    connect(&ticking_, &QTimer::timeout, this, &Timeline::tick);
+    connect(play_, &QPushButton::clicked, this, &Timeline::togglePlay);
+    connect(slider_, &QSlider::valueChanged, this, [this](int line) {
+        goTo(line);
+        setClock();
+    });
+    connect(speeds_, qOverload<int>(&QComboBox::activated), this, [this](int index) { speed_ = speeds_->itemData(index).toDouble(); });
+    hide();
+}
+
+void Timeline::load(const std::filesystem::path& path, const ReadingOptions& options) {
+    clear();
+    player_ = std::make_unique<ReplayPlayer>(path, options);
+    connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::take);
+    connect(player_.get(), &ReplayPlayer::refused, this, &Timeline::refused);
+    connect(player_.get(), &ReplayPlayer::arrived, this, [this](const ReplayedSweep& at) {
+        onTheWay_ = false;
+        emit arrived(at);
+        if (at.position != position_) seek();
+    });
+}
+
+void Timeline::clear() {
+    play(false);
+    player_.reset();
+    onTheWay_ = false;
+    const bool was = active();
+    contents_ = {};
+    position_ = home_ = 0;
+    hide();
+    if (was) emit activeChanged(false);
+}
+
+/// The file itself was opened meanwhile: its longest sweep is on the screen, whole.
+void Timeline::take(const RecordingContents& contents) {
+    if (contents.lineNs.size() < 2 || contents.sweeps.empty()) return;
+    contents_ = contents;
+    const auto longest = std::max_element(contents_.sweeps.begin(), contents_.sweeps.end(),
+                                          [](const RecordedSweep& a, const RecordedSweep& b) { return a.received < b.received; });
+    home_ = position_ = longest + 1 == contents_.sweeps.end() ? lines() : (longest + 1)->firstLine;
+    {
+        const QSignalBlocker quiet(slider_);
+        slider_->setRange(kFirst, lines());
+        slider_->setPageStep(std::max(1, lines() / 20));
+        slider_->setValue(position_);
+    }
+    std::vector<int> marks;
+    for (const RecordedSweep& sweep : contents_.sweeps) marks.push_back(sweep.firstLine);
+    slider_->setMarks(marks.size() > 1 ? marks : std::vector<int>{});
+    showPlace();
+    show();
+    emit activeChanged(true);
+}
+
+int Timeline::sweepAt(int position) const {
+    int sweep = 0;
+    while (sweep + 1 < static_cast<int>(contents_.sweeps.size()) &&
+           contents_.sweeps[static_cast<std::size_t>(sweep) + 1].firstLine < position)
+        ++sweep;
+    return sweep;
+}
+
+QString Timeline::labelShown() const { return label_->text(); }
+
+void Timeline::showPlace() {
+    const std::size_t line = static_cast<std::size_t>(std::clamp(position_ - 1, 0, lines() - 1));
+    QString text = tr("RECORDED %1 · line %2/%3").arg(utcText(contents_.lineNs[line])).arg(position_).arg(lines());
+    if (contents_.sweeps.size() > 1) text += tr(" · sweep %1 of %2").arg(sweepAt(position_) + 1).arg(contents_.sweeps.size());
+    label_->setText(text);
+}
+
+/// Played on from here.
+void Timeline::setClock() {
+    if (active()) atNs_ = static_cast<double>(contents_.lineNs[static_cast<std::size_t>(std::min(position_, lines() - 1))]);
+}
+
+void Timeline::play(bool on) {
+    if (on == playing() || (on && !active())) return;
+    if (on) {
+        if (position_ >= lines()) goTo(kFirst);
+        setClock();
+        sinceTick_.start();
+        ticking_.start();
+    } else {
+        ticking_.stop();
+    }
+    play_->setText(on ? tr("Pause") : tr("Play"));
+    emit playingChanged(on);
+}
+
+void Timeline::tick() {
+    const double passedMs = static_cast<double>(sinceTick_.restart());
+    if (onTheWay_) return; // a machine that cannot keep up plays slower and leaves nothing out
+    const auto& times = contents_.lineNs;
+    if (position_ >= lines()) return play(false);
+    const auto next = static_cast<double>(times[static_cast<std::size_t>(position_)]);
+    atNs_ = std::max(atNs_ + passedMs * kNsPerMs * speed_, next - kLongestPauseNs);
+    const auto until = std::upper_bound(times.begin() + position_, times.end(), static_cast<std::int64_t>(atNs_));
+    const int line = static_cast<int>(until - times.begin());
+    if (line != position_) goTo(line);
+}
+
+void Timeline::goTo(int line) {
+    const int wanted = std::clamp(line, kFirst, std::max(kFirst, lines()));
+    if (!active() || wanted == position_) return;
+    position_ = wanted;
+    {
+        const QSignalBlocker quiet(slider_);
+        slider_->setValue(wanted);
+    }
+    showPlace();
+    seek();
+}
+
+void Timeline::stepBy(int step) {
+    play(false);
+    goTo(position_ + step);
+}
+
+void Timeline::setSpeed(double factor) {
+    speed_ = factor;
+    speeds_->setCurrentIndex(speeds_->findData(factor));
+}
+
+void Timeline::seek() {
+    if (!player_ || onTheWay_) return;
+    onTheWay_ = true;
+    player_->seek(position_);
+}
+
+} // namespace edgescan::ui

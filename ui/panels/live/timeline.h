@@ -1,0 +1,78 @@
+// The timeline under the views: a recording played, stepped and scrubbed by line.
+#pragma once
+
+#include "ui/panels/live/replay_player.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace edgescan::ui {
+
+class TimelineSlider;
+
+/// GUI thread only.
+class Timeline : public QWidget {
+    Q_OBJECT
+public:
+    explicit Timeline(QWidget* parent = nullptr);
+
+    /// Shows itself once the recording is read and has more than one line.
+    void load(const std::filesystem::path& path, const ReadingOptions& options);
+    void clear();
+    /// There is something to play.
+    [[nodiscard]] bool active() const { return lines() > 0; }
+
+    [[nodiscard]] int lines() const { return static_cast<int>(contents_.lineNs.size()); }
+    /// Lines played; what was asked for, which the picture may still follow.
+    [[nodiscard]] int position() const { return position_; }
+    /// The position that the file is opened at: the end of its longest sweep.
+    [[nodiscard]] int home() const { return home_; }
+    [[nodiscard]] bool playing() const { return ticking_.isActive(); }
+    [[nodiscard]] const RecordingContents& contents() const { return contents_; }
+    [[nodiscard]] QString labelShown() const;
+
+public slots:
+    void play(bool on);
+    void togglePlay() { play(!playing()); }
+    void goTo(int line);
+    void stepBy(int lines);
+    void setSpeed(double factor);
+
+signals:
+    void activeChanged(bool active);
+    void playingChanged(bool playing);
+    /// The recording cannot be played; the sentence says why.
+    void refused(const QString& sentence);
+    void arrived(const edgescan::ui::ReplayedSweep& at);
+
+private:
+    void tick();
+    void setClock();
+    void showPlace();
+    void seek();
+    void take(const RecordingContents& contents);
+    [[nodiscard]] int sweepAt(int position) const;
+
+    std::unique_ptr<ReplayPlayer> player_;
+    RecordingContents contents_;
+    int position_ = 0, home_ = 0;
+    double atNs_ = 0.0; // of the recording, while it is played
+    double speed_ = 1.0;
+    bool onTheWay_ = false; // the player was asked and has not answered
+    QTimer ticking_;
+    QElapsedTimer sinceTick_;
+
+    QPushButton* play_;
+    TimelineSlider* slider_;
+    QLabel* label_;
+    QComboBox* speeds_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,188 @@
+// The card of what is selected.
+#include "ui/panels/rocks/rock_card.h"
+
+#include "ui/base/shown_text.h"
+#include "ui/panels/rocks/rock_table_model.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStringList>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSwatchSide = 16; // px
+
+QString metres(double value, int decimals = 2) { return RockCard::tr("%1 m").arg(value, 0, 'f', decimals); }
+QString atLeastText(const QString& value) { return RockCard::tr("at least %1").arg(value); }
+
+QString contactsText(const Rock& rock) {
+    QStringList labels;
+    for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
+    if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is no rock") : RockCard::tr("none seen");
+    return atLeastText(QString::number(labels.size())) + " (" + labels.join(", ") + ")";
+}
+
+QString listed(const std::vector<std::uint32_t>& rocks) {
+    QStringList labels;
+    for (const std::uint32_t other : rocks) labels << QString::number(other);
+    return labels.isEmpty() ? QStringLiteral("–") : labels.join(", ");
+}
+
+QString archText(const Rock& rock) {
+    if (!rock.archDeg) return QStringLiteral("–");
+    return RockCard::tr("%1° ± %2°%3")
+        .arg(*rock.archDeg, 0, 'f', 0)
+        .arg(kArchToleranceDeg, 0, 'f', 0)
+        .arg(rock.hangsBelow ? RockCard::tr(", hangs below") : QString());
+}
+
+QString whyNoRock(const RockRegion* region) {
+    if (region == nullptr) return RockCard::tr("nothing was measured here, or no piece fits");
+    switch (region->kind) {
+    case RegionKind::Fines:
+        return RockCard::tr("fines: too few cells to be shown as a rock");
+    case RegionKind::Outside:
+        return RockCard::tr("outside the region of interest");
+    case RegionKind::Rock:
+    case RegionKind::NotRock:
+        break;
+    }
+    return region->byHand ? RockCard::tr("called none by hand") : RockCard::tr("wall, floor, or too far away");
+}
+
+} // namespace
+
+RockCard::RockCard(QWidget* parent)
+    : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
+      close_(new QToolButton), split_(new QPushButton(tr("Split"))), merge_(new QPushButton(tr("Merge"))),
+      rockOrNot_(new QPushButton(tr("No Rock"))) {
+    setObjectName("rock-card");
+    setFrameShape(QFrame::StyledPanel);
+    QFont bold = font();
+    bold.setBold(true);
+    title_->setFont(bold);
+    QFont large = bold;
+    large.setPointSizeF(1.5 * font().pointSizeF());
+    spans_->setFont(large);
+    close_->setText(QStringLiteral("✕"));
+    close_->setAutoRaise(true);
+    close_->setToolTip(tr("Let go of this rock"));
+    caveat_->setWordWrap(true);
+    state_->setWordWrap(true);
+    caveat_->setText(rockCaveat() + tr(". Hidden parts are not counted."));
+
+    auto* head = new QHBoxLayout;
+    head->addWidget(swatch_);
+    head->addWidget(title_, 1);
+    head->addWidget(close_);
+    auto* lines = new QVBoxLayout;
+    lines->setSpacing(2);
+    for (std::size_t n = 0; n < kRows; ++n) {
+        rows_[n] = {new QLabel, new QLabel};
+        rows_[n].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        rows_[n].second->setWordWrap(true);
+        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        line->addWidget(rows_[n].first, 0, Qt::AlignTop);
+        line->addWidget(rows_[n].second, 1);
+        lines->addLayout(line);
+    }
+    split_->setCheckable(true);
+    split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
+    merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {split_, merge_, rockOrNot_}) {
+        button->setMinimumWidth(48);
+        buttons->addWidget(button);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(4);
+    column->addLayout(head);
+    column->addWidget(spans_);
+    column->addWidget(state_);
+    column->addLayout(lines);
+    column->addWidget(caveat_);
+    column->addLayout(buttons);
+
+    connect(close_, &QToolButton::clicked, this, &RockCard::closeWanted);
+    connect(split_, &QPushButton::clicked, this, &RockCard::splitWanted);
+    connect(merge_, &QPushButton::clicked, this, &RockCard::mergeWanted);
+    connect(rockOrNot_, &QPushButton::clicked, this, [this] { emit callWanted(!isRock_); });
+    hide();
+}
+
+void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale) {
+    setVisible(!cells.empty());
+    if (cells.empty()) return;
+    for (const auto& [name, value] : rows_) {
+        name->hide();
+        value->hide();
+    }
+    const Rock* rock = picture.rockAt(cells.back());
+    isRock_ = rock != nullptr;
+    if (isRock_)
+        showRock(picture, *rock);
+    else
+        showNoRock(picture, cells.back());
+    if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
+    QString state = stale ? tr("▲ of the picture before; being worked out anew") : QString();
+    if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ doubtful outline: hatched");
+    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("called a rock by hand");
+    state_->setText(state);
+    state_->setVisible(!state.isEmpty());
+    split_->setEnabled(isRock_);
+    merge_->setEnabled(cells.size() > 1);
+    const RockRegion* region = picture.regionAt(cells.back());
+    rockOrNot_->setEnabled(region != nullptr);
+    rockOrNot_->setText(isRock_ ? tr("No Rock") : tr("A Rock"));
+    rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock after all (N)"));
+}
+
+void RockCard::showRock(const RockPicture& picture, const Rock& rock) {
+    swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
+    title_->setText(tr("Rock %1").arg(rock.label));
+    spans_->setText(tr("%1 × %2 m").arg(rock.longM, 0, 'f', 2).arg(rock.wideM, 0, 'f', 2));
+    spans_->show();
+    setRow(0, tr("visible spans"), tr("± %1").arg(metres(rock.toleranceM)));
+    setRow(1, tr("distance"), metres(rock.distanceM));
+    setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
+    setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));
+    setRow(4, tr("behind rocks"), listed(rock.behind));
+    setRow(5, tr("visible contacts"), contactsText(rock));
+    setRow(6, tr("free height below"), rock.freeBelowM > 0.0 ? atLeastText(metres(rock.freeBelowM)) : tr("none seen"));
+    setRow(7, tr("arch angle"), archText(rock));
+    setRow(8, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
+}
+
+void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
+    swatch_->clear();
+    title_->setText(tr("No rock"));
+    spans_->hide();
+    const RockRegion* region = picture.regionAt(cell);
+    setRow(0, tr("because"), whyNoRock(region));
+    if (region == nullptr) return;
+    setRow(1, tr("cells"), QString::number(region->sums.cells));
+    setRow(2, tr("visible area"), tr("%1 m²").arg(region->sums.areaM2, 0, 'f', 2));
+}
+
+void RockCard::setRow(std::size_t row, const QString& name, const QString& value) {
+    rows_[row].first->setText(name);
+    rows_[row].second->setText(value);
+    rows_[row].first->show();
+    rows_[row].second->show();
+}
+
+QString RockCard::text() const {
+    QStringList lines{title_->text(), spans_->isHidden() ? QString() : spans_->text(), state_->text()};
+    for (const auto& [name, value] : rows_) {
+        if (!name->isHidden()) lines << name->text() + ": " + value->text();
+    }
+    lines << caveat_->text();
+    return lines.join('\n');
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,62 @@
+// The card of what is selected: one rock, several, or a place that is no rock; with the buttons that change it.
+#pragma once
+
+#include "ui/panels/rocks/rock_picture.h"
+
+#include <QFrame>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace edgescan::ui {
+
+/// GUI thread only. Shows what it is told and says what the operator wants.
+class RockCard : public QFrame {
+    Q_OBJECT
+public:
+    explicit RockCard(QWidget* parent = nullptr);
+
+    /// `cells`: what was selected, the last one tells. Hides itself where there is none. `stale`: the numbers belong to an older picture.
+    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale);
+    /// All that it says, row by row.
+    [[nodiscard]] QString text() const;
+
+    [[nodiscard]] QPushButton* split() const { return split_; }
+    [[nodiscard]] QPushButton* merge() const { return merge_; }
+    [[nodiscard]] QPushButton* rockOrNot() const { return rockOrNot_; }
+    [[nodiscard]] QToolButton* close() const { return close_; }
+
+signals:
+    void closeWanted();
+    /// The next click on the rock splits it; false: no longer.
+    void splitWanted(bool on);
+    void mergeWanted();
+    /// It is a rock, or it is none.
+    void callWanted(bool rock);
+
+private:
+    static constexpr std::size_t kRows = 9;
+    void showRock(const RockPicture& picture, const Rock& rock);
+    void showNoRock(const RockPicture& picture, std::size_t cell);
+    void setRow(std::size_t row, const QString& name, const QString& value);
+
+    QLabel* swatch_;
+    QLabel* title_;
+    QLabel* spans_;
+    QLabel* state_;
+    std::array<std::pair<QLabel*, QLabel*>, kRows> rows_{};
+    QLabel* caveat_;
+    QToolButton* close_;
+    QPushButton* split_;
+    QPushButton* merge_;
+    QPushButton* rockOrNot_;
+    bool isRock_ = false;
+};
+
+} // namespace edgescan::ui

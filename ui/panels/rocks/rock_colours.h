@@ -1,0 +1,16 @@
+// Colours of rock faces as Qt's.
+#pragma once
+
+#include "core/rocks/attributes/faces.h"
+
+#include <QColor>
+
+namespace edgescan::ui {
+
+/// `place`: of kRockFaceColours.
+[[nodiscard]] inline QColor rockColour(std::size_t place) {
+    const Rgb& colour = kRockFaceColours[place];
+    return {colour.red, colour.green, colour.blue};
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,129 @@
+// Faces and outlines of rocks as pictures.
+#include "ui/panels/rocks/rock_picture.h"
+
+#include "core/rocks/selection/region_of_interest.h"
+#include "ui/base/shown_text.h"
+#include "ui/panels/rocks/rock_colours.h"
+
+#include <QColor>
+#include <QObject>
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kFaceAlpha = 165;    // what lies below is still seen
+constexpr int kBorderAlpha = 215;  // between two faces
+constexpr int kHatchesAcross = 70; // stripes of a doubtful rock, per width of the picture ...
+constexpr int kNarrowestHatch = 6; // ... in cells
+constexpr double kStripe = 0.4;    // share of a hatch that is dark
+
+std::uint32_t bytesOf(QRgb c) {
+    return static_cast<std::uint32_t>(qRed(c)) | static_cast<std::uint32_t>(qGreen(c)) << 8U | static_cast<std::uint32_t>(qBlue(c)) << 16U |
+           0xff000000U;
+}
+
+struct Paint {
+    QRgb face, point;
+};
+
+// By label, whole and in the dark stripe of a hatch, and on the border.
+struct Paints {
+    std::vector<Paint> plain, stripe;
+    Paint border{qPremultiply(qRgba(8, 8, 8, kBorderAlpha)), qRgb(24, 24, 24)};
+    Paint outside{qPremultiply(qRgba(0, 0, 0, 190)), qRgb(52, 52, 52)}; // the region of interest; striped
+};
+
+Paints paintsOf(const RockPicture& picture) {
+    Paints paints;
+    constexpr int gray = kBesideRocks & 0xffU;
+    paints.plain.push_back({qRgba(0, 0, 0, 0), qRgb(gray, gray, gray)});
+    paints.stripe = paints.plain;
+    for (const Rock& rock : picture.study.rocks) {
+        const QColor colour = rockColour(picture.colours[rock.label]);
+        const auto painted = [](const QColor& c) { return Paint{qPremultiply(qRgba(c.red(), c.green(), c.blue(), kFaceAlpha)), c.rgb()}; };
+        paints.plain.push_back(painted(colour));
+        paints.stripe.push_back(painted(isDoubtful(rock) ? colour.darker(300) : colour));
+    }
+    return paints;
+}
+
+} // namespace
+
+const Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
+
+const RockRegion* RockPicture::regionAt(std::size_t cell) const {
+    const Grid<std::uint32_t>& leaf = study.leaves->leaf;
+    if (cell >= leaf.size() || leaf[cell] == kOpen) return nullptr;
+    const std::uint32_t region = study.map.regionOfLeaf[leaf[cell]];
+    return region == 0 ? nullptr : &study.map.regions[region];
+}
+
+std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detection>& detection, RockStudy study) {
+    auto picture = std::make_shared<RockPicture>();
+    picture->detection = detection;
+    picture->study = std::move(study);
+    picture->labels = rockLabels(*picture->study.leaves, picture->study.map);
+    picture->colours = rockColours(picture->study.map);
+    const Grid<std::uint32_t>& labels = picture->labels;
+    const Paints paints = paintsOf(*picture);
+    const int hatch = std::max(kNarrowestHatch, labels.beams / kHatchesAcross);
+    const int dark = std::max(1, static_cast<int>(kStripe * hatch));
+    auto faces = std::make_shared<QImage>(labels.beams, labels.lines, QImage::Format_ARGB32_Premultiplied);
+    auto points = std::make_shared<std::vector<std::uint32_t>>(labels.size());
+    const Grid<std::uint8_t> inside = insideMask(picture->study.settings.region, labels.lines, labels.beams);
+    std::size_t k = 0;
+    for (int line = 0; line < labels.lines; ++line) {
+        auto* pixels = reinterpret_cast<QRgb*>(faces->scanLine(line));
+        for (int beam = 0; beam < labels.beams; ++beam, ++k) {
+            const std::uint32_t label = labels[k];
+            const bool isOutside = inside[k] == 0 && label == 0 && (line - beam + labels.beams) % hatch < dark + dark / 2;
+            const Paint& paint = isOutside                          ? paints.outside
+                                 : isRockBorder(labels, line, beam) ? paints.border
+                                 : (line + beam) % hatch < dark     ? paints.stripe[label]
+                                                                    : paints.plain[label];
+            pixels[beam] = paint.face;
+            (*points)[k] = bytesOf(paint.point);
+        }
+    }
+    picture->faces = std::move(faces);
+    picture->points = std::move(points);
+    return picture;
+}
+
+RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label) {
+    RockOutline outline;
+    if (label == 0) return outline;
+    const auto in = [&](int line, int beam) { return labels.contains(line, beam) && labels.at(line, beam) == label; };
+    for (int line = 0; line < labels.lines; ++line) {
+        for (int beam = 0; beam < labels.beams; ++beam) {
+            if (labels.at(line, beam) != label) continue;
+            const std::size_t before = outline.sides.size();
+            if (!in(line - 1, beam)) outline.sides.emplace_back(beam, line, beam + 1, line);
+            if (!in(line + 1, beam)) outline.sides.emplace_back(beam, line + 1, beam + 1, line + 1);
+            if (!in(line, beam - 1)) outline.sides.emplace_back(beam, line, beam, line + 1);
+            if (!in(line, beam + 1)) outline.sides.emplace_back(beam + 1, line, beam + 1, line + 1);
+            if (outline.sides.size() > before) outline.cells.push_back(static_cast<std::uint32_t>(labels.index(line, beam)));
+        }
+    }
+    return outline;
+}
+
+bool isDoubtful(const Rock& rock) { return rock.confidence < kSureConfidence; }
+
+QString rockTip(const Rock& rock) {
+    QString tip = QObject::tr("%1 · visible %2 × %3 m ± %4 · at %5 m")
+                      .arg(rock.label)
+                      .arg(rock.longM, 0, 'f', 2)
+                      .arg(rock.wideM, 0, 'f', 2)
+                      .arg(rock.toleranceM, 0, 'f', 2)
+                      .arg(rock.distanceM, 0, 'f', 2);
+    if (isDoubtful(rock)) tip += QObject::tr(" · ▲ doubtful outline");
+    return tip;
+}
+
+QString rockCaveat() { return QObject::tr(kRockCaveat); }
+
+} // namespace edgescan::ui

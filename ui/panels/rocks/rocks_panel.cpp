@@ -1,0 +1,135 @@
+// The panel of rocks.
+#include "ui/panels/rocks/rocks_panel.h"
+
+#include "ui/base/shown_text.h"
+#include "ui/panels/rocks/rock_card.h"
+#include "ui/panels/rocks/size_curve_view.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kSlidersPerLevel = 10.0; // positions of the slider per unit
+constexpr int kNarrowestNumber = 84;      // px
+
+} // namespace
+
+RocksPanel::RocksPanel(QWidget* parent)
+    : QWidget(parent), slider_(new QSlider(Qt::Horizontal)), result_(new QLabel), curve_(new QLabel), card_(new RockCard) {
+    setObjectName("rocks-panel");
+    auto* ends = new QHBoxLayout;
+    ends->addWidget(new QLabel(tr("fine")));
+    ends->addWidget(slider_, 1);
+    ends->addWidget(new QLabel(tr("coarse")));
+    auto* grid = new QGridLayout;
+    grid->setVerticalSpacing(3);
+    grid->setColumnStretch(0, 1);
+    for (const RockParameter& parameter : rockParameters()) {
+        auto* name = new QLabel(QObject::tr(parameter.label));
+        name->setWordWrap(true); // in a narrow dock
+        auto* number = new QDoubleSpinBox;
+        number->setObjectName(QString("rocks-") + parameter.key);
+        number->setDecimals(parameter.decimals);
+        number->setRange(parameter.minimum, parameter.maximum);
+        number->setSingleStep(parameter.step);
+        number->setKeyboardTracking(false);
+        number->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
+        if (*parameter.unit != '\0') number->setSuffix(" " + QObject::tr(parameter.unit));
+        for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(number)})
+            widget->setToolTip(QObject::tr(parameter.help));
+        const int row = grid->rowCount();
+        if (numbers_.empty()) { // the one that is turned most stands at its slider
+            ends->addWidget(number);
+            name->deleteLater();
+        } else {
+            grid->addWidget(name, row, 0);
+            grid->addWidget(number, row, 1);
+        }
+        numbers_.push_back(number);
+        connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RocksPanel::tell);
+    }
+    const RockParameter& level = rockParameters().front();
+    slider_->setObjectName("rocks-slider");
+    slider_->setRange(static_cast<int>(std::lround(level.minimum * kSlidersPerLevel)),
+                      static_cast<int>(std::lround(level.maximum * kSlidersPerLevel)));
+    slider_->setPageStep(static_cast<int>(kSlidersPerLevel));
+    slider_->setToolTip(QObject::tr(level.help));
+    connect(slider_, &QSlider::valueChanged, this, [this](int position) {
+        if (!showing_) numbers_.front()->setValue(position / kSlidersPerLevel);
+    });
+    result_->setWordWrap(true);
+    curve_->setWordWrap(true);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 4, 8, 4);
+    column->setSpacing(4);
+    column->addLayout(ends);
+    column->addWidget(result_);
+    column->addWidget(card_);
+    column->addWidget(curve_);
+    column->addLayout(grid);
+    column->addStretch(1);
+    showSettings({});
+    showResult(nullptr, QString());
+}
+
+QDoubleSpinBox* RocksPanel::number(const char* key) const {
+    const auto rows = rockParameters();
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+        if (std::strcmp(rows[n].key, key) == 0) return numbers_[n];
+    }
+    return nullptr;
+}
+
+void RocksPanel::showSettings(const RockSettings& settings) {
+    showing_ = true;
+    settings_ = settings;
+    const auto rows = rockParameters();
+    for (std::size_t n = 0; n < rows.size(); ++n) numbers_[n]->setValue(rows[n].get(settings));
+    slider_->setValue(static_cast<int>(std::lround(settings.level * kSlidersPerLevel)));
+    showing_ = false;
+}
+
+void RocksPanel::tell() {
+    if (showing_) return;
+    RockSettings settings = settings_;
+    const auto rows = rockParameters();
+    for (std::size_t n = 0; n < rows.size(); ++n) rows[n].set(settings, numbers_[n]->value());
+    showSettings(settings);
+    emit edited(settings);
+}
+
+void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
+    if (picture == nullptr) {
+        result_->setText(remark);
+        curve_->clear();
+        return;
+    }
+    const std::vector<Rock>& rocks = picture->study.rocks;
+    const RegionCounts fines = regionCounts(picture->study.map, RegionKind::Fines);
+    QString text = remark.isEmpty() ? QString() : remark + "\n";
+    text += tr("%1 rocks, %2 hatched (p < 0.85); %3 regions of fines")
+                .arg(rocks.size())
+                .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
+                .arg(fines.regions);
+    if (!picture->study.edits.empty()) text += tr("; %1 changed by hand").arg(picture->study.edits.size());
+    if (!picture->study.settings.region.empty())
+        text += tr("; %1 pieces outside the region of interest are left out")
+                    .arg(regionCounts(picture->study.map, RegionKind::Outside).regions);
+    result_->setText(text + "\n" + rockCaveat());
+    curve_->setText(sizeCurveText(sizeCurve(rocks, picture->study.settings.oversizeM)));
+}
+
+QString RocksPanel::text() const { return result_->text() + "\n" + curve_->text(); }
+
+} // namespace edgescan::ui

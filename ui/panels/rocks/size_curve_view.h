@@ -1,0 +1,49 @@
+// The size curve of the visible rocks as a drawing: how large a share of them is no wider than so many metres.
+#pragma once
+
+#include "core/rocks/attributes/size_curve.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace edgescan::ui {
+
+/// "Visible b by count: P20 0.31, P50 0.52, P80 0.98, largest 2.01 m; ▲ 12 % over 1.50 m. Hidden parts ..."; empty without rocks.
+[[nodiscard]] QString sizeCurveText(const SizeCurve& curve);
+
+/// GUI thread only.
+class SizeCurveView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SizeCurveView(QWidget* parent = nullptr);
+
+    void show(const SizeCurve& curve);
+    /// Visible b of the rocks that are selected, metres: dots on the curve.
+    void mark(std::vector<double> widthsM);
+    [[nodiscard]] const SizeCurve& curve() const { return curve_; }
+    [[nodiscard]] const std::vector<double>& marked() const { return marked_; }
+    /// Where a width and a share are drawn.
+    [[nodiscard]] QPointF placeOf(double wideM, double share) const;
+    /// What is told about a width: "63 % of the rocks are visibly no wider than 0.60 m".
+    [[nodiscard]] QString textAt(QPointF place) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {300, 200}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {180, 110}; }
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF plot() const;
+    void drawAxes(QPainter& painter) const;
+    void drawOversize(QPainter& painter) const;
+    void drawCurve(QPainter& painter) const;
+
+    SizeCurve curve_;
+    std::vector<double> marked_;
+    double rightM_ = 1.0; // end of the axis
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,109 @@
+// Small pictures of scans.
+#include "ui/panels/start/recent_scan.h"
+
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/edges/gray/gray.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/acquisition.h"
+#include "ui/base/shown_text.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+#include <new>
+#include <span>
+
+namespace edgescan::ui {
+namespace {
+
+const QString kWordsKey = QStringLiteral("EdgeScanWords");
+
+/// Of this very file: another content, or another program, has another name.
+QString keptName(const QFileInfo& file) {
+    const std::string key = file.absoluteFilePath().toStdString() + "\n" + std::to_string(file.size()) + "\n" +
+                            std::to_string(file.lastModified().toMSecsSinceEpoch()) + "\n" +
+                            QCoreApplication::applicationVersion().toStdString();
+    return exactText(sha256Hex(std::as_bytes(std::span(key)))) + ".png";
+}
+
+// In the words of files, which are not translated: they are kept.
+QString wordsOf(const Scan& scan) {
+    const auto number = [](int n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(n); };
+    QStringList words;
+    const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
+    if (const auto seconds = parseUtc(measured.startUtc)) words << shownText(utcText(*seconds)).left(16).replace('T', ' ') + " UTC";
+    const bool some = measured.linesExpected > scan.lines();
+    words << (some ? QString("%1 / %2").arg(number(scan.lines()), number(measured.linesExpected)) : number(scan.lines())) + " × " +
+                 number(scan.beams());
+    const bool recorded = scan.format == "recording" || scan.format == "sweep";
+    words << (recorded ? "RECORDED" : "FILE");
+    if (some) words << QString::fromUtf8("✕ INCOMPLETE");
+    return words.join(QString::fromUtf8(" · "));
+}
+
+QImage pictureOf(const Scan& scan) {
+    const auto levels = grayImage(scan, Settings{}).levels;
+    QImage image(levels.beams, levels.lines, QImage::Format_Grayscale8);
+    for (int line = 0; line < levels.lines; ++line) {
+        uchar* row = image.scanLine(line);
+        for (int beam = 0; beam < levels.beams; ++beam)
+            row[beam] = scan.state.at(line, beam) == CellState::Valid ? levels.at(line, beam) : uchar{0};
+    }
+    if (image.width() <= kThumbnailPx && image.height() <= kThumbnailPx) return image;
+    return image.scaled(kThumbnailPx, kThumbnailPx, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+}
+
+void keep(QImage picture, const QString& words, const QString& path) {
+    picture.setText(kWordsKey, exactText(words.toUtf8().toBase64().toStdString()));
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    QDir().mkpath(QFileInfo(path).path());
+    // What cannot be kept is made again the next time.
+    (void)writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
+}
+
+} // namespace
+
+RecentScan recentScan(const QString& path, const QString& cache, const std::function<bool()>& goOn) {
+    RecentScan found{path, false, {}, {}};
+    const QFileInfo file(path);
+    found.there = file.isFile();
+    if (!found.there) return found;
+    const QString kept = cache.isEmpty() ? QString() : cache + "/" + keptName(file);
+    if (!kept.isEmpty() && found.picture.load(kept, "PNG")) {
+        found.words = QString::fromUtf8(QByteArray::fromBase64(found.picture.text(kWordsKey).toLatin1()));
+        if (!found.words.isEmpty()) return found;
+    }
+    ReadingOptions options;
+    options.progress = [&goOn](const char*, double) { return goOn(); };
+    try {
+        const Result<Scan> scan = openScan(path.toStdString(), options);
+        if (!scan) {
+            found.words = shownText(scan.error().what);
+            return found;
+        }
+        found.words = wordsOf(*scan);
+        found.picture = pictureOf(*scan);
+    } catch (const std::bad_alloc&) {
+        return found; // too large to be looked at by the way
+    }
+    if (!kept.isEmpty()) keep(found.picture, found.words, kept);
+    return found;
+}
+
+void trimThumbnails(const QString& cache, int most) {
+    if (cache.isEmpty()) return;
+    const QFileInfoList files = QDir(cache).entryInfoList({"*.png"}, QDir::Files, QDir::Time);
+    for (const QFileInfo& file : files.mid(most)) QFile::remove(file.absoluteFilePath());
+}
+
+} // namespace edgescan::ui

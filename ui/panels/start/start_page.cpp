@@ -1,0 +1,214 @@
+// Buttons and list of the page.
+#include "ui/panels/start/start_page.h"
+
+#include "core/base/version.h"
+#include "core/inspect/session_file/session_file.h"
+#include "ui/base/icons.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
+#include "ui/engine/worker_bridge/in_background.h"
+
+#include <QApplication>
+#include <QCommandLinkButton>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <optional>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMostThumbnails = 100;
+constexpr int kButtonHigh = 56;          // px; a row of the same height each
+constexpr int kSign = 28, kAppSign = 72; // px
+constexpr int kThere = Qt::UserRole + 1;
+
+QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const char* sign, const QString& text, const QString& more) {
+    auto* button = new QCommandLinkButton(text, more);
+    button->setObjectName(name);
+    button->setIcon(toolIcon(sign));
+    button->setIconSize({kSign, kSign});
+    button->setFixedHeight(kButtonHigh);
+    column.addWidget(button);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(const QString& cache, QWidget* parent)
+    : QFrame(parent), cache_(cache), list_(new QListWidget), none_(new QLabel), clear_(new QPushButton(tr("Clear"))) {
+    setObjectName("start-page");
+    setAutoFillBackground(true);
+    auto* begin = new QWidget;
+    auto* left = new QVBoxLayout(begin);
+    left->setContentsMargins(0, 0, 0, 0);
+    left->setSpacing(8);
+    left->addWidget(makeTitle());
+    left->addSpacing(12);
+    open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
+    connect(open_, &QPushButton::clicked, this, &StartPage::openWanted);
+    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"),
+                      tr("Ctrl+L; nothing but reads and a subscription is sent")),
+            &QPushButton::clicked, this, &StartPage::connectWanted);
+    session_ = addButton(*left, "start-session", "session", tr("Carry on with the last session"), QString());
+    connect(session_, &QPushButton::clicked, this, &StartPage::goOnWanted);
+    connect(addButton(*left, "start-demo", "demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
+            &StartPage::demoWanted);
+
+    auto* right = new QVBoxLayout;
+    auto* head = new QHBoxLayout;
+    auto* recent = new QLabel(tr("Recent"));
+    QFont bold = recent->font();
+    bold.setBold(true);
+    recent->setFont(bold);
+    clear_->setObjectName("start-clear");
+    connect(clear_, &QPushButton::clicked, this, &StartPage::clearWanted);
+    head->addWidget(recent, 1);
+    head->addWidget(clear_);
+    right->addLayout(head);
+    list_->setObjectName("start-recent");
+    list_->setIconSize(QSize(kThumbnailPx / 2, kThumbnailPx / 2));
+    list_->setSpacing(3);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setAccessibleName(recent->text());
+    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+        const QString path = item->data(Qt::UserRole).toString();
+        item->data(kThere).toBool() ? emit scanWanted(path) : emit locateWanted(path);
+    });
+    connect(list_, &QListWidget::itemClicked, list_, &QListWidget::itemActivated);
+    right->addWidget(list_, 1);
+    none_->setText(tr("Scans that were open are listed here."));
+    right->addWidget(none_, 1, Qt::AlignTop);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(40);
+    row->addWidget(begin, 2, Qt::AlignTop);
+    row->addLayout(right, 3);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(40, 30, 40, 20);
+    all->setSpacing(12);
+    all->addLayout(row, 1);
+    all->addWidget(makeFoot());
+    setFocusProxy(open_);
+    followColours(*this, [this](const Theme& theme) {
+        setStyleSheet(QString("QCommandLinkButton { background: %1; color: %2; border: 1px solid %3; border-radius: 4px; padding: 0px; }"
+                              "QCommandLinkButton:hover { background: %4; }"
+                              "QCommandLinkButton:disabled { background: %5; color: %6; }")
+                          .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.panel.name(), theme.window.name(),
+                               theme.unusable.name()));
+    });
+}
+
+QWidget* StartPage::makeTitle() {
+    auto* whole = new QWidget;
+    auto* sign = new QLabel;
+    sign->setPixmap(QApplication::windowIcon().pixmap(kAppSign));
+    auto* name = new QLabel("EdgeScan");
+    QFont large = name->font();
+    large.setPointSizeF(2.0 * large.pointSizeF());
+    large.setBold(true);
+    name->setFont(large);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(name, 0, Qt::AlignBottom);
+    words->addWidget(new QLabel(tr("The edges of rocks in a laser range scan")), 0, Qt::AlignTop);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(16);
+    row->addWidget(sign);
+    row->addLayout(words, 1);
+    return whole;
+}
+
+QWidget* StartPage::makeFoot() {
+    auto* whole = new QWidget;
+    auto* words = new QLabel(tr("Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.") + "\n" +
+                             tr("Sends nothing but reads and a subscription to the scanner.") + " " + exactText(version()));
+    words->setWordWrap(true);
+    auto* cab = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
+    cab->setObjectName("start-cab");
+    connect(cab, &QPushButton::clicked, this, &StartPage::cabWanted);
+    auto* keys = new QPushButton(tr("Keys and mouse"));
+    keys->setObjectName("start-keys");
+    connect(keys, &QPushButton::clicked, this, &StartPage::keysWanted);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(12);
+    row->addWidget(words, 1);
+    row->addWidget(cab);
+    row->addWidget(keys);
+    return whole;
+}
+
+void StartPage::showRecent(const QStringList& paths) {
+    list_->clear();
+    waiting_ = paths;
+    none_->setVisible(paths.isEmpty());
+    list_->setVisible(!paths.isEmpty());
+    clear_->setVisible(!paths.isEmpty());
+    for (const QString& path : paths) {
+        auto* item = new QListWidgetItem(shownName(QFileInfo(path).fileName()) + "\n…");
+        item->setData(Qt::UserRole, path);
+        item->setData(kThere, true);
+        item->setToolTip(shownText(path));
+        item->setSizeHint(QSize(100, kThumbnailPx / 2 + 10));
+        list_->addItem(item);
+    }
+    lookAtNext();
+}
+
+void StartPage::lookAtNext() {
+    if (looking_ || waiting_.isEmpty()) return;
+    looking_ = true;
+    inBackground(
+        this,
+        [this, path = waiting_.takeFirst()]() -> std::function<void()> {
+            RecentScan scan = recentScan(path, cache_, [this] { return !ending_; });
+            trimThumbnails(cache_, kMostThumbnails);
+            return [this, scan = std::move(scan)] { tell(scan); };
+        },
+        [](const QString&) {}, // without a picture then
+        [this] {
+            looking_ = false;
+            lookAtNext();
+        });
+}
+
+void StartPage::tell(const RecentScan& scan) {
+    for (int row = 0; row < list_->count(); ++row) {
+        QListWidgetItem* item = list_->item(row);
+        if (item->data(Qt::UserRole).toString() != scan.path) continue;
+        const QFileInfo file(scan.path);
+        item->setData(kThere, scan.there);
+        item->setText(shownName(file.fileName()) + "\n" +
+                      (scan.there ? scan.words : tr("✕ not found: it was moved, or its disk is not here. Locate…")));
+        if (!scan.picture.isNull()) item->setIcon(QIcon(QPixmap::fromImage(scan.picture)));
+    }
+}
+
+void StartPage::showSession(const QString& path) {
+    session_->setEnabled(!path.isEmpty());
+    session_->setDescription(path.isEmpty() ? tr("there is none yet") : QString("…"));
+    if (path.isEmpty()) return;
+    inBackground(
+        this,
+        [this, path]() -> std::function<void()> {
+            const auto read = readSitting(path.toStdString());
+            QString words;
+            if (read)
+                words = tr("%1, %2 targets, %3 UTC")
+                            .arg(shownName(exactText(read->sitting.scan.identity.name)))
+                            .arg(read->sitting.notebook.targets.size())
+                            .arg(shownText(read->savedUtc).left(16).replace('T', ' '));
+            return [this, words] { words.isEmpty() ? session_->setEnabled(false) : session_->setDescription(words); };
+        },
+        [](const QString&) {});
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,166 @@
+// The card of a target.
+#include "ui/panels/targets/target_card.h"
+
+#include "ui/base/language/catalogue.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStringList>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kLarge = 2.0; // times the usual letters: the one number of the card
+constexpr const char* kDistanceRow = "Distance";
+
+QString distanceWords(const CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
+
+// What the row said when the cell was pinned, where it says something else now: both as they are kept.
+QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
+    const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
+    if (row == pinned.asPinned.end() || row->second == now.second) return {};
+    return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
+}
+
+/// What a slider may change, as it is kept; `all`: also what is still to come.
+std::vector<std::pair<std::string, std::string>> measuredRows(const CellTarget& target, const TargetSurroundings& around, bool all) {
+    const SourceTexts words; // a file is read by people of other languages
+    std::vector<std::pair<std::string, std::string>> rows{{kDistanceRow, distanceWords(target).toStdString()}};
+    for (const TargetRow& row : targetRows(target, around)) {
+        if (row.measured && (all || row.known)) rows.emplace_back(row.name.toStdString(), row.value.toStdString());
+    }
+    return rows;
+}
+
+} // namespace
+
+TargetCard::TargetCard(QWidget* parent)
+    : QFrame(parent), number_(new QLabel), name_(new QLineEdit), lock_(new QToolButton), close_(new QToolButton), distance_(new QLabel),
+      tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
+      measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
+    setObjectName("target-card");
+    setFrameShape(QFrame::StyledPanel);
+    number_->setObjectName("target-number");
+    followColours(*number_, [this](const Theme& theme) {
+        number_->setStyleSheet(QString("background: %1; color: %2; font-weight: bold; border-radius: 3px; padding: 1px 6px;")
+                                   .arg(theme.text.name(), theme.base.name()));
+    });
+    name_->setObjectName("target-name");
+    name_->setPlaceholderText(tr("Target"));
+    name_->setMaxLength(static_cast<int>(kLongestTargetName) / 4); // letters may take four bytes
+    name_->setToolTip(tr("Its name: keystone, left shoulder …"));
+    lock_->setObjectName("target-lock");
+    lock_->setText(tr("Lock"));
+    lock_->setCheckable(true);
+    lock_->setToolTip(tr("Locked: Esc and Let Go of All leave it where it is"));
+    close_->setObjectName("target-close");
+    close_->setText(QStringLiteral("✕"));
+    close_->setAutoRaise(true);
+    close_->setToolTip(tr("Let go of this target"));
+    distance_->setObjectName("target-distance");
+    QFont large = font();
+    large.setPointSizeF(kLarge * large.pointSizeF());
+    large.setBold(true);
+    distance_->setFont(large);
+    tolerance_->setToolTip(
+        tr("Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it"));
+    distance_->setToolTip(tolerance_->toolTip());
+    caveat_->setText(QObject::tr(kRockCaveat));
+    caveat_->setWordWrap(true);
+
+    auto* head = new QHBoxLayout;
+    head->addWidget(number_);
+    head->addWidget(name_, 1);
+    head->addWidget(lock_);
+    head->addWidget(close_);
+    auto* number = new QHBoxLayout;
+    number->addWidget(distance_);
+    number->addWidget(tolerance_, 1, Qt::AlignLeft | Qt::AlignBottom);
+    lines_->setSpacing(2);
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {why_, measure_, copy_}) {
+        button->setMinimumWidth(std::max(48, button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + 14));
+        buttons->addWidget(button);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(4);
+    column->addLayout(head);
+    column->addLayout(number);
+    column->addLayout(lines_);
+    column->addWidget(caveat_);
+    column->addLayout(buttons);
+
+    connect(close_, &QToolButton::clicked, this, &TargetCard::closeWanted);
+    connect(lock_, &QToolButton::clicked, this, &TargetCard::lockWanted);
+    connect(name_, &QLineEdit::editingFinished, this, [this] { emit renamed(name_->text().simplified()); });
+    hide();
+}
+
+void TargetCard::show(const PinnedTarget& target, const CellTarget* known, const TargetSurroundings& around) {
+    setVisible(true);
+    number_->setText(QString::number(target.number));
+    if (!name_->hasFocus()) name_->setText(shownName(exactText(target.name)));
+    lock_->setChecked(target.locked);
+    lock_->setText(target.locked ? tr("Locked") : tr("Lock"));
+    close_->setEnabled(!target.locked);
+    if (known == nullptr) return;
+    const auto compared = measuredRows(*known, around, true);
+    auto row = compared.begin();
+    const QString was = wasOf(target, *row++);
+    distance_->setText(distanceText(*known));
+    tolerance_->setText(toleranceText(*known) + (was.isEmpty() ? QString() : "\n" + was));
+    const std::vector<TargetRow> rows = targetRows(*known, around);
+    for (std::size_t n = 0; n < std::max(rows.size(), rows_.size()); ++n) {
+        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, *row++) : QString());
+        if (n >= rows.size()) {
+            rows_[n].first->hide();
+            rows_[n].second->hide();
+        }
+    }
+    measure_->setEnabled(known->probe.state == CellState::Valid);
+}
+
+void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& was) {
+    if (row == rows_.size()) {
+        rows_.emplace_back(new QLabel, new QLabel);
+        rows_[row].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        rows_[row].second->setWordWrap(true);
+        rows_[row].second->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        line->addWidget(rows_[row].first, 0, Qt::AlignTop);
+        line->addWidget(rows_[row].second, 1);
+        lines_->addLayout(line);
+    }
+    const auto& [name, value] = rows_[row];
+    name->setText(words.name);
+    value->setText(was.isEmpty() ? words.value : words.value + "\n" + was);
+    for (QLabel* label : {name, value}) {
+        label->setToolTip(words.tip);
+        label->show();
+    }
+}
+
+QString TargetCard::text() const {
+    const QString name = name_->text().isEmpty() ? name_->placeholderText() : name_->text();
+    QStringList lines{tr("Target %1: %2").arg(number_->text(), name), (distance_->text() + " " + tolerance_->text()).trimmed()};
+    for (const auto& [row, value] : rows_) {
+        if (!row->isHidden()) lines << row->text() + ": " + value->text();
+    }
+    lines << caveat_->text();
+    return lines.join('\n');
+}
+
+std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around) {
+    return measuredRows(target, around, false);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,136 @@
+// A target in words.
+#include "ui/panels/targets/target_words.h"
+
+#include "core/base/number_text.h"
+#include "core/edges/edgescan_plus/plus_settings.h"
+#include "ui/base/shown_text.h"
+
+#include <QObject>
+
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+QString fixed(double value, int decimals) { return exactText(fixedText(value, decimals)); }
+QString triple(const Eigen::Vector3d& v) { return QStringLiteral("%1, %2, %3").arg(fixed(v.x(), 3), fixed(v.y(), 3), fixed(v.z(), 3)); }
+QString noPose() { return QObject::tr("▲ no pose"); }
+QString inMillimetres(double metres) { return QObject::tr("%1 mm").arg(fixed(std::ceil(1000.0 * metres - 1e-9), 0)); }
+
+TargetRow placeRow(const CellTarget& target) {
+    return {QObject::tr("X, Y, Z"), triple(target.probe.pointM), QObject::tr("Metres in the frame of the scan")};
+}
+
+TargetRow mineRow(const CellTarget& target) {
+    return {QObject::tr("E, N, RL"), target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
+            QObject::tr("Easting, Northing and level in the mine grid, metres")};
+}
+
+TargetRow rockRow(const TargetSurroundings& around) {
+    const QString name = QObject::tr("Rock, visible");
+    if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
+    const Rock& rock = *around.rock;
+    return {
+        name,
+        QObject::tr("no. %1: %2 × %3 ± %4 m").arg(rock.label).arg(fixed(rock.longM, 2), fixed(rock.wideM, 2), fixed(rock.toleranceM, 2)),
+        QObject::tr("Spans of what is seen of it; hidden parts are not counted")};
+}
+
+TargetRow resolvesRow(const CellTarget& target) {
+    if (!target.resolution) return {QObject::tr("Resolves"), QObject::tr("not known"), QString()};
+    return {
+        QObject::tr("Resolves"), inMillimetres(target.resolution->smallestM()),
+        QObject::tr("The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution")
+            .arg(inMillimetres(target.resolution->spacingM), inMillimetres(target.resolution->beamM))};
+}
+
+TargetRow surfaceRow(const CellTarget& target) {
+    if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
+    return {
+        QObject::tr("Surface"),
+        QObject::tr("%1° ± %2 off the beam").arg(fixed(target.surface->offBeamDeg, 0), fixed(kToldSigmas * target.surface->sigmaDeg, 0)),
+        QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
+            .arg(target.surface->cells)
+            .arg(inMillimetres(target.surface->reliefM))};
+}
+
+TargetRow dipRow(const CellTarget& target) {
+    const QString name = QObject::tr("Dip / direction");
+    const QString tip = QObject::tr("Of the plane to the horizon, and clockwise from grid north the way it falls");
+    if (!target.surface) return {name, QObject::tr("no plane fits"), tip};
+    if (!target.dip) return {name, noPose(), tip};
+    // What lies level falls no way: within its error it may be any.
+    const bool falls = target.dip->dipDeg > kToldSigmas * target.surface->sigmaDeg;
+    return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
+}
+
+TargetRow boomRow(const BoomAtCell& boom) {
+    const QString distance = QObject::tr("%1 m").arg(fixed(boom.distanceM, 2));
+    return {
+        QObject::tr("From the boom"),
+        boom.angleDeg ? QObject::tr("%1 · surface %2° off square").arg(distance, fixed(*boom.angleDeg, 0)) : distance,
+        QObject::tr("To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the "
+                    "boom points straight at the surface")};
+}
+
+TargetRow cellRow(const CellTarget& target) {
+    TargetRow row{QObject::tr("Cell"), QObject::tr("line %1 · beam %2").arg(target.probe.line).arg(target.probe.beam), QString(), false};
+    if (!std::isnan(target.probe.beamDeg))
+        row.tip = QObject::tr("Line angle %1°, beam angle %2°").arg(fixed(target.probe.lineDeg, 3), fixed(target.probe.beamDeg, 3));
+    return row;
+}
+
+TargetRow edgeRow(const CellTarget& target) {
+    QString value = !target.probe.edge                     ? QObject::tr("none")
+                    : target.probe.kind == DepthEdge::None ? QObject::tr("yes")
+                                                           : QObject::tr(edgeClassLabel(target.probe.kind));
+    if (target.strength) value += QObject::tr(", strength %1").arg(fixed(*target.strength, 2));
+    return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
+}
+
+/// Of an edge alone: the figure of the confidence picture.
+TargetRow confidenceRow(const ToldConfidence& told) {
+    using State = ToldConfidence::State;
+    TargetRow row{
+        QObject::tr(kConfidenceRow), QStringLiteral("…"),
+        QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
+                    "It tells how much the edge depends on the settings, not whether a rock is there")};
+    row.known = told.state == State::Known;
+    if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(told.percent).arg(told.settings);
+    if (told.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
+    if (told.state == State::Large) row.value = QObject::tr("large scan: show Edge Confidence");
+    return row;
+}
+
+} // namespace
+
+QString distanceText(const CellTarget& target) {
+    if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
+    return QString::fromUtf8(cellStateName(target.probe.state)).replace('_', ' ');
+}
+
+QString toleranceText(const CellTarget& target) {
+    if (target.probe.state != CellState::Valid) return {};
+    return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(target.toleranceM, 3)) : QObject::tr("± not known");
+}
+
+std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurroundings& around) {
+    std::vector<TargetRow> rows;
+    if (target.probe.state == CellState::Valid) {
+        rows.push_back({QObject::tr("from"), QObject::tr("scanner, line of sight"), QString(), false});
+        rows.push_back(placeRow(target));
+        rows.push_back(mineRow(target));
+        if (around.rocksShown) rows.push_back(rockRow(around));
+        rows.push_back(resolvesRow(target));
+        rows.push_back(surfaceRow(target));
+        rows.push_back(dipRow(target));
+        if (target.boom) rows.push_back(boomRow(*target.boom));
+    }
+    rows.push_back(cellRow(target));
+    rows.push_back(edgeRow(target));
+    if (target.probe.edge && around.confidence.state != ToldConfidence::State::NotAsked) rows.push_back(confidenceRow(around.confidence));
+    rows.push_back({QObject::tr("Picture"), around.source, QString(), false});
+    return rows;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,107 @@
+// The panel of targets.
+#include "ui/panels/targets/targets_panel.h"
+
+#include "ui/panels/targets/target_card.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMostLines = 5; // of a list before it scrolls
+
+// As high as its lines, so that the panel has one scroll bar and not three.
+void fitHeight(QListWidget& list) {
+    const int line = list.count() > 0 ? list.sizeHintForRow(0) : list.fontMetrics().height();
+    list.setFixedHeight(std::clamp(list.count(), 1, kMostLines) * line + 2 * list.frameWidth() + 2);
+}
+
+} // namespace
+
+TargetsPanel::TargetsPanel(QWidget* parent)
+    : QWidget(parent), hint_(new QLabel(tr("Click a cell in any view to pin it."))), targets_(new QListWidget),
+      letGoOfAll_(new QPushButton(tr("Let Go of All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
+      measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
+    setObjectName("targets-panel");
+    targets_->setObjectName("target-list");
+    measures_->setObjectName("measure-list");
+    for (QListWidget* list : {targets_, measures_}) {
+        list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        list->setTextElideMode(Qt::ElideRight);
+    }
+    letGoOfAll_->setToolTip(tr("All but those that are locked"));
+    removeMeasure_->setToolTip(tr("The measurement that is chosen"));
+    for (QLabel* label : {hint_, note_}) label->setWordWrap(true);
+    QFont bold = measuresTitle_->font();
+    bold.setBold(true);
+    measuresTitle_->setFont(bold);
+    auto* titleOfMeasures = new QHBoxLayout;
+    titleOfMeasures->addWidget(measuresTitle_, 1);
+    titleOfMeasures->addWidget(removeMeasure_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 4, 8, 4);
+    column->setSpacing(4);
+    column->addWidget(hint_);
+    column->addWidget(card_);
+    column->addWidget(targets_);
+    column->addWidget(letGoOfAll_, 0, Qt::AlignRight);
+    column->addLayout(titleOfMeasures);
+    column->addWidget(measures_);
+    column->addWidget(note_);
+    column->addStretch(1);
+    // Not the current row: a list that gets the focus has one by itself.
+    for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
+        connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
+    connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::letGoOfAllWanted);
+    connect(removeMeasure_, &QPushButton::clicked, this, [this] {
+        if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
+    });
+    showTargets({});
+    showMeasures({});
+    showNote({});
+}
+
+void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines) {
+    if (shown == lines && list.count() == static_cast<int>(lines.size())) return;
+    shown = lines;
+    const int before = list.currentRow();
+    list.clear();
+    int chosen = -1;
+    for (const TargetLine& line : lines) {
+        auto* item = new QListWidgetItem(line.words, &list);
+        item->setToolTip(line.tip);
+        if (line.chosen) chosen = list.count() - 1;
+    }
+    list.setCurrentRow(chosen >= 0 ? chosen : &list == measures_ ? std::min(before, list.count() - 1) : -1);
+    fitHeight(list);
+}
+
+void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {
+    fill(*targets_, shownTargets_, lines);
+    hint_->setVisible(lines.empty());
+    targets_->setVisible(!lines.empty());
+    letGoOfAll_->setVisible(!lines.empty());
+}
+
+void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
+    const bool more = lines.size() > shownMeasures_.size();
+    fill(*measures_, shownMeasures_, lines);
+    if (more) measures_->setCurrentRow(measures_->count() - 1);
+    for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
+        each->setVisible(!lines.empty());
+}
+
+void TargetsPanel::showNote(const QString& note) {
+    note_->setText(note);
+    note_->setVisible(!note.isEmpty());
+}
+
+QString TargetsPanel::note() const { return note_->text(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,65 @@
+// The panel "Targets": what is pinned, the card of one, what is measured.
+#pragma once
+
+#include "core/inspect/measure/notebook.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace edgescan::ui {
+
+class TargetCard;
+
+/// A line of a list.
+struct TargetLine {
+    QString words;
+    QString tip;
+    bool chosen = false;
+    bool operator==(const TargetLine&) const = default;
+};
+
+/// GUI thread only. Shows what it is told and says what the operator wants.
+class TargetsPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit TargetsPanel(QWidget* parent = nullptr);
+
+    void showTargets(const std::vector<TargetLine>& lines);
+    void showMeasures(const std::vector<TargetLine>& lines);
+    /// Where it is kept, or why it is not.
+    void showNote(const QString& note);
+
+    [[nodiscard]] TargetCard& card() const { return *card_; }
+    [[nodiscard]] QListWidget* targets() const { return targets_; }
+    [[nodiscard]] QListWidget* measures() const { return measures_; }
+    [[nodiscard]] QPushButton* letGoOfAll() const { return letGoOfAll_; }
+    [[nodiscard]] QPushButton* removeMeasure() const { return removeMeasure_; }
+    [[nodiscard]] QString note() const;
+
+signals:
+    /// Places in the lists.
+    void targetChosen(int place);
+    void letGoOfAllWanted();
+    void measureRemoved(int place);
+
+private:
+    void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);
+
+    QLabel* hint_;
+    QListWidget* targets_;
+    QPushButton* letGoOfAll_;
+    TargetCard* card_;
+    QLabel* measuresTitle_;
+    QListWidget* measures_;
+    QPushButton* removeMeasure_;
+    QLabel* note_;
+    std::vector<TargetLine> shownTargets_, shownMeasures_;
+};
+
+} // namespace edgescan::ui

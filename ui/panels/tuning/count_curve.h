@@ -1,0 +1,48 @@
+// How many edges there would be at every threshold, drawn under its slider, with the stretch where the number hardly changes.
+#pragma once
+
+#include "core/edges/gray/threshold_map.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <utility>
+
+namespace edgescan {
+struct Parameter;
+}
+
+namespace edgescan::ui {
+
+/// GUI thread only. `parameter` must outlive it (the table does).
+class CountCurve : public QWidget {
+    Q_OBJECT
+public:
+    explicit CountCurve(const Parameter& parameter, QWidget* parent = nullptr);
+
+    /// Null: not known (yet).
+    void showCurve(std::optional<EdgeCountCurve> curve);
+    /// The threshold in use.
+    void showValue(double value);
+    /// How many edges there are at a threshold: the curve knows it only at places of the slider.
+    void showFound(double threshold, std::size_t edges);
+    [[nodiscard]] const std::optional<EdgeCountCurve>& curve() const { return curve_; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {260, 58}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 48}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] double xOf(double threshold) const;
+    [[nodiscard]] double yOf(std::size_t edges) const;
+    [[nodiscard]] QString words(bool brief = false) const; ///< brief: for a narrow panel
+
+    const Parameter& parameter_;
+    std::optional<EdgeCountCurve> curve_;
+    double value_ = 0.0;
+    std::optional<std::pair<double, std::size_t>> found_; ///< threshold and edges
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,157 @@
+// The legend over the cloud.
+#include "ui/panels/tuning/edge_legend.h"
+
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPixmap>
+
+namespace edgescan::ui {
+namespace {
+
+QString grouped(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
+
+int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits stand in the order of DepthEdge
+
+} // namespace
+
+EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
+    setObjectName("edge-legend");
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 6, 8, 6);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(2);
+    const Row all = addRow(*grid, tr("Edges"), "legend-edges");
+    edges_ = all.box;
+    total_ = all.count;
+    for (QWidget* each : {static_cast<QWidget*>(edges_), static_cast<QWidget*>(total_)}) {
+        QFont bold = each->font();
+        bold.setBold(true);
+        each->setFont(bold);
+    }
+    edges_->setChecked(true);
+    edges_->setToolTip(tr("Edge points on and off: E"));
+    connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
+        if (!showing_) emit edgesWanted(on);
+    });
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const QString name = QObject::tr(findParameter("classes")->choices[n].label);
+        rows_[n] = addRow(*grid, name, nullptr);
+        rows_[n].box->setObjectName(QString("legend-%1").arg(n));
+        connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::tellClasses);
+    }
+    const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
+    byClass.count->hide(); // takes no row where the switch is not shown
+    byClass_ = byClass.box;
+    byClass_->setToolTip(tr("Each class in its own colour, or all edges in one: C"));
+    connect(byClass_, &QCheckBox::toggled, this, [this](bool on) {
+        paintSwatches();
+        if (!showing_) emit byClassWanted(on);
+    });
+    covered_ = new QLabel(tr("Rocks cover them in the cloud"));
+    covered_->setObjectName("legend-covered");
+    covered_->setToolTip(tr("Rocks > Edges over Rocks draws them over the rocks; the images show them."));
+    covered_->hide();
+    grid->addWidget(covered_, grid->rowCount(), 0, 1, 2);
+    filled_ = new QLabel;
+    filled_->setObjectName("legend-filled");
+    filled_->setToolTip(tr("Striped green in the images; nobody measured these cells, and the cloud does not show them."));
+    filled_->hide();
+    grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
+    paintSwatches();
+    hide(); // there is nothing to tell of yet
+}
+
+EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const char* objectName) {
+    Row row{new QCheckBox(name), new QLabel};
+    row.box->setObjectName(objectName);
+    row.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    const int at = grid.rowCount();
+    grid.addWidget(row.box, at, 0);
+    grid.addWidget(row.count, at, 1, Qt::AlignRight);
+    return row;
+}
+
+void EdgeLegend::showResult(const Detection& detection) {
+    showing_ = true;
+    const bool known = detection.classes != nullptr;
+    const bool chosen = reads(detection.settings.method, kReadsClasses);
+    const auto counts = countClasses(detection);
+    const int classes = chosen ? detection.settings.classes : traitsOf(detection.settings.method).classes;
+    total_->setText(grouped(detection.edges->size()));
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const bool counted = (classes & bitOf(n)) != 0;
+        offered_[n] = known && (chosen || counted);
+        rows_[n].box->setEnabled(chosen);
+        rows_[n].box->setChecked(counted);
+        rows_[n].count->setText(counted ? grouped(counts[n + 1]) : QString());
+    }
+    known_ = known;
+    showRows();
+    filled_->setVisible(detection.filled != nullptr);
+    if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(grouped(detection.filled->cells.size())));
+    show();
+    adjustSize();
+    showing_ = false;
+}
+
+void EdgeLegend::showRows() {
+    constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const bool shown = offered_[n] && (!brief_ || n < kOfRocks);
+        for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
+    }
+    byClass_->setVisible(known_ && !brief_);
+}
+
+void EdgeLegend::showCovered(bool on) {
+    covered_->setVisible(on);
+    adjustSize();
+}
+
+void EdgeLegend::setBrief(bool on) {
+    brief_ = on;
+    showRows();
+    adjustSize();
+}
+
+void EdgeLegend::showColours(const EdgeColours& colours) {
+    colours_ = colours;
+    paintSwatches();
+}
+
+void EdgeLegend::showByClass(bool on) {
+    showing_ = true;
+    byClass_->setChecked(on);
+    paintSwatches();
+    showing_ = false;
+}
+
+void EdgeLegend::showEdges(bool on) {
+    showing_ = true;
+    edges_->setChecked(on);
+    showing_ = false;
+}
+
+void EdgeLegend::paintSwatches() {
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        QPixmap swatch(16, 5);
+        swatch.fill(byClass_->isChecked() ? colours_[n] : colours_.front());
+        rows_[n].box->setIconSize(swatch.size());
+        rows_[n].box->setIcon(QIcon(swatch));
+    }
+}
+
+void EdgeLegend::tellClasses() {
+    if (showing_) return;
+    int classes = 0;
+    for (std::size_t n = 0; n < rows_.size(); ++n) classes |= rows_[n].box->isChecked() ? bitOf(n) : 0;
+    emit classesWanted(classes);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,328 @@
+// The panel "Edges".
+#include "ui/panels/tuning/edges_panel.h"
+
+#include "core/edges/pipeline/step_meaning.h"
+#include "core/edges/pipeline/turned.h"
+#include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
+#include "ui/base/shown_text.h"
+#include "ui/panels/tuning/count_curve.h"
+#include "ui/panels/tuning/noise_words.h"
+#include "ui/panels/tuning/parameter_row.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" side by side
+constexpr int kNarrowestLabel = 84;
+constexpr double kThesisRatio = 3.0;
+// Sobel 3x3 on 8-bit gray: nothing has a larger |gx| + |gy| (4 x 255 along each axis).
+constexpr double kLargestGradient = 2040.0;
+
+} // namespace
+
+EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPresets().front()) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(6, 6, 6, 6);
+    auto* grid = new QGridLayout;
+    grid->setColumnStretch(1, 1);
+    grid->setColumnMinimumWidth(0, kNarrowestLabel);
+    addPresets(*grid);
+    for (const Parameter& p : parameters()) {
+        if (!p.advanced) addRow(p, *grid);
+        if (p.feeds == Stage::Threshold) addCurve(p, *grid);
+        if (std::strcmp(p.key, "lower") == 0) addMeaning(*grid);
+        if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
+    }
+    column->addLayout(grid);
+
+    auto* fold = fold_ = new QToolButton;
+    fold->setText(tr("Advanced"));
+    fold->setCheckable(true);
+    fold->setArrowType(Qt::RightArrow);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold->setAutoRaise(true);
+    advanced_ = new QWidget;
+    auto* advancedGrid = new QGridLayout(advanced_);
+    advancedGrid->setContentsMargins(0, 0, 0, 0);
+    advancedGrid->setColumnStretch(1, 1);
+    advancedGrid->setColumnMinimumWidth(0, kNarrowestLabel);
+    for (const Parameter& p : parameters()) {
+        if (!p.advanced) continue;
+        addRow(p, *advancedGrid);
+        if (std::string_view(p.key) == "noise-kind") addNoise(*advancedGrid);
+    }
+    advanced_->hide();
+    connect(fold, &QToolButton::toggled, this, [this, fold](bool open) {
+        advanced_->setVisible(open);
+        fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    });
+    column->addWidget(fold);
+    column->addWidget(advanced_);
+    behind_ = new QLabel;
+    column->addWidget(behind_);
+    column->addStretch(1);
+
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    setMinimumWidth(kNarrowestPanel);
+    setRatioLocked(true);
+    show(Settings{});
+    showClasses();
+}
+
+void EdgesPanel::addPresets(QGridLayout& grid) {
+    presets_ = new QComboBox;
+    presets_->setObjectName("presets");
+    presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    presets_->setMinimumContentsLength(8);
+    for (const Preset& preset : builtInPresets()) {
+        presets_->addItem(shownText(preset.name));
+        presets_->setItemData(presets_->count() - 1, QObject::tr(preset.help.c_str()), Qt::ToolTipRole);
+    }
+    connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const auto builtIn = builtInPresets();
+        if (static_cast<std::size_t>(index) < builtIn.size())
+            emit presetChosen(builtIn[static_cast<std::size_t>(index)]);
+        else
+            emit presetChosen(preset_);
+    });
+    modified_ = new QLabel;
+    auto* open = new QToolButton;
+    open->setText(tr("Open…"));
+    open->setToolTip(tr("Open a preset file"));
+    auto* save = new QToolButton;
+    save->setText(tr("Save…"));
+    save->setToolTip(tr("Save these settings as a preset file"));
+    connect(open, &QToolButton::clicked, this, &EdgesPanel::openPresetWanted);
+    connect(save, &QToolButton::clicked, this, &EdgesPanel::savePresetWanted);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(modified_);
+    buttons->addStretch(1);
+    buttons->addWidget(open);
+    buttons->addWidget(save);
+    auto* label = new QLabel(tr("Preset"));
+    label->setBuddy(presets_);
+    const int row = grid.rowCount();
+    grid.addWidget(label, row, 0);
+    grid.addWidget(presets_, row, 1, 1, 3);
+    grid.addLayout(buttons, row + 1, 0, 1, 4);
+}
+
+void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
+    auto* row = new ParameterRow(parameter, grid, this);
+    rows_.push_back(row);
+    connect(row, &ParameterRow::changed, this, [this, row](double value, bool dragging) { edit(row->parameter(), value, dragging); });
+    connect(row, &ParameterRow::dragEnded, this, &EdgesPanel::editEnded);
+    connect(row, &ParameterRow::refused, this, &EdgesPanel::refused);
+    connect(row, &ParameterRow::resetWanted, this, [this, row] {
+        edit(row->parameter(), row->parameter().get(preset_.settings), false);
+        emit editEnded();
+    });
+}
+
+void EdgesPanel::addNoise(QGridLayout& grid) {
+    noise_ = new QLabel;
+    noise_->setObjectName("noise-found");
+    noise_->setWordWrap(true);
+    noise_->setTextFormat(Qt::PlainText);
+    noise_->hide();
+    grid.addWidget(noise_, grid.rowCount(), 0, 1, 4);
+}
+
+void EdgesPanel::addCurve(const Parameter& parameter, QGridLayout& grid) {
+    auto* curve = new CountCurve(parameter, this);
+    curves_.push_back(curve);
+    grid.addWidget(curve, grid.rowCount(), 0, 1, 4);
+}
+
+void EdgesPanel::addMeaning(QGridLayout& grid) {
+    meaning_ = new QLabel;
+    meaning_->setObjectName("meaning");
+    meaning_->setWordWrap(true);
+    meaning_->setToolTip(
+        tr("The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that "
+           "runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; "
+           "with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range."));
+    grid.addWidget(meaning_, grid.rowCount(), 0, 1, 4);
+    row("lower")->read([this](const QString& text) { return lowerOfDepth(text); });
+}
+
+Result<double> EdgesPanel::lowerOfDepth(const QString& text) const {
+    const auto step = typedStep(text.toStdString());
+    return step ? lowerOfStep(*step, shown_, scale_) : parseValue(*findParameter("lower"), text.toStdString());
+}
+
+CountCurve* EdgesPanel::curve(const char* key) const {
+    const auto found = std::ranges::find(curves_, QString("curve-") + key, [](const CountCurve* curve) { return curve->objectName(); });
+    return found == curves_.end() ? nullptr : *found;
+}
+
+void EdgesPanel::showCounts(const QString& parameter, const EdgeCountCurve& counts) {
+    if (CountCurve* shown = curve(parameter.toUtf8().constData())) shown->showCurve(counts);
+}
+
+void EdgesPanel::forgetCounts() {
+    for (CountCurve* curve : curves_) curve->showCurve(std::nullopt);
+}
+
+void EdgesPanel::showMeaning() {
+    const std::string text = scale_.farMm > scale_.nearMm ? thresholdText(shown_, scale_) : std::string();
+    meaning_->setText(shownText(text));
+    meaning_->setVisible(!text.empty());
+}
+
+void EdgesPanel::addUpper(QGridLayout& grid) {
+    upper_ = new QLabel;
+    upper_->setObjectName("upper");
+    upper_->setWordWrap(true);
+    lock_ = new QToolButton;
+    lock_->setObjectName("ratio-lock");
+    lock_->setCheckable(true);
+    lock_->setToolTip(tr("Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock."));
+    connect(lock_, &QToolButton::clicked, this, &EdgesPanel::setRatioLocked);
+    const int row = grid.rowCount();
+    grid.addWidget(upper_, row, 0, 1, 2);
+    grid.addWidget(lock_, row, 2, 1, 2);
+}
+
+bool EdgesPanel::ratioLocked() const { return lock_->isChecked(); }
+
+void EdgesPanel::setRatioLocked(bool locked) {
+    lock_->setChecked(locked);
+    lock_->setText(locked ? tr("Locked 1 : 3") : tr("Unlocked"));
+    row("ratio")->setEnabled(!locked);
+    emit ratioLockChanged(locked);
+    if (locked && shown_.ratio != kThesisRatio) {
+        edit(*findParameter("ratio"), kThesisRatio, false);
+        emit editEnded();
+    }
+}
+
+ParameterRow* EdgesPanel::row(const char* key) const {
+    for (ParameterRow* row : rows_) {
+        if (std::strcmp(row->parameter().key, key) == 0) return row;
+    }
+    return nullptr;
+}
+
+void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
+    const Settings settings = turned(shown_, parameter, value, lastGray_);
+    if (settings.method != shown_.method) carried_[settings.method] = {settings.lower, lastGray_.method, lastGray_.lower};
+    emit edited(settings, dragging);
+}
+
+// Of settings with gray levels: those whose threshold somebody chose. One that was only carried over to another method is no choice: back
+// at the method where it was chosen, it is there again to the digit.
+void EdgesPanel::noteThreshold(const Settings& settings) {
+    if (!reads(settings.method, kReadsGray)) return;
+    lastGray_ = settings;
+    const auto carried = carried_.find(settings.method);
+    if (carried == carried_.end() || settings.lower != carried->second.lower) return;
+    lastGray_.method = carried->second.chosenFor;
+    lastGray_.lower = carried->second.chosen;
+}
+
+void EdgesPanel::show(const Settings& settings) {
+    shown_ = settings;
+    noteThreshold(settings);
+    if (settings.ratio != kThesisRatio && ratioLocked()) {
+        setRatioLocked(false);
+    }
+    showInUse();
+    showUpper();
+    showMeaning();
+    showPresetName();
+}
+
+void EdgesPanel::showResult(const Detection& detection) {
+    scale_ = detection.gray->scale;
+    measured_ = measuredOf(detection);
+    classesKnown_ = detection.classes != nullptr;
+    classCounts_ = countClasses(detection);
+    const Parameter& swept = sweptParameter(detection.settings.method);
+    curve(swept.key)->showFound(swept.get(detection.settings), detection.edges->size());
+    const QString noise = noiseWords(detection);
+    noise_->setText(noise);
+    noise_->setVisible(!noise.isEmpty());
+    showInUse();
+    showMeaning();
+    showClasses();
+}
+
+void EdgesPanel::setEdgeColours(const EdgeColours& colours) {
+    colours_ = colours;
+    showClasses();
+}
+
+void EdgesPanel::showClasses() {
+    for (std::size_t n = 0; n < colours_.size(); ++n) {
+        const QString count = QLocale(QLocale::English).toString(static_cast<qulonglong>(classCounts_[n + 1]));
+        row("classes")->mark(n, colours_[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());
+    }
+}
+
+void EdgesPanel::showInUse() {
+    const auto folded = [this](const Parameter& p) { return p.advanced && p.usedBy(shown_); };
+    fold_->setVisible(std::ranges::any_of(parameters(), folded));
+    for (ParameterRow* row : rows_) {
+        const Parameter& p = row->parameter();
+        row->show(p.get(shown_), p.automatic != nullptr ? p.automatic(shown_, measured_) : kAutomatic);
+        row->setVisible(p.usedBy(shown_));
+        if (CountCurve* below = curve(p.key)) {
+            below->showValue(p.get(shown_));
+            below->setVisible(p.usedBy(shown_));
+        }
+    }
+}
+
+void EdgesPanel::showUpper() {
+    const bool used = reads(shown_.method, kReadsTwoThresholds);
+    upper_->setVisible(used);
+    lock_->setVisible(used);
+    const bool share = reads(shown_.method, kReadsRangeStep); // of the range: it has no levels
+    QString text =
+        share ? tr("Strong from  %1 % of range").arg(100 * std::expm1(shown_.ratio * std::log1p(shown_.stepPercent / 100)), 0, 'f', 1)
+              : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
+    if (!share && shown_.aperture == 3 && shown_.upper() >= kLargestGradient) text += tr("  (no gradient reaches it)");
+    upper_->setText(text);
+}
+
+void EdgesPanel::showPresetName() { modified_->setText(modified() ? tr("• modified") : QString()); }
+
+void EdgesPanel::setPreset(const Preset& preset) {
+    preset_ = preset;
+    const QString name = shownName(exactText(preset.name), 60);
+    int index = presets_->findText(name);
+    if (index < 0) {
+        presets_->addItem(name);
+        index = presets_->count() - 1;
+    }
+    presets_->setCurrentIndex(index);
+    showPresetName();
+}
+
+void EdgesPanel::setBehind(bool behind) { behind_->setText(behind ? tr("computing …") : QString()); }
+
+} // namespace edgescan::ui

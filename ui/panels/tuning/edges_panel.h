@@ -1,0 +1,112 @@
+// The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
+#pragma once
+
+#include "core/edges/gray/threshold_map.h"
+#include "core/edges/pipeline/detection.h"
+#include "core/edges/settings/presets.h"
+#include "ui/views/cloud/edge_cells.h"
+
+#include <QWidget>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace edgescan::ui {
+
+class CountCurve;
+class ParameterRow;
+
+/// GUI thread only. Shows settings and says what the user wants; it changes nothing by itself.
+class EdgesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit EdgesPanel(QWidget* parent = nullptr);
+
+    void show(const Settings& settings);
+    /// What automatic values came out as, and how many edges there are of each class.
+    void showResult(const Detection& detection);
+    /// How many edges each value of this parameter would give.
+    void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
+    void forgetCounts();
+    /// The colours of the classes.
+    void setEdgeColours(const EdgeColours& colours);
+    /// The picture does not belong to the numbers yet.
+    void setBehind(bool behind);
+
+    /// The preset that resets go back to, and that "modified" is measured against.
+    void setPreset(const Preset& preset);
+    [[nodiscard]] const Preset& preset() const { return preset_; }
+    [[nodiscard]] bool modified() const { return !(shown_ == preset_.settings); }
+    [[nodiscard]] bool ratioLocked() const;
+    /// The curve under the slider of "lower", "step" or "sensitivity".
+    [[nodiscard]] CountCurve* curve(const char* key) const;
+    [[nodiscard]] ParameterRow* row(const char* key) const;
+    /// As its row would be turned by so many steps; editEnded() is for the caller to tell. Choices go one further.
+    void step(const char* key, int steps);
+    /// "1.00 x", "39 mm auto".
+    [[nodiscard]] QString valueText(const char* key) const;
+
+public slots:
+    void setRatioLocked(bool locked);
+
+signals:
+    void edited(const edgescan::Settings& settings, bool dragging);
+    void editEnded();
+    /// What was typed stands for no value: a sentence that says why.
+    void refused(const QString& sentence);
+    void presetChosen(const edgescan::Preset& preset);
+    void savePresetWanted();
+    void openPresetWanted();
+    void ratioLockChanged(bool locked);
+
+private:
+    void addPresets(QGridLayout& grid);
+    void addRow(const Parameter& parameter, QGridLayout& grid);
+    void addNoise(QGridLayout& grid);
+    void addCurve(const Parameter& parameter, QGridLayout& grid);
+    void addMeaning(QGridLayout& grid);
+    [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
+    void addUpper(QGridLayout& grid);
+    void edit(const Parameter& parameter, double value, bool dragging);
+    void noteThreshold(const Settings& settings);
+    void showPresetName();
+    void showUpper();
+    void showInUse();
+    void showClasses();
+    void showMeaning();
+
+    Settings shown_;
+    Settings lastGray_ = cannySettings(); // the last ones with gray levels: their threshold is carried over to another method
+    struct Carried {
+        double lower = 0.0; // as the change of method gave it
+        Method chosenFor = Method::Canny;
+        double chosen = 0.0;
+    };
+    std::map<Method, Carried> carried_; // the last time that each method was gone to; undo comes back there
+    GrayScale scale_;
+    Measured measured_;
+    std::array<std::size_t, kDepthEdges> classCounts_{}; // by DepthEdge
+    bool classesKnown_ = false;
+    EdgeColours colours_ = kUsualColours;
+    Preset preset_;
+    std::vector<ParameterRow*> rows_;
+    QComboBox* presets_ = nullptr;
+    QLabel* modified_ = nullptr;
+    std::vector<CountCurve*> curves_;
+    QLabel* upper_ = nullptr;
+    QToolButton* fold_ = nullptr;
+    QLabel* meaning_ = nullptr;
+    QLabel* noise_ = nullptr;
+    QLabel* behind_ = nullptr;
+    QToolButton* lock_ = nullptr;
+    QWidget* advanced_ = nullptr;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,24 @@
+// Kind and size of the noise, at the usual range of the scan, at half and at twice of it.
+#include "ui/panels/tuning/noise_words.h"
+
+#include <QObject>
+
+namespace edgescan::ui {
+
+QString noiseWords(const Detection& detection) {
+    if (!detection.responses || !(detection.responses->scales.rangeM > 0)) return {};
+    const DepthResponses& found = *detection.responses;
+    const auto at = [](const RangeNoise& noise, double rangeM) {
+        return QObject::tr("%1 mm at %2 m").arg(noise.at(rangeM), 0, 'f', 1).arg(rangeM, 0, 'f', 1);
+    };
+    const double usual = found.scales.rangeM;
+    const QString kind = found.neighboursAlike  ? QObject::tr("neighbours err alike, as in a depth camera")
+                         : found.scales.inSteps ? QObject::tr("each cell errs for itself, in steps of the file")
+                                                : QObject::tr("each cell errs for itself");
+    QString text = QObject::tr("Noise in use: %1; sigma %2, %3, %4.")
+                       .arg(kind, at(found.noise, 0.5 * usual), at(found.noise, usual), at(found.noise, 2 * usual));
+    if (found.neighboursAlike) text += " " + QObject::tr("Folds have to exceed %1.").arg(at(found.foldNoise, usual));
+    return text;
+}
+
+} // namespace edgescan::ui

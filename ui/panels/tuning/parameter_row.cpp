@@ -1,0 +1,260 @@
+// One row of the panel.
+#include "ui/panels/tuning/parameter_row.h"
+
+#include "core/edges/settings/slider_scale.h"
+#include "ui/base/shown_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QIcon>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPixmap>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kNarrowestNumber = 72, kWidestNumber = 160; // px of a number box
+
+// A number box into which any text may be typed; one that stands for no value is told of when it is done, not swallowed letter by letter.
+class ReadingBox : public QDoubleSpinBox {
+public:
+    using Refusal = std::function<void(const Error& why)>;
+
+    explicit ReadingBox(QWidget* parent) : QDoubleSpinBox(parent) {}
+    void read(ParameterRow::Reading reading) { reading_ = std::move(reading); }
+    void onRefusal(Refusal refusal) { refusal_ = std::move(refusal); }
+
+    QValidator::State validate(QString& text, int& /*position*/) const override {
+        return reading_(withoutSuffix(text)) ? QValidator::Acceptable : QValidator::Intermediate;
+    }
+    double valueFromText(const QString& text) const override {
+        const Result<double> read = reading_(withoutSuffix(text));
+        return read ? *read : value();
+    }
+    void fixup(QString& text) const override {
+        const Result<double> read = reading_(withoutSuffix(text));
+        if (!read) refusal_(read.error());
+    }
+
+private:
+    [[nodiscard]] QString withoutSuffix(QString text) const {
+        if (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
+        return text.trimmed();
+    }
+
+    ParameterRow::Reading reading_;
+    Refusal refusal_;
+};
+
+QString limitsText(const Parameter& p) {
+    QString text = QObject::tr(p.help);
+    if (p.choices.empty())
+        text += QObject::tr("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(*p.unit == '\0' ? QString() : QObject::tr(p.unit));
+    return text + QObject::tr("\nDouble-click: back to the preset");
+}
+
+} // namespace
+
+ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent) : QObject(parent), parameter_(parameter) {
+    const int row = grid.rowCount();
+    label_ = new QLabel(QObject::tr(parameter.label), parent);
+    label_->setToolTip(limitsText(parameter));
+    label_->setWordWrap(true); // in a narrow dock
+    label_->installEventFilter(this);
+    grid.addWidget(label_, row, 0);
+    if (parameter.choices.empty())
+        addNumber(grid, row, parent);
+    else if (parameter.several)
+        addSwitches(grid, row, parent);
+    else
+        addChoice(grid, row, parent);
+    if (slider_ != nullptr) {
+        slider_->setObjectName(QString("slider-") + parameter.key);
+        slider_->setToolTip(limitsText(parameter));
+        slider_->setAccessibleName(label_->text());
+        slider_->installEventFilter(this);
+        grid.addWidget(slider_, row + 1, 0, 1, 4); // a line of its own: a short slider has no fine end
+        connect(slider_, &QSlider::valueChanged, this, [this](int position) { tell(sliderValue(parameter_, position)); });
+        connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
+    }
+}
+
+bool ParameterRow::numericChoices() const { return parameter_.choices.size() > 2 && parameter_.choices.front().name[0] <= '9'; }
+
+void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
+    const Parameter& p = parameter_;
+    slider_ = new QSlider(Qt::Horizontal, parent);
+    slider_->setRange(0, kSliderSteps);
+    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
+    auto* box = new ReadingBox(parent);
+    number_ = box;
+    // Automatic values are shown as they are, also beyond the limits of what can be typed.
+    box->read([this, box](const QString& text) -> Result<double> {
+        const Result<double> value = parseValue(parameter_, text.toStdString());
+        if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
+        if (!value && text == box->textFromValue(box->value())) return box->value();
+        return value;
+    });
+    box->onRefusal([this](const Error& why) {
+        const QString sentence =
+            tr("%1: %2; %3. The value stays as it was.").arg(QObject::tr(parameter_.label), shownText(why.what), shownText(why.hint));
+        // The box is still at it.
+        QMetaObject::invokeMethod(
+            this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);
+    });
+    number_->setObjectName(QString("number-") + p.key);
+    number_->setLocale(QLocale::c());
+    number_->setDecimals(p.decimals);
+    number_->setRange(p.minimum, p.maximum);
+    number_->setSingleStep(p.step);
+    number_->setKeyboardTracking(false);
+    number_->setAccessibleName(label_->text());
+    number_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    number_->setMaximumWidth(kWidestNumber);
+    number_->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
+    if (*p.unit != '\0') number_->setSuffix(" " + QObject::tr(p.unit));
+    label_->setBuddy(number_);
+    connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
+    connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
+    grid.addWidget(number_, row, 1, 1, p.automatic == nullptr ? 3 : 2);
+    if (p.automatic == nullptr) return;
+    auto* automatic = new QCheckBox(tr("auto"), parent);
+    automatic->setObjectName(QString("auto-") + p.key);
+    automatic_ = automatic;
+    grid.addWidget(automatic, row, 3);
+    connect(automatic, &QCheckBox::toggled, this, [this](bool on) { tell(on ? kAutomatic : snapped(parameter_, number_->value())); });
+}
+
+void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
+    choice_ = new QComboBox(parent);
+    choice_->setObjectName(QString("choice-") + parameter_.key);
+    choice_->setToolTip(limitsText(parameter_));
+    choice_->setAccessibleName(label_->text());
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    label_->setBuddy(choice_);
+    for (const Choice& choice : parameter_.choices) choice_->addItem(QObject::tr(choice.label));
+    connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
+        if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
+    });
+    choice_->setMinimumContentsLength(8);
+    if (!numericChoices()) {
+        grid.addWidget(choice_, row, 1, 1, 3);
+        return;
+    }
+    slider_ = new QSlider(Qt::Horizontal, parent);
+    slider_->setRange(0, static_cast<int>(parameter_.choices.size()) - 1);
+    slider_->setPageStep(1);
+    slider_->setTickPosition(QSlider::TicksBelow);
+    grid.addWidget(choice_, row, 1, 1, 3);
+}
+
+void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
+    auto* strip = new QWidget(parent);
+    auto* column = new QVBoxLayout(strip);
+    column->setContentsMargins(0, 0, 0, 0);
+    strip_ = strip;
+    for (const Choice& choice : parameter_.choices) {
+        auto* box = new QCheckBox(QObject::tr(choice.label), strip);
+        box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
+        box->setToolTip(limitsText(parameter_));
+        column->addWidget(box);
+        switches_.push_back(box);
+        connect(box, &QCheckBox::toggled, this, [this] {
+            int set = 0;
+            for (std::size_t n = 0; n < switches_.size(); ++n) {
+                if (switches_[n]->isChecked()) set |= static_cast<int>(parameter_.choices[n].value);
+            }
+            tell(set);
+        });
+    }
+    grid.addWidget(strip, row + 1, 0, 1, 4);
+}
+
+void ParameterRow::show(double value, double inUse) {
+    showing_ = true;
+    const bool automatic = std::isnan(value);
+    const double shown = automatic ? inUse : value;
+    if (automatic_ != nullptr) automatic_->setChecked(automatic);
+    if (number_ != nullptr && !std::isnan(shown)) {
+        number_->setRange(std::min(parameter_.minimum, shown), std::max(parameter_.maximum, shown));
+        number_->setValue(shown);
+    }
+    for (std::size_t n = 0; n < switches_.size(); ++n)
+        switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
+    if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
+    // A slider under the hand stays where the hand is: its own rounding must not push it back.
+    if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(sliderPosition(parameter_, shown));
+    showing_ = false;
+}
+
+std::vector<QWidget*> ParameterRow::widgets() const {
+    std::vector<QWidget*> all;
+    for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
+                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_), strip_}) {
+        if (widget != nullptr) all.push_back(widget);
+    }
+    return all;
+}
+
+void ParameterRow::setEnabled(bool enabled) {
+    for (QWidget* widget : widgets()) widget->setEnabled(enabled);
+}
+
+void ParameterRow::read(Reading reading) {
+    if (number_ != nullptr) static_cast<ReadingBox*>(number_)->read(std::move(reading));
+}
+
+void ParameterRow::setVisible(bool visible) {
+    for (QWidget* widget : widgets()) widget->setVisible(visible);
+}
+
+void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString& remark) {
+    // On the dark of the views, against which the colours were chosen: also on a light panel.
+    constexpr int kSwatch = 14;
+    constexpr int kBorder = 3;
+    QPixmap swatch(kSwatch, kSwatch);
+    swatch.fill(QColor(48, 48, 48));
+    QPainter(&swatch).fillRect(swatch.rect().adjusted(kBorder, kBorder, -kBorder, -kBorder), colour);
+    switches_[choice]->setIcon(QIcon(swatch));
+    switches_[choice]->setText(QObject::tr(parameter_.choices[choice].label) + remark);
+}
+
+void ParameterRow::tell(double value) {
+    if (showing_) return;
+    emit changed(value, slider_ != nullptr && slider_->isSliderDown());
+}
+
+// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth.
+bool ParameterRow::stepByKey(const QKeyEvent& event) {
+    if (number_ == nullptr) return false;
+    const bool up = event.key() == Qt::Key_Up || event.key() == Qt::Key_Right;
+    const bool down = event.key() == Qt::Key_Down || event.key() == Qt::Key_Left;
+    if (!up && !down) return false;
+    double step = parameter_.step * (up ? 1.0 : -1.0);
+    if ((event.modifiers() & Qt::ShiftModifier) != 0) step *= 10.0;
+    if ((event.modifiers() & Qt::ControlModifier) != 0) step /= 10.0;
+    number_->setValue(snapped(parameter_, number_->value() + step));
+    return true;
+}
+
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == slider_ && event->type() == QEvent::KeyPress) return stepByKey(*static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::MouseButtonDblClick) {
+        emit resetWanted();
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,91 @@
+// The window of the range image: which ranges go from black to white, on a histogram of all ranges, in metres.
+#pragma once
+
+#include "core/scan/grid/scan.h"
+
+#include <QWidget>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+class QLabel;
+class QToolButton;
+
+namespace edgescan::ui {
+
+/// How many cells with a range lie in each of equal steps from 0 to `mostM`, which holds all but one in a thousand of them.
+struct RangeHistogram {
+    double mostM = 1.0;
+    std::vector<std::uint32_t> counts;
+};
+[[nodiscard]] RangeHistogram rangeHistogram(const Scan& scan);
+
+/// The histogram with two ends that are dragged, or moved by keys: left and right the far one, with Shift the near one. GUI thread only.
+class RangeHandles : public QWidget {
+    Q_OBJECT
+public:
+    using Window = std::pair<double, double>; ///< near and far, metres
+
+    explicit RangeHandles(QWidget* parent = nullptr);
+    void showHistogram(RangeHistogram histogram);
+    void setWindow(Window window);
+    [[nodiscard]] Window window() const { return window_; }
+    /// Where an end is drawn, and what lies at a place; pixels from the left, metres.
+    [[nodiscard]] double toX(double metres) const;
+    [[nodiscard]] double toMetres(double x) const;
+
+signals:
+    void dragged(double nearM, double farM);
+    void automaticWanted();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    /// While it is counted there is no scale that an end could be put on.
+    [[nodiscard]] bool isKnown() const { return !histogram_.counts.empty(); }
+    void moveEnd(bool far, double metres);
+
+    RangeHistogram histogram_;
+    Window window_{0.0, 1.0};
+    std::optional<bool> held_; // the far one, or the near one
+};
+
+class RangeWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit RangeWindow(QWidget* parent = nullptr);
+
+    void showHistogram(const RangeHistogram& histogram);
+    /// What the range image shows now; `automatic`: as the method scales it.
+    void showWindow(RangeHandles::Window window, bool automatic);
+    void setLocked(bool on);
+    [[nodiscard]] bool locked() const;
+    [[nodiscard]] RangeHandles& handles() { return *handles_; }
+    [[nodiscard]] QString words() const;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+signals:
+    void windowWanted(double nearM, double farM);
+    void automaticWanted();
+    void lockWanted(bool on);
+
+private:
+    void fit();
+
+    QLabel* title_;
+    QLabel* words_;
+    QToolButton *automatic_, *lock_;
+    RangeHandles* handles_;
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,313 @@
+// The status bar.
+#include "ui/panels/tuning/status_line.h"
+
+#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/placement.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kShowWorkAfterMs = 100;
+constexpr int kBetween = 14; // px between two facts
+
+QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
+
+// Thousands apart, the same in every locale.
+QString count(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
+
+QString rangeText(const Probe& probe) {
+    if (probe.filled)
+        return QObject::tr("filled, not measured: %1 m ± %2")
+            .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
+                 number(static_cast<double>(probe.filled->sdMm) / 1000.0, 3));
+    if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
+    if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
+    if (probe.state == CellState::NoReturn) return QObject::tr("no return");
+    return QString::fromUtf8(cellStateName(probe.state)).replace('_', ' ');
+}
+
+} // namespace
+
+ProbeWords probeWords(const Probe& probe) {
+    ProbeWords words;
+    if (probe.mineM)
+        words.place =
+            QObject::tr("N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
+    else
+        words.place = QObject::tr("N –  E –  El –");
+    if (probe.state == CellState::Valid)
+        words.place +=
+            QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
+    const QString kind = probe.kind == DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edgeClassLabel(probe.kind)));
+    words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
+    words.cell = QObject::tr("line %1  beam %2").arg(probe.line).arg(probe.beam);
+    if (!std::isnan(probe.beamDeg)) words.cell += QObject::tr("  at %1° / %2°").arg(number(probe.lineDeg, 3), number(probe.beamDeg, 3));
+    words.cell += QObject::tr("  gray %1").arg(probe.gray);
+    return words;
+}
+
+StatusLine::StatusLine(QWidget* parent)
+    : QStatusBar(parent), strip_(new QWidget), way_(new QBoxLayout(QBoxLayout::LeftToRight, strip_)), probe_(new QLabel),
+      work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
+    setSizeGripEnabled(false);
+    probe_->setObjectName("probe");
+    probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    // A long probe must not push the window wider.
+    probe_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* line = new QHBoxLayout(work_);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(stage_);
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(true);
+    bar_->setFixedWidth(140);
+    line->addWidget(bar_);
+    auto* cancel = new QPushButton(tr("Cancel (Esc)"));
+    connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelWanted);
+    line->addWidget(cancel);
+    work_->hide();
+    untilWorkIsShown_.setSingleShot(true);
+    untilWorkIsShown_.setInterval(kShowWorkAfterMs);
+    connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
+
+    auto* left = new QHBoxLayout;
+    left->setSpacing(kBetween);
+    left->addWidget(work_);
+    left->addWidget(probe_, 1);
+    facts_ = new QHBoxLayout;
+    facts_->setSpacing(kBetween);
+    way_->setContentsMargins(kBetween / 2, 0, kBetween / 2, 0);
+    way_->setSpacing(0);
+    way_->addLayout(left, 1);
+    way_->addLayout(facts_);
+    strip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what is said follows the width, not the other way round
+    addWidget(strip_, 1);
+    for (const auto& [kind, name] : {std::pair{Fact::Incomplete, "incomplete"},
+                                     {Fact::Place, "place"},
+                                     {Fact::Counts, "counts"},
+                                     {Fact::Recorded, "recorded"},
+                                     {Fact::Box, "box"},
+                                     {Fact::Settings, "settings"},
+                                     {Fact::Time, "time"},
+                                     {Fact::Renderer, "renderer"}}) {
+        auto* label = new QLabel;
+        label->setObjectName(name);
+        // Its words are never squeezed: it is there whole, or not at all.
+        label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+        label->hide();
+        facts_->addWidget(label);
+        told_[static_cast<std::size_t>(kind)].label = label;
+    }
+    QLabel* incomplete = told(Fact::Incomplete).label;
+    followColours(*incomplete, [incomplete](const Theme& theme) {
+        incomplete->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme.bad.name()));
+    });
+}
+
+void StatusLine::addKept(QWidget* widget) {
+    kept_.push_back(widget);
+    facts_->insertWidget(0, widget);
+    widget->installEventFilter(this);
+}
+
+void StatusLine::tell(Fact fact, const QString& words, const QString& brief, bool kept) {
+    Told& told = this->told(fact);
+    if (told.words == words && told.brief == brief && told.kept == kept) return;
+    told.words = words;
+    told.brief = brief;
+    told.kept = kept;
+    fit();
+}
+
+/// Left to right in the order of their worth: what does not fit is said in fewer words, then not at all, from the right end on. Where the
+/// cell lies, what it is, what is incomplete or out of spec: these go into a second line before they go.
+void StatusLine::fit() {
+    const int whole = strip_->width() - kBetween - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
+    const QFontMetrics letters(probe_->font());
+    const int left = std::max(letters.horizontalAdvance(probeMain_), longestProbe_) + kBetween;
+    const int withCell = std::max(letters.horizontalAdvance(probeShown()), longestCell_) + kBetween;
+    enum Form { Full, Brief, None };
+    std::array<Form, kFacts> forms{};
+    const auto textOf = [&](std::size_t n) { return forms[n] == None ? QString() : forms[n] == Brief ? told_[n].brief : told_[n].words; };
+    const auto width = [&] {
+        int sum = 0;
+        for (const QWidget* widget : kept_) sum += widget->isHidden() ? 0 : widget->sizeHint().width() + kBetween;
+        for (std::size_t n = 0; n < kFacts; ++n) {
+            const QString text = textOf(n);
+            QFont font = told_[n].label->font();
+            if (!text.isEmpty()) sum += QFontMetrics(font).horizontalAdvance(text) + 2 + kBetween;
+        }
+        return sum;
+    };
+    const auto shorten = [&](int room, bool counts) {
+        for (const Form form : {Brief, None}) {
+            for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
+                if (form == None && !counts && n == static_cast<std::size_t>(Fact::Counts)) continue;
+                if (form == None && told_[n].kept) continue;
+                if (form == Brief && told_[n].brief.isEmpty()) continue;
+                forms[n] = form;
+            }
+        }
+    };
+    // For line and beam of the cell all others may go but the counts; these only for what must be read.
+    shorten(whole - withCell, false);
+    shorten(whole - left, true);
+    const bool two = width() > whole - left;
+    if (two) {
+        forms = {};
+        shorten(whole, true);
+    }
+    way_->setDirection(two ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    for (std::size_t n = 0; n < kFacts; ++n) {
+        const QString text = textOf(n);
+        told_[n].label->setText(text);
+        told_[n].label->setVisible(!text.isEmpty());
+    }
+    const int room = two ? whole : whole - width();
+    probe_->setText(
+        letters.elidedText(probeMore_.isEmpty() ? probeMain_ : probeMain_ + "  " + probeMore_, Qt::ElideRight, std::max(room, 0)));
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    fit();
+}
+
+bool StatusLine::event(QEvent* event) {
+    const bool done = QStatusBar::event(event);
+    if (event->type() == QEvent::LayoutRequest) fit();
+    return done;
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide || event->type() == QEvent::Resize)
+        QMetaObject::invokeMethod(this, &StatusLine::fit, Qt::QueuedConnection);
+    return QStatusBar::eventFilter(watched, event);
+}
+
+void StatusLine::showProbe(const std::optional<Probe>& probe) {
+    const ProbeWords words = probe ? probeWords(*probe) : ProbeWords{};
+    probeMain_ = probe ? words.place + "  " + words.verdict : QString();
+    probeMore_ = words.cell;
+    // What stands at the right must not come and go with the mouse.
+    longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
+    longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));
+    fit();
+    probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
+}
+
+void StatusLine::showPlace(const Scan& scan) {
+    longestProbe_ = longestCell_ = 0;
+    const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
+    const bool part = incomplete != scan.warnings.end();
+    const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
+    tell(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
+    QLabel& label = *told(Fact::Place).label;
+    if (!scan.placement) {
+        tell(Fact::Place, tr("scanner frame"), {}, false);
+        label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
+        return;
+    }
+    const Placement& place = *scan.placement;
+    QString grid = tr("mine grid");
+    if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
+    const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
+    const QString text = grid + tr(" · origin E %1 N %2 El %3")
+                                    .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
+    tell(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
+    QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
+    for (const std::string& warning : place.warnings) about << shownText(warning);
+    label.setToolTip(about.join("\n"));
+}
+
+void StatusLine::showTimeOf(const Scan& scan, bool live) {
+    const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
+    const QString text = live ? QString() : start.empty() ? tr("time not known") : tr("measured %1").arg(shownText(start));
+    tell(Fact::Recorded, text, live || start.empty() ? QString() : tr("measured %1").arg(shownText(start).left(10)), false);
+    told(Fact::Recorded)
+        .label->setToolTip(start.empty() ? tr("The file does not say when it was measured.")
+                                         : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
+}
+
+void StatusLine::showCounts(const Detection& detection) {
+    const auto cells = countCells(*detection.scan);
+    const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
+    const QString edges = tr("%1 edges").arg(count(detection.edges->size()));
+    const QString none = tr("%1 no return").arg(count(of(CellState::NoReturn)));
+    QString text = tr("%1 points").arg(count(of(CellState::Valid))) + " · " + edges + " · " + none;
+    if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(count(of(CellState::DeviceStatus)));
+    for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
+        if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));
+    }
+    if (detection.filled) text += tr(" · %1 filled").arg(count(detection.filled->cells.size()));
+    tell(Fact::Counts, text, edges + " · " + none, false);
+    told(Fact::Counts).label->setToolTip(text);
+}
+
+void StatusLine::showBox(const QString& words) { tell(Fact::Box, words, {}, false); }
+
+void StatusLine::showSettings(const Settings& settings) {
+    const std::vector<std::string> keys = changedFromDefault(settings);
+    const QString set = QString("%1 %2").arg(QString(kDefaultSet.name)).arg(kDefaultSet.version);
+    QLabel& label = *told(Fact::Settings).label;
+    tell(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
+         keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
+    QStringList about;
+    for (const std::string& key : keys) {
+        const Parameter& p = *findParameter(key);
+        about << tr("%1: %2 instead of %3")
+                     .arg(QObject::tr(p.label), shownText(formatValue(p, p.get(settings))), shownText(formatValue(p, p.get(Settings{}))));
+    }
+    label.setToolTip(keys.empty() ? tr("All settings are those of the default set.")
+                                  : about.join("\n") + tr("\nCtrl+D restores the default settings."));
+}
+
+void StatusLine::showTime(double milliseconds) { tell(Fact::Time, tr("%1 ms").arg(number(milliseconds, 1)), {}, false); }
+
+void StatusLine::showRenderer(const QString& name) {
+    tell(Fact::Renderer, name.section(' ', 0, 0), {}, false);
+    told(Fact::Renderer).label->setToolTip(name);
+}
+
+void StatusLine::startWork(const QString& title) {
+    workTitle_ = shownName(title);
+    untilWorkIsShown_.start();
+}
+
+void StatusLine::showProgress(const QString& stage, double fraction) {
+    if (untilWorkIsShown_.isActive()) return;
+    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + shownName(stage));
+    bar_->setValue(static_cast<int>(std::lround(fraction * 1000)));
+    work_->show();
+    fit();
+}
+
+void StatusLine::endWork() {
+    untilWorkIsShown_.stop();
+    work_->hide();
+    fit();
+}
+
+QString StatusLine::probeShown() const { return probeMore_.isEmpty() ? QString() : probeMain_ + "  " + probeMore_; }
+QString StatusLine::placeShown() const { return told(Fact::Place).words; }
+QString StatusLine::recordedShown() const { return told(Fact::Recorded).words; }
+QString StatusLine::settingsShown() const { return told(Fact::Settings).words; }
+QString StatusLine::countsShown() const { return told(Fact::Counts).words; }
+
+} // namespace edgescan::ui

@@ -1,0 +1,38 @@
+// The warnings' button in the status bar.
+#include "ui/panels/tuning/warning_button.h"
+
+#include "ui/base/themes.h"
+
+namespace edgescan::ui {
+
+WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
+    setObjectName("warnings");
+    setAutoRaise(true);
+    connect(this, &QToolButton::clicked, this, &WarningButton::acknowledge);
+    followColours(*this, [this](const Theme&) { showState(); });
+}
+
+void WarningButton::showWarnings(const QStringList& warnings) {
+    if (warnings == warnings_) return;
+    warnings_ = warnings;
+    acknowledged_ = false;
+    showState();
+    emit warningsRaised(warnings_);
+}
+
+void WarningButton::acknowledge() {
+    acknowledged_ = true;
+    showState();
+    emit warningsAcknowledged();
+}
+
+void WarningButton::showState() {
+    const QString count = warnings_.size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings_.size());
+    // Words besides the colour.
+    setText("\u26A0 " + (acknowledged_ ? tr("%1, acknowledged").arg(count) : count));
+    setStyleSheet(acknowledged_ ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
+    setToolTip(tr("Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots"));
+    setVisible(!warnings_.isEmpty());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,246 @@
+// Float coordinates, drawing order, tiles and the frame of the view, from a scan.
+#include "ui/views/cloud/cloud_geometry.h"
+
+#include "core/base/bands.h"
+#include "core/scan/grid/cartesian.h"
+#include "ui/views/cloud/cloud_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace edgescan::ui {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr int kTile = 16;               // lines and beams
+constexpr double kKeepOriginM = 1000.0; // nearer to zero than this a float resolves 0.1 mm without a shift
+constexpr std::size_t kEnoughSamples = 20000;
+
+// Place of a cell in the R2 low-discrepancy sequence (M. Roberts, "The unreasonable effectiveness of quasirandom
+// sequences", 2018): the cells below any threshold are spread evenly over lines and beams.
+std::uint32_t spread(int line, int beam) {
+    return static_cast<std::uint32_t>(beam) * 3242174889U + static_cast<std::uint32_t>(line) * 2447445414U;
+}
+
+int partOf(std::uint32_t place) {
+    const double share = static_cast<double>(place) / 4294967296.0;
+    int part = 0;
+    while (part + 1 < kCloudParts && share >= kPartEnds[static_cast<std::size_t>(part)]) ++part;
+    return part;
+}
+
+Vector3d pickOrigin(const Scan& scan) {
+    const auto* points = std::get_if<PointGeometry>(&scan.geometry);
+    if (points == nullptr) return Vector3d::Zero(); // the sensor is the origin
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const Vector3d& p = points->pointsM[k];
+        if (scan.state[k] != CellState::Valid || !p.allFinite()) continue;
+        if (p.cwiseAbs().maxCoeff() < kKeepOriginM) return Vector3d::Zero();
+        return (p / kKeepOriginM).array().round().matrix() * kKeepOriginM;
+    }
+    return Vector3d::Zero();
+}
+
+void fillPoints(const CartesianTables& tables, CloudGeometry& out) {
+    const auto beams = static_cast<std::size_t>(out.beams);
+    const std::size_t cells = static_cast<std::size_t>(out.lines) * beams;
+    out.xyz.resize(3 * cells);
+    out.valid.assign(cells, 0);
+    inBands(out.lines, bandsFor(cells, 0), [&](int first, int last) {
+        std::vector<double> x(beams), y(beams), z(beams);
+        for (int line = first; line < last; ++line) {
+            tables.pointsOfLine(line, x.data(), y.data(), z.data());
+            std::size_t k = static_cast<std::size_t>(line) * beams;
+            for (std::size_t beam = 0; beam < beams; ++beam, ++k) {
+                const Vector3d p(x[beam], y[beam], z[beam]);
+                const bool drawn = p.allFinite();
+                const Vector3f local = drawn ? Vector3f((p - out.originM).cast<float>()) : out.sensor;
+                out.xyz[3 * k] = local.x();
+                out.xyz[3 * k + 1] = local.y();
+                out.xyz[3 * k + 2] = local.z();
+                out.valid[k] = drawn ? 1 : 0;
+            }
+        }
+    });
+}
+
+void fillOrder(CloudGeometry& out) {
+    for (std::size_t part = 0; part < out.drawOrder.size(); ++part) {
+        const double share = kPartEnds[part] - (part == 0 ? 0.0 : kPartEnds[part - 1]);
+        out.drawOrder[part].reserve(static_cast<std::size_t>(share * 1.05 * static_cast<double>(out.cells())) + 16);
+    }
+    std::size_t k = 0;
+    for (int line = 0; line < out.lines; ++line) {
+        for (int beam = 0; beam < out.beams; ++beam, ++k) {
+            if (out.valid[k] == 0) continue;
+            out.drawOrder[static_cast<std::size_t>(partOf(spread(line, beam)))].push_back(static_cast<std::uint32_t>(k));
+            ++out.validCount;
+        }
+    }
+}
+
+void fillTiles(CloudGeometry& out) {
+    for (int line = 0; line < out.lines; line += kTile) {
+        for (int beam = 0; beam < out.beams; beam += kTile) {
+            CloudTile tile{line, std::min(line + kTile, out.lines), beam, std::min(beam + kTile, out.beams), Box3f()};
+            for (int i = tile.line0; i < tile.line1; ++i) {
+                for (int j = tile.beam0; j < tile.beam1; ++j) {
+                    const std::size_t k = static_cast<std::size_t>(i) * static_cast<std::size_t>(out.beams) + static_cast<std::size_t>(j);
+                    if (out.valid[k] != 0) tile.box.extend(out.point(k));
+                }
+            }
+            if (tile.box.isEmpty()) continue;
+            out.bounds.extend(tile.box);
+            out.tiles.push_back(tile);
+        }
+    }
+}
+
+std::vector<std::uint32_t> sampleCells(const CloudGeometry& cloud) {
+    std::vector<std::uint32_t> cells;
+    for (const auto& part : cloud.drawOrder) {
+        cells.insert(cells.end(), part.begin(), part.end());
+        if (cells.size() >= kEnoughSamples) break;
+    }
+    return cells;
+}
+
+Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
+    Box3f box;
+    if (sample.empty()) return box;
+    Vector3f low, high;
+    std::vector<float> values(sample.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        std::transform(sample.begin(), sample.end(), values.begin(), [&](std::uint32_t k) { return cloud.point(k)[axis]; });
+        const auto last = static_cast<double>(values.size() - 1);
+        const auto lower = values.begin() + static_cast<std::ptrdiff_t>(0.01 * last);
+        std::nth_element(values.begin(), lower, values.end());
+        low[axis] = *lower;
+        const auto upper = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
+        std::nth_element(values.begin(), upper, values.end());
+        high[axis] = *upper;
+    }
+    box.extend(low);
+    box.extend(high);
+    return box;
+}
+
+/// The larger of the two angles to the neighbours in line and beam: points as large as it close the surface both ways.
+double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
+    constexpr std::size_t kEnough = 2000;
+    std::vector<double> steps;
+    const auto angle = [&](std::size_t a, std::size_t b) {
+        const Vector3d from = (cloud.point(a) - cloud.sensor).cast<double>();
+        const Vector3d to = (cloud.point(b) - cloud.sensor).cast<double>();
+        return std::atan2(from.cross(to).norm(), from.dot(to));
+    };
+    const auto beams = static_cast<std::size_t>(cloud.beams);
+    const std::size_t every = std::max<std::size_t>(1, sample.size() / kEnough);
+    for (std::size_t n = 0; n < sample.size(); n += every) {
+        const std::size_t k = sample[n];
+        const bool beside = (k + 1) % beams != 0 && cloud.drawable(k + 1);
+        const bool below = cloud.drawable(k + beams);
+        if (beside || below) steps.push_back(std::max(beside ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
+    }
+    if (steps.empty()) return 0.0;
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+Vector3d meanDirection(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
+    Vector3d sum = Vector3d::Zero();
+    for (const std::uint32_t k : sample) {
+        const Vector3d d = (cloud.point(k) - cloud.sensor).cast<double>();
+        if (d.squaredNorm() > 0.0) sum += d.normalized();
+    }
+    const double strength = sum.norm() / std::max(1.0, static_cast<double>(sample.size()));
+    // A full dome has no direction of its own.
+    return strength > 0.05 ? Vector3d(sum.normalized()) : Vector3d(Vector3d::UnitY());
+}
+
+// Where row 0 lies: mean step from a line to the one before, as seen from the sensor.
+std::optional<Vector3d> towardsRowZero(const CartesianTables& tables, const CloudGeometry& cloud, const Vector3d& forward) {
+    Vector3d sum = Vector3d::Zero();
+    double length = 0.0;
+    const int step = std::max(1, cloud.lines / 32);
+    for (int line = 0; line + step < cloud.lines; line += step) {
+        for (int beam = 0; beam < cloud.beams; beam += std::max(1, cloud.beams / 64)) {
+            const Vector3d a = tables.direction(line, beam);
+            const Vector3d b = tables.direction(line + step, beam);
+            if (!a.allFinite() || !b.allFinite()) continue;
+            const Vector3d d = a - b;
+            sum += d;
+            length += d.norm();
+        }
+    }
+    sum -= forward * forward.dot(sum);
+    if (length <= 0.0 || sum.norm() < 0.2 * length) return std::nullopt; // lines turn about the view direction
+    return sum.normalized();
+}
+
+Vector3d nearestAxis(const Vector3d& v, const Vector3d& not_along) {
+    Vector3d best = Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        Vector3d unit = Vector3d::Unit(axis);
+        if (std::abs(unit.dot(not_along)) > 0.5) continue;
+        if (v[axis] < 0.0) unit = -unit;
+        if (best.isZero() || unit.dot(v) > best.dot(v)) best = unit;
+    }
+    return best;
+}
+
+ViewFrame frameOf(const Vector3d& forward, const Vector3d& up) {
+    const Vector3d right = forward.cross(up).normalized();
+    return {right, forward, right.cross(forward)};
+}
+
+void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vector<std::uint32_t>& sample, CloudGeometry& out) {
+    const Vector3d forward = meanDirection(out, sample);
+    const bool levelled = std::holds_alternative<PointGeometry>(scan.geometry) && std::abs(forward.z()) < 0.9;
+    // In the scanner's own frame z is the viewing direction, so "up" can only come from the rows.
+    const Vector3d fallback = levelled ? Vector3d::UnitZ() : (std::abs(forward.y()) < 0.9 ? Vector3d::UnitY() : Vector3d::UnitZ());
+    out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
+    const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());
+    out.axes = frameOf(nearestAxis(forward, up), up);
+}
+
+} // namespace
+
+std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, const std::vector<std::uint8_t>& hidden) {
+    auto rest = std::make_shared<CloudGeometry>(cloud);
+    if (hidden.size() != cloud.cells()) return rest;
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+        if (hidden[k] != 0) rest->valid[k] = 0;
+    }
+    rest->validCount = 0;
+    for (auto& part : rest->drawOrder) {
+        std::erase_if(part, [&](std::uint32_t k) { return hidden[k] != 0; });
+        rest->validCount += part.size();
+    }
+    return rest;
+}
+
+std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
+    auto out = std::make_shared<CloudGeometry>();
+    out->lines = scan.lines();
+    out->beams = scan.beams();
+    const CartesianTables tables(scan);
+    out->originM = pickOrigin(scan);
+    const Vector3d sensor = tables.sensor();
+    out->sensor = (sensor - out->originM).cast<float>();
+    fillPoints(tables, *out);
+    out->normals = surfaceNormals(*out);
+    fillOrder(*out);
+    fillTiles(*out);
+    const std::vector<std::uint32_t> sample = sampleCells(*out);
+    out->mainBounds = boxOfMost(*out, sample);
+    out->stepRad = middleStep(*out, sample);
+    fillFrames(scan, tables, sample, *out);
+    return out;
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,73 @@
+// Marker, laser ray and texts over the 3D picture.
+#include "ui/views/cloud/cloud_overlay.h"
+
+#include "ui/base/marks.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
+constexpr int kLabelMargin = 8;
+
+} // namespace
+
+CloudOverlay::CloudOverlay(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    hide();
+}
+
+void CloudOverlay::setMarks(const OverlayMarks& marks) {
+    if (marks == marks_) return;
+    const QRect before = covered(marks_);
+    marks_ = marks;
+    setVisible(!marks_.empty());
+    update(before.united(covered(marks_)));
+}
+
+QRect CloudOverlay::covered(const OverlayMarks& marks) const {
+    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || !marks.stale.isEmpty();
+    if (words || !marks.marks.empty() || !marks.dragged.isEmpty()) return rect();
+    const double reach = kRing + 4.0;
+    QRectF area;
+    if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
+    if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
+    if (marks.tipAt && !marks.tip.isEmpty())
+        area = area.united(tipBox(fontMetrics(), rect(), marks.tipAt->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
+    return area.toAlignedRect().intersected(rect());
+}
+
+void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    if (marks_.ray) {
+        const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
+    }
+    drawScreenMarks(painter, rect(), marks_.marks);
+    painter.setBrush(Qt::NoBrush);
+    if (!marks_.dragged.isEmpty())
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
+                    [&] { painter.drawPolygon(marks_.dragged); });
+    if (marks_.ring) {
+        const QPen light(Qt::white, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine);
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), light, [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });
+        painter.setPen(QPen(Qt::black, 1.0));
+        painter.setBrush(Qt::white);
+        painter.drawEllipse(*marks_.ring, 2.0, 2.0);
+    }
+    drawStaleOverlay(painter, rect(), marks_.stale);
+    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
+    if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
+    if (!marks_.caption.isEmpty())
+        drawLabel(painter, inner.adjusted(0, 0, -marks_.captionRoom, 0), Qt::AlignRight | Qt::AlignTop, marks_.caption);
+    if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
+    if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,392 @@
+// The VTK side of the cloud view.
+#include "ui/views/cloud/cloud_scene.h"
+
+#include "ui/base/selected_colour.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCullerCollection.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <qopengl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+// Edge points are drawn this share of their distance nearer, at the same place on the screen: in front of the rock they
+// lie on, still behind rock that is really nearer.
+constexpr double kEdgeNearer = 0.010;
+constexpr double kHaloNearer = 0.007;
+constexpr double kSelectedNearer = 0.004; // over the cloud, under the edges
+constexpr double kAmbient = 0.5;          // of the cloud's colour where the surface is seen edge-on: still lighter than the background
+constexpr double kLargestGrowth = 2.0;
+const QColor kHalo(8, 8, 8);
+const QColor kFocus(255, 255, 0);
+const QColor kGround(0x85, 0x8b, 0x92);
+const QColor kSelected(kSelectedColour); // its points are larger as well
+
+// A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
+class HaloMapper : public vtkOpenGLPolyDataMapper {
+public:
+    static HaloMapper* New() {
+        auto* mapper = new HaloMapper;
+        mapper->InitializeObjectBase();
+        return mapper;
+    }
+    void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override {
+        vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+        state->vtkglDepthMask(GL_FALSE);
+        vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+        state->vtkglDepthMask(GL_TRUE);
+    }
+};
+
+void setColour(vtkActor* actor, const QColor& colour) { actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF()); }
+
+// Scales about the eye (perspective) or shifts towards it (parallel): the same pixel, a smaller depth.
+void pullNearer(vtkActor* actor, const CameraPose& pose, double share) {
+    vtkNew<vtkMatrix4x4> matrix;
+    const Eigen::Vector3d shift =
+        pose.parallel ? Eigen::Vector3d(-pose.forward() * pose.distance() * share) : Eigen::Vector3d(pose.position * share);
+    const double scale = pose.parallel ? 1.0 : 1.0 - share;
+    for (int i = 0; i < 3; ++i) {
+        matrix->SetElement(i, i, scale);
+        matrix->SetElement(i, 3, shift[i]);
+    }
+    actor->SetUserMatrix(matrix);
+}
+
+} // namespace
+
+CloudScene::Layer::Layer(vtkSmartPointer<vtkPolyDataMapper> with) : mapper(std::move(with)) {
+    if (!mapper) mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    mapper->StaticOn(); // the data never comes from a pipeline
+    // Several layers share one vertex buffer, so none may shift it; the origin is ours.
+    if (auto* gl = vtkOpenGLPolyDataMapper::SafeDownCast(mapper)) {
+        gl->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    }
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    actor->VisibilityOff();
+}
+
+void CloudScene::Layer::setCells(vtkPoints* points, std::span<const std::uint32_t> cells) {
+    vtkNew<vtkCellArray> verts;
+    if (!cells.empty()) {
+        // One poly-vertex cell over the caller's own numbers: nothing is copied on this side.
+        vtkNew<vtkTypeInt32Array> ends;
+        ends->InsertNextValue(0);
+        ends->InsertNextValue(static_cast<vtkTypeInt32>(cells.size()));
+        vtkNew<vtkTypeInt32Array> indices;
+        auto* first = const_cast<std::uint32_t*>(cells.data());
+        indices->SetArray(reinterpret_cast<vtkTypeInt32*>(first), static_cast<vtkIdType>(cells.size()), 1);
+        verts->SetData(ends.Get(), indices.Get());
+    }
+    data->SetPoints(points);
+    data->SetVerts(verts);
+}
+
+CloudScene::CloudScene(vtkRenderWindow* window)
+    : window_(window), halo_(vtkSmartPointer<HaloMapper>::New()), outlineHalo_(vtkSmartPointer<HaloMapper>::New()) {
+    window->SetMultiSamples(0);
+    window->AddRenderer(renderer_);
+    // The culler would walk through all points for their bounds; the clip range is ours.
+    renderer_->GetCullers()->RemoveAllItems();
+    renderer_->SetAutomaticLightCreation(0);
+    // A light at the eye: what faces the camera has the full colour of the cloud, nothing is brighter.
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    renderer_->AddLight(light);
+    now_ = newCloud();
+    spare_ = newCloud();
+    renderer_->AddActor(selection_.actor);
+    setColour(selection_.actor, kSelected);
+    selection_.actor->GetProperty()->SetAmbient(kAmbient);
+    selection_.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+    renderer_->AddActor(halo_.actor);
+    renderer_->AddActor(edge_.actor);
+    for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
+    renderer_->AddActor(ground_.actor);
+    setColour(ground_.actor, kGround);
+    renderer_->AddActor(outlineHalo_.actor);
+    renderer_->AddActor(outline_.actor);
+    setColour(halo_.actor, kHalo);
+    setColour(outlineHalo_.actor, kHalo);
+    setColour(outline_.actor, Qt::white);
+
+    focusSphere_->SetThetaResolution(32);
+    focusSphere_->SetPhiResolution(24);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(focusSphere_->GetOutputPort());
+    focus_->SetMapper(mapper);
+    setColour(focus_, kFocus);
+    focus_->GetProperty()->SetOpacity(0.3);
+    focus_->GetProperty()->LightingOff();
+    focus_->GetProperty()->BackfaceCullingOn();
+    // Blending works in the opaque pass too, and spares the translucent pass over the whole picture.
+    focus_->ForceOpaqueOn();
+    focus_->PickableOff();
+    focus_->VisibilityOff();
+    renderer_->AddActor(focus_);
+}
+
+CloudScene::~CloudScene() = default;
+
+std::unique_ptr<CloudScene::DrawnCloud> CloudScene::newCloud() {
+    auto made = std::make_unique<DrawnCloud>();
+    for (Layer& part : made->parts) {
+        part.actor->GetProperty()->SetAmbient(kAmbient);
+        part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
+        part.actor->VisibilityOff();
+        renderer_->AddActor(part.actor);
+    }
+    return made;
+}
+
+void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
+    setEdges({});
+    setFaces(nullptr);
+    setOutline(nullptr);
+    setSelection(nullptr);
+    const bool isSpare = cloud && spare_->cloud == cloud;
+    if (isSpare || (ready_ && (cloud == ready_ || now_->cloud == ready_))) {
+        for (Layer& part : now_->parts) part.actor->VisibilityOff();
+        std::swap(now_, spare_);
+    }
+    if (!isSpare) load(std::move(cloud));
+    colourParts();
+}
+
+void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
+    now_->uploaded.fill(false);
+    now_->points = nullptr;
+    if (cloud) {
+        vtkNew<vtkFloatArray> xyz;
+        xyz->SetNumberOfComponents(3);
+        xyz->SetArray(const_cast<float*>(cloud->xyz.data()), static_cast<vtkIdType>(cloud->xyz.size()), 1);
+        now_->points = vtkSmartPointer<vtkPoints>::New();
+        now_->points->SetData(xyz);
+        now_->normals = vtkSmartPointer<vtkFloatArray>::New();
+        now_->normals->SetNumberOfComponents(3);
+        now_->normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
+    }
+    useFaces(); // those of the cloud before go with it
+    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
+        Layer& part = now_->parts[i];
+        part.actor->VisibilityOff();
+        if (cloud)
+            part.setCells(now_->points, cloud->drawOrder[i]);
+        else
+            part.setCells(nullptr, {});
+        part.data->GetPointData()->SetNormals(cloud ? now_->normals.Get() : nullptr);
+    }
+    now_->cloud = std::move(cloud); // only now may the floats of the cloud before go
+}
+
+void CloudScene::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
+    if (ready_ != cloud) spareGoes_ = spare_->cloud && spare_->cloud != cloud;
+    ready_ = cloud;
+}
+
+// Leaves out what is not drawable; the layer is left with the cells as they are then, which must outlive their use.
+void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
+    const auto drawable = [this](std::uint32_t k) { return now_->cloud->drawable(k); };
+    if (cells && now_->cloud && !std::all_of(cells->begin(), cells->end(), drawable)) {
+        auto kept = std::make_shared<std::vector<std::uint32_t>>();
+        std::copy_if(cells->begin(), cells->end(), std::back_inserter(*kept), drawable);
+        cells = std::move(kept);
+    }
+    if (cells && (!now_->cloud || cells->empty())) cells = nullptr;
+    if (cells) {
+        layer.setCells(now_->points, *cells);
+    } else {
+        layer.setCells(nullptr, {}); // never the floats of a cloud that goes
+    }
+}
+
+void CloudScene::setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours) { facesWanted_ = std::move(colours); }
+
+void CloudScene::setGround(const GroundGrid& grid) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    for (const auto& line : grid.lines) {
+        lines->InsertNextCell(2);
+        for (const Eigen::Vector3f& end : line) lines->InsertCellPoint(points->InsertNextPoint(end.x(), end.y(), end.z()));
+    }
+    ground_.data->SetPoints(points);
+    ground_.data->SetLines(lines);
+    ground_.actor->SetVisibility(!grid.lines.empty());
+}
+
+// Only when it is drawn: a cloud that comes back has the colours of before, and mostly wants them.
+void CloudScene::useFaces() {
+    std::shared_ptr<const std::vector<std::uint32_t>> colours = facesWanted_;
+    vtkSmartPointer<vtkUnsignedCharArray> bytes;
+    if (colours && now_->cloud && colours->size() == now_->cloud->cells()) {
+        if (now_->faces == colours) return;
+        bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        bytes->SetNumberOfComponents(4); // with three VTK would make a copy for each part
+        auto* first = const_cast<std::uint32_t*>(colours->data());
+        bytes->SetArray(reinterpret_cast<unsigned char*>(first), static_cast<vtkIdType>(4 * colours->size()), 1);
+    } else {
+        colours = nullptr;
+        if (!now_->faces) return;
+    }
+    for (Layer& part : now_->parts) {
+        part.data->GetPointData()->SetScalars(bytes);
+        part.mapper->SetColorModeToDirectScalars();
+        part.mapper->SetScalarVisibility(bytes != nullptr);
+    }
+    now_->faces = std::move(colours); // only now may the colours before go
+}
+
+void CloudScene::setOutline(EdgeCells::Indices cells) {
+    setLayer(outline_, cells);
+    EdgeCells::Indices halo = cells;
+    setLayer(outlineHalo_, halo);
+    outline_.actor->SetVisibility(cells != nullptr);
+    outlineHalo_.actor->SetVisibility(cells != nullptr);
+    outlined_ = std::move(cells);
+}
+
+void CloudScene::setSelection(EdgeCells::Indices cells) {
+    setLayer(selection_, cells);
+    selection_.data->GetPointData()->SetNormals(cells ? now_->normals.Get() : nullptr); // shaded as the cloud is: it keeps its form
+    selection_.actor->SetVisibility(cells != nullptr);
+    selected_ = std::move(cells);
+}
+
+void CloudScene::setEdges(EdgeCells cells) {
+    setLayer(edge_, cells.all);
+    EdgeCells::Indices halo = cells.all;
+    setLayer(halo_, halo);
+    for (std::size_t n = 0; n < classes_.size(); ++n) setLayer(classes_[n], cells.byClass[n]);
+    edges_ = std::move(cells);
+    showEdgeLayers();
+}
+
+void CloudScene::showEdgeLayers() {
+    const bool classesKnown = std::any_of(edges_.byClass.begin(), edges_.byClass.end(), [](const auto& c) { return c != nullptr; });
+    const bool separate = byClass_ && classesKnown;
+    halo_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr);
+    edge_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr && !separate);
+    for (std::size_t n = 0; n < classes_.size(); ++n) {
+        classes_[n].actor->SetVisibility(edgesShown_ && separate && edges_.byClass[n] != nullptr);
+        classes_[n].actor->GetProperty()->SetPointSize(edgeSize_ * edges_.sizes[n]);
+    }
+}
+
+std::size_t CloudScene::edgesDrawn() const { return edges_.all && edgesShown_ ? edges_.all->size() : 0; }
+
+void CloudScene::colourParts() {
+    for (Layer& part : now_->parts) {
+        setColour(part.actor, look_.cloud);
+        part.actor->GetProperty()->SetLighting(look_.shaded);
+    }
+}
+
+void CloudScene::setLook(const CloudLook& look) {
+    renderer_->SetBackground(look.background.redF(), look.background.greenF(), look.background.blueF());
+    look_ = look;
+    colourParts();
+    pointSize_ = look.pointSize;
+    setColour(edge_.actor, look.edge.front());
+    edgeSize_ = static_cast<float>(look.edgeSize);
+    edge_.actor->GetProperty()->SetPointSize(edgeSize_);
+    for (std::size_t n = 0; n < classes_.size(); ++n) setColour(classes_[n].actor, look.edge[n]);
+    halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
+    outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
+    outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
+    selection_.actor->GetProperty()->SetLighting(look.shaded);
+    selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
+    edgesShown_ = look.edges;
+    byClass_ = look.byClass;
+    showEdgeLayers();
+}
+
+void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
+    vtkCamera* camera = renderer_->GetActiveCamera();
+    camera->SetPosition(pose.position.data());
+    camera->SetFocalPoint(pose.focus.data());
+    camera->SetViewUp(pose.up.data());
+    camera->SetViewAngle(pose.viewAngleDeg);
+    camera->SetParallelProjection(pose.parallel);
+    camera->SetParallelScale(pose.halfHeight());
+    camera->SetClippingRange(clip.nearM, clip.farM);
+    pullNearer(edge_.actor, pose, kEdgeNearer);
+    pullNearer(selection_.actor, pose, kSelectedNearer);
+    for (Layer& layer : classes_) pullNearer(layer.actor, pose, kEdgeNearer);
+    pullNearer(halo_.actor, pose, kHaloNearer);
+    pullNearer(outline_.actor, pose, kEdgeNearer);
+    pullNearer(outlineHalo_.actor, pose, kHaloNearer);
+}
+
+// Called while the graphics context is current.
+void CloudScene::letSpareGo() {
+    if (!std::exchange(spareGoes_, false)) return;
+    for (Layer& part : spare_->parts) {
+        part.setCells(nullptr, {});
+        part.data->GetPointData()->SetNormals(nullptr);
+        part.data->GetPointData()->SetScalars(nullptr);
+        part.mapper->SetScalarVisibility(false);
+        part.actor->ReleaseGraphicsResources(window_);
+    }
+    spare_->faces = nullptr;
+    spare_->points = nullptr;
+    spare_->normals = nullptr;
+    spare_->cloud = nullptr;
+}
+
+bool CloudScene::setParts(const Parts& parts) {
+    bool first = false;
+    const double share = kPartEnds[static_cast<std::size_t>(parts.last)];
+    const double larger = parts.enlarge ? std::clamp(std::sqrt(0.5 / share), 1.0, kLargestGrowth) : 1.0;
+    const auto size = static_cast<float>(std::round(pointSize_ * larger));
+    useFaces();
+    letSpareGo();
+    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
+        const int part = static_cast<int>(i);
+        const bool shown = part >= parts.first && part <= parts.last && now_->cloud && !now_->cloud->drawOrder[i].empty();
+        now_->parts[i].actor->SetVisibility(shown);
+        now_->parts[i].actor->GetProperty()->SetPointSize(size);
+        first = first || (shown && !now_->uploaded[i]);
+        now_->uploaded[i] = now_->uploaded[i] || shown;
+    }
+    renderer_->SetPreserveColorBuffer(parts.onTop);
+    renderer_->SetPreserveDepthBuffer(parts.onTop);
+    return first;
+}
+
+void CloudScene::showFocus(const Eigen::Vector3d& centre, double radius) {
+    focusSphere_->SetCenter(centre.x(), centre.y(), centre.z());
+    focusSphere_->SetRadius(radius);
+    focus_->VisibilityOn();
+}
+
+void CloudScene::hideFocus() { focus_->VisibilityOff(); }
+
+} // namespace edgescan::ui

@@ -1,0 +1,105 @@
+// Where the 3D view looks from.
+#include "ui/views/cloud/cloud_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+
+using Eigen::Vector3d;
+
+double CloudView::aspect() const { return static_cast<double>(std::max(1, width())) / std::max(1, height()); }
+
+ScreenView CloudView::screenView() const {
+    static const CloudGeometry nothing;
+    const ClipRange clip = clipRange(pose_, cloud_ ? *cloud_ : nothing, clip_.nearShare, clip_.farShare);
+    const double dpr = devicePixelRatioF();
+    return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, std::round(pointSize_ * dpr)};
+}
+
+std::optional<QPointF> CloudView::pixelOf(std::uint32_t cell) const {
+    if (!cloud_ || !cloud_->drawable(cell)) return std::nullopt;
+    const ScreenPoint p = toScreen(screenView(), cloud_->point(cell));
+    if (!p.inside) return std::nullopt;
+    return QPointF(p.x, p.y) / devicePixelRatioF();
+}
+
+void CloudView::look(const Vector3d& forward, const Vector3d& up) {
+    if (!cloud_ || cloud_->mainBounds.isEmpty()) return;
+    pose_ = lookingAt(cloud_->mainBounds, forward, up, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::viewFromScanner() {
+    static const CloudGeometry nothing;
+    pose_ = fromScanner(cloud_ ? *cloud_ : nothing, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::resetView() {
+    clip_ = {};
+    viewFromScanner();
+}
+
+void CloudView::viewFront() {
+    if (cloud_) look(cloud_->axes.forward, cloud_->axes.up);
+}
+void CloudView::viewBack() {
+    if (cloud_) look(-cloud_->axes.forward, cloud_->axes.up);
+}
+void CloudView::viewLeft() {
+    if (cloud_) look(cloud_->axes.right, cloud_->axes.up);
+}
+void CloudView::viewRight() {
+    if (cloud_) look(-cloud_->axes.right, cloud_->axes.up);
+}
+void CloudView::viewTop() {
+    if (cloud_) look(-cloud_->axes.up, cloud_->axes.forward);
+}
+void CloudView::viewBottom() {
+    if (cloud_) look(cloud_->axes.up, cloud_->axes.forward);
+}
+void CloudView::viewIsometric() {
+    if (cloud_) look((cloud_->axes.forward - cloud_->axes.right - cloud_->axes.up).normalized(), cloud_->axes.up);
+}
+void CloudView::zoomToFit() { look(pose_.forward(), pose_.up); }
+
+void CloudView::zoomToCells(const CellIndices& cells) {
+    if (!cloud_) return;
+    Box3f box;
+    for (const std::uint32_t k : cells) {
+        if (cloud_->drawable(k)) box.extend(cloud_->point(k));
+    }
+    if (box.isEmpty()) return;
+    box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point has no size to fit
+    pose_ = lookingAt(box, pose_.forward(), pose_.up, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+void CloudView::flyTo(qint64 cell) {
+    if (!cloud_ || cell < 0 || !cloud_->drawable(static_cast<std::size_t>(cell))) return;
+    const Vector3d point = cloud_->point(static_cast<std::size_t>(cell)).cast<double>();
+    const double nearby = std::min(pose_.distance(), 0.15 * static_cast<double>(cloud_->mainBounds.diagonal().norm()));
+    const Vector3d forward = pose_.forward();
+    pose_.position = point - forward * std::max(0.1, nearby);
+    pose_.focus = point;
+    centre_ = point;
+    applyCamera();
+}
+
+void CloudView::setParallel(bool on) {
+    if (pose_.parallel == on) return;
+    pose_.parallel = on;
+    applyCamera();
+    emit parallelChanged(on);
+}
+
+void CloudView::setTurntable(bool on) {
+    turntable_ = on;
+    emit turntableChanged(on);
+}
+
+} // namespace edgescan::ui

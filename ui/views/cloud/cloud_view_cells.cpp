@@ -1,0 +1,40 @@
+// A region of cells in the middle of the cloud view.
+#include "core/base/order_statistic.h"
+#include "ui/views/cloud/cloud_scene.h"
+#include "ui/views/cloud/cloud_view.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace edgescan::ui {
+
+void CloudView::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
+    scene_->keepReady(cloud);
+    requestFrame();
+}
+
+void CloudView::lookAtCells(const CellIndices& cells) {
+    if (!cloud_) return;
+    constexpr double kRim = 0.04, kAround = 0.35;
+    std::array<std::vector<float>, 3> places;
+    for (const std::uint32_t k : cells) {
+        if (!cloud_->drawable(k)) continue;
+        for (int axis = 0; axis < 3; ++axis) places[static_cast<std::size_t>(axis)].push_back(cloud_->point(k)[axis]);
+    }
+    if (places[0].empty()) return;
+    Eigen::Vector3f least, most;
+    for (int axis = 0; axis < 3; ++axis) {
+        auto& values = places[static_cast<std::size_t>(axis)];
+        least[axis] = quantile(values, kRim);
+        most[axis] = quantile(values, 1.0 - kRim);
+    }
+    const Eigen::Vector3f around = Eigen::Vector3f::Constant(static_cast<float>(kAround) * std::max(0.1F, (most - least).maxCoeff()));
+    const Box3f box(least - around, most + around);
+    const Eigen::Vector3d forward = (box.center().cast<double>() - fromScanner(*cloud_, pose_, aspect()).position).normalized();
+    pose_ = lookingAt(box, forward, cloud_->axes.up, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
+
+} // namespace edgescan::ui

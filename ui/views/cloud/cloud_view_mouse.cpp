@@ -1,0 +1,185 @@
+// The mouse of the 3D view: events in, camera motion and picks out.
+#include "ui/views/cloud/cloud_view.h"
+
+#include "ui/views/cloud/cloud_scene.h"
+
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace edgescan::ui {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPickPx = 8.0;
+constexpr double kSameCursorPx = 3.0;
+constexpr int kShowCentreMs = 600;
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kClipPerNotch = 0.02, kMostClipped = 0.98; // of the depth
+
+} // namespace
+
+bool CloudView::event(QEvent* event) {
+    if (touch_.read(event)) return true;
+    // Past VTK's interactor, which would take part in the mouse too.
+    return QOpenGLWidget::event(event);
+}
+
+void CloudView::pinch(QPointF middle, QPointF shift, double factor) {
+    const Vector3d anchor = anchorAt(middle - shift); // what lay between the fingers stays there
+    pose_ = panned(pose_, anchor, shift.x(), shift.y(), height());
+    pose_ = zoomed(pose_, anchor, std::clamp(factor, 0.5, 2.0));
+    moved();
+}
+
+Vector3d CloudView::anchorAt(QPointF pixel) const {
+    if (const auto cell = cellAt(pixel)) return cloud_->point(*cell).cast<double>();
+    const double x = 2.0 * pixel.x() / std::max(1, width()) - 1.0;
+    const double y = 1.0 - 2.0 * pixel.y() / std::max(1, height());
+    const double depth = pose_.forward().dot(centre_ - pose_.position);
+    return underCursor(pose_, x, y, depth > 0.0 ? depth : pose_.distance(), aspect());
+}
+
+std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
+    if (!cloud_) return std::nullopt;
+    const double dpr = devicePixelRatioF();
+    return pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+}
+
+void CloudView::mousePressEvent(QMouseEvent* event) {
+    setFocus(Qt::MouseFocusReason);
+    if (drag_ != DragAction::None) return; // a second button during a drag changes nothing
+    drag_ = dragAction(event->button(), event->modifiers(), mousePreset_);
+    press_.begin(*event);
+    if (event->button() == Qt::LeftButton && tool_ != DragTool::Move && drag_ != DragAction::None) drag_ = DragAction::Select;
+    dragged_.clear();
+    if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(press_.from);
+}
+
+void CloudView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = place(*event);
+    if (drag_ == DragAction::None) {
+        pointAt(cellAt(at));
+        return;
+    }
+    if (!press_.travels(at)) return;
+    pointAt(std::nullopt);
+    drag(at);
+    press_.last = at;
+}
+
+void CloudView::selectTo(QPointF at) {
+    if (tool_ == DragTool::Box) {
+        dragged_ = QPolygonF(QRectF(press_.from, at).normalized());
+        dragged_.removeLast(); // the first corner again
+    } else {
+        if (dragged_.isEmpty()) dragged_ << press_.from;
+        dragged_ << at;
+    }
+    updateOverlay();
+}
+
+void CloudView::drag(QPointF at) {
+    if (drag_ == DragAction::Select) return selectTo(at);
+    const QPointF by = at - press_.last;
+    if (drag_ == DragAction::Rotate) {
+        const double perPixel = std::numbers::pi / std::max(1, height());
+        const double right = by.x() * perPixel;
+        const double up = -by.y() * perPixel;
+        const Vector3d axis = cloud_ ? cloud_->axes.up : Vector3d(Vector3d::UnitZ());
+        pose_ = turntable_ ? turned(pose_, centre_, axis, right, up) : tumbled(pose_, centre_, right, up);
+        showFocus();
+    } else if (drag_ == DragAction::Pan) {
+        pose_ = panned(pose_, dragAnchor_, by.x(), by.y(), height());
+    } else if (drag_ == DragAction::Zoom) {
+        pose_ = zoomed(pose_, dragAnchor_, std::pow(1.008, -by.y()));
+    } else if (drag_ == DragAction::Roll) {
+        const QPointF middle = QRectF(rect()).center();
+        const double degrees = QLineF(middle, press_.last).angleTo(QLineF(middle, at)); // counter-clockwise, 0 .. 360
+        pose_ = rolled(pose_, std::remainder(degrees, 360.0) * std::numbers::pi / 180.0);
+    }
+    moved();
+}
+
+void CloudView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != press_.button || drag_ == DragAction::None) return;
+    const QPointF at = place(*event);
+    const bool click = !press_.travelled;
+    const bool selected = std::exchange(drag_, DragAction::None) == DragAction::Select && !click;
+    if (selected) {
+        const QPolygonF corners = std::exchange(dragged_, {});
+        updateOverlay();
+        emit outlined(corners, event->modifiers());
+        return;
+    }
+    if (!click) {
+        scene_->hideFocus();
+        moved();
+        return;
+    }
+    const auto cell = cellAt(at);
+    if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
+    if (event->button() == Qt::MiddleButton) setRotationCentre(at);
+    if (event->button() == Qt::RightButton) {
+        emit contextMenuRequested(mapToGlobal(at.toPoint()), cell ? static_cast<qint64>(*cell) : -1);
+    }
+}
+
+void CloudView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) setRotationCentre(place(*event));
+}
+
+void CloudView::setRotationCentre(QPointF pixel) {
+    const auto cell = cellAt(pixel);
+    if (!cell) return;
+    centre_ = cloud_->point(*cell).cast<double>();
+    showFocus(); // until the view rests
+    moved(kShowCentreMs);
+}
+
+void CloudView::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    const double steps = notches(*event);
+    if (steps == 0.0) return;
+    const WheelAction action = wheelAction(event->modifiers());
+    if (action == WheelAction::Zoom) wheelZoom(event->position(), wheelReversed_ ? -steps : steps);
+    if (action == WheelAction::PointSize) changePointSize(steps > 0.0 ? 1 : -1);
+    if (action == WheelAction::NearClip) wheelClip(clip_.nearShare, steps);
+    if (action == WheelAction::FarClip) wheelClip(clip_.farShare, -steps);
+}
+
+void CloudView::wheelZoom(QPointF pixel, double notches) {
+    // One anchor for a whole run of notches, or the picture would creep as the nearest point changes.
+    if (!restTimer_.isActive() || QLineF(pixel, wheelAt_).length() > kSameCursorPx) wheelAnchor_ = anchorAt(pixel);
+    wheelAt_ = pixel;
+    pose_ = zoomed(pose_, wheelAnchor_, std::pow(kZoomPerNotch, notches));
+    moved();
+}
+
+void CloudView::wheelClip(double& share, double notches) {
+    share = std::clamp(share + kClipPerNotch * notches, 0.0, kMostClipped);
+    moved();
+}
+
+void CloudView::setClip(const CloudClip& clip) {
+    clip_ = {std::clamp(clip.nearShare, 0.0, kMostClipped), std::clamp(clip.farShare, 0.0, kMostClipped)};
+    applyCamera();
+}
+
+void CloudView::pointAt(std::optional<std::uint32_t> cell) {
+    if (std::exchange(hoveredCell_, cell) == cell) return;
+    if (cell)
+        emit hovered(*cell);
+    else
+        emit hoverLeft();
+}
+
+void CloudView::leaveEvent(QEvent* event) {
+    QVTKOpenGLNativeWidget::leaveEvent(event);
+    pointAt(std::nullopt);
+}
+
+} // namespace edgescan::ui

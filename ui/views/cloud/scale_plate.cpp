@@ -1,0 +1,201 @@
+// Scale, axes and colours of the cloud.
+#include "ui/views/cloud/scale_plate.h"
+
+#include "core/scan/georef/placed_points.h"
+#include "ui/base/shown_text.h"
+#include "ui/views/cloud/cloud_view.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kMostBar = 110.0; // px
+constexpr int kBarLeft = 12, kPlate = 204, kPlain = 64, kColours = 50;
+constexpr double kAxis = 15.0;         // px
+constexpr int kLetters = 12;           // px, where the window's own are as usual ...
+constexpr double kUsualLetters = 17.0; // ... which is so high
+constexpr int kFromRim = 8;            // px
+constexpr QSize kLeastView(460, 240);
+const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
+const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
+
+/// Where east, north and up point in the frame of the scan, in the middle of its sweep.
+Eigen::Matrix3d mineAxes(const Scan& scan) {
+    const PlacedPoints placed(scan);
+    const int line = scan.lines() / 2, beam = scan.beams() / 2;
+    const Eigen::Vector3d zero = placed.scanner(line, beam, Eigen::Vector3d::Zero());
+    Eigen::Matrix3d axes;
+    for (int n = 0; n < 3; ++n) axes.col(n) = (placed.scanner(line, beam, Eigen::Vector3d::Unit(n)) - zero).normalized();
+    return axes;
+}
+
+} // namespace
+
+ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
+    setObjectName("scale-plate");
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
+    cloud->installEventFilter(this);
+    hide();
+}
+
+bool ScalePlate::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == cloud_ && event->type() == QEvent::Resize) place();
+    return ViewPlate::eventFilter(watched, event);
+}
+
+bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColours() == colours_.points; }
+
+void ScalePlate::place() {
+    const auto& cloud = cloud_->geometryOfCloud();
+    setVisible(cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height());
+    resize(sizeHint());
+    bool legendsAtRight = false;
+    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly))
+        legendsAtRight = legendsAtRight || (other != this && other->isVisible() && other->geometry().center().x() > cloud_->width() / 2);
+    move(legendsAtRight ? kFromRim : cloud_->width() - kFromRim - width(), cloud_->height() - kFromRim - height());
+}
+
+void ScalePlate::follow() {
+    coloured_ = coloured();
+    place();
+    if (!isVisible()) return;
+    const double step = cloud_->groundStepM();
+    const QString ground = step > 0.0 ? tr("grid %1").arg(shortLength(step)) : QString();
+    if (ground != groundText_) update();
+    groundText_ = ground;
+    if (scan_ != cloud_->scan()) {
+        scan_ = cloud_->scan();
+        const bool mine = scan_ && scan_->placement;
+        frame_ = mine ? mineAxes(*scan_) : Eigen::Matrix3d::Identity();
+        names_ = mine ? std::array<QString, 3>{"E", "N", "El"} : std::array<QString, 3>{"X", "Y", "Z"};
+    }
+    const CameraPose pose = cloud_->camera();
+    const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};
+    if (seen != seen_) depth_ = depthInTheMiddle();
+    seen_ = seen;
+    const double depth = depth_;
+    const double perMetre = cloud_->height() / (2.0 * pose.halfHeight()) * (pose.parallel ? 1.0 : pose.distance() / depth);
+    const double metres = roundedDown(kMostBar * unit() / perMetre);
+    const QString text = pose.parallel ? shortLength(metres) : tr("%1 at %2 m").arg(shortLength(metres)).arg(depth, 0, 'f', 1);
+    std::array<Eigen::Vector2d, 3> axes;
+    for (int n = 0; n < 3; ++n) axes[static_cast<std::size_t>(n)] = {pose.right().dot(frame_.col(n)), pose.up.dot(frame_.col(n))};
+    if (text == barText_ && metres * perMetre == barPixels_ && axes == axes_) return;
+    barText_ = text;
+    barPixels_ = metres * perMetre;
+    axes_ = axes;
+    update();
+}
+
+/// How far away what is seen in the middle is; where nothing is, the middle of the cloud.
+double ScalePlate::depthInTheMiddle() const {
+    const CameraPose pose = cloud_->camera();
+    const CloudGeometry& cloud = *cloud_->geometryOfCloud();
+    const auto cell = cloud_->cellAt(QRectF(cloud_->rect()).center());
+    const Eigen::Vector3f at = cell ? cloud.point(*cell) : cloud.mainBounds.center();
+    const double depth = pose.forward().dot(at.cast<double>() - pose.position);
+    return depth > 1e-3 ? depth : pose.distance();
+}
+
+void ScalePlate::showColours(const CloudColours& colours) {
+    colours_ = colours;
+    coloured_ = coloured();
+    place();
+    update();
+}
+
+double ScalePlate::unit() const { return std::max(1.0, fontMetrics().height() / kUsualLetters); }
+
+QSize ScalePlate::sizeHint() const { return QSize(kPlate, kPlain + (coloured_ ? kColours : 0)) * unit(); }
+
+QString ScalePlate::scaleTitle() const {
+    if (!coloured_) return {};
+    switch (colours_.by) {
+    case ColourBy::Range:
+        return tr("Range [m]");
+    case ColourBy::Height:
+        return colours_.mine ? tr("Elevation [m]") : tr("Height above the scanner [m]");
+    case ColourBy::Line:
+        return tr("Line");
+    case ColourBy::Nothing:
+        break;
+    }
+    return {};
+}
+
+std::vector<std::pair<double, QString>> ScalePlate::scaleTicks() const {
+    std::vector<std::pair<double, QString>> ticks;
+    if (!coloured_) return ticks;
+    const double span = colours_.high - colours_.low;
+    double step = roundedDown(span / 2.5);
+    if (colours_.by == ColourBy::Line) step = std::max(1.0, step);
+    const int decimals = step >= 1.0 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    for (double value = std::ceil(colours_.low / step - 1e-9) * step; value <= colours_.high + 1e-9 * span; value += step)
+        ticks.emplace_back((value - colours_.low) / span, QString::number(std::abs(value) < 1e-9 ? 0.0 : value, 'f', decimals));
+    return ticks;
+}
+
+void ScalePlate::paintEvent(QPaintEvent* event) {
+    ViewPlate::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(unit(), unit()); // as large as the letters of the window
+    QFont letters = painter.font();
+    letters.setPixelSize(kLetters);
+    painter.setFont(letters);
+    drawBar(painter);
+    drawAxes(painter);
+    if (coloured_) drawColours(painter);
+}
+
+void ScalePlate::drawBar(QPainter& painter) const {
+    painter.setPen(kInk);
+    painter.drawText(QRectF(kBarLeft, 6, kMostBar + 10, 20), Qt::AlignLeft | Qt::AlignVCenter, barText_);
+    painter.setPen(QPen(kInk, 2.0));
+    const double y = 38, right = kBarLeft + barPixels_ / unit();
+    painter.drawLine(QPointF(kBarLeft, y), QPointF(right, y));
+    for (const double x : {static_cast<double>(kBarLeft), right}) painter.drawLine(QPointF(x, y - 6), QPointF(x, y));
+    painter.setPen(kLessInk);
+    painter.drawText(QRectF(kBarLeft, 44, kMostBar, 18), Qt::AlignLeft | Qt::AlignVCenter, groundText_);
+}
+
+void ScalePlate::drawAxes(QPainter& painter) const {
+    const QPointF middle(kPlate - 38, 34);
+    for (std::size_t n = 0; n < axes_.size(); ++n) {
+        const QPointF way(axes_[n].x(), -axes_[n].y());
+        painter.setPen(QPen(kAxisInk[n], 2.0));
+        painter.drawLine(middle, middle + kAxis * way);
+        // The letter stands beyond the end; an axis that points at the eye has its own beside the middle.
+        const double length = std::hypot(way.x(), way.y());
+        const QPointF beyond = length > 0.3 ? (kAxis + 8.0 / length) * way : QPointF(-7, 8);
+        painter.setPen(kInk);
+        painter.drawText(QRectF(middle + beyond - QPointF(14, 8), QSizeF(28, 16)), Qt::AlignCenter, names_[n]);
+    }
+}
+
+void ScalePlate::drawColours(QPainter& painter) const {
+    const QRectF bar(kBarLeft, kPlain + 14, kPlate - 2 * kBarLeft, 10);
+    painter.setPen(kLessInk);
+    painter.drawText(QRectF(kBarLeft, kPlain - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
+    for (int x = 0; x < static_cast<int>(bar.width()); ++x)
+        painter.fillRect(QRectF(bar.left() + x, bar.top(), 1.0, bar.height()), QColor(colourAt(x / (bar.width() - 1.0))));
+    painter.setPen(kInk);
+    const QFontMetrics letters(painter.font());
+    double free = 0.0; // from where on nothing is written
+    for (const auto& [share, text] : scaleTicks()) {
+        const double x = bar.left() + share * bar.width(), wide = letters.horizontalAdvance(text);
+        const double left = std::clamp(x - wide / 2, static_cast<double>(kBarLeft), bar.right() - wide);
+        painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 3));
+        if (left < free) continue;
+        painter.drawText(QRectF(left, bar.bottom() + 2, wide + 1, 16), Qt::AlignLeft | Qt::AlignVCenter, text);
+        free = left + wide + 6;
+    }
+}
+
+} // namespace edgescan::ui

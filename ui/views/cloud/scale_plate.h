@@ -1,0 +1,75 @@
+// The plate in the lower right corner of the cloud: how long a metre is there, where the axes point, what the colours of the points mean.
+#pragma once
+
+#include "ui/base/view_plate.h"
+#include "ui/views/cloud/camera_motion.h"
+#include "ui/views/cloud/cloud_colours.h"
+#include "ui/views/cloud/ground_grid.h"
+
+#include <Eigen/Core>
+
+#include <QSize>
+
+#include <array>
+
+namespace edgescan::ui {
+
+class CloudView;
+
+/// GUI thread only. Follows the camera of the view that it stands over, on the side where the legends do not stand; the mouse goes through
+/// it. In a view that is too small for it there is none.
+class ScalePlate : public ViewPlate {
+    Q_OBJECT
+public:
+    explicit ScalePlate(CloudView* cloud);
+
+    /// Of the cloud on the screen; ColourBy::Nothing: no scale of colours.
+    void showColours(const CloudColours& colours);
+    /// "1 m at 4.9 m", and how many pixels that is.
+    [[nodiscard]] QString barText() const { return barText_; }
+    [[nodiscard]] double barPixels() const { return barPixels_; }
+    /// "X", "Y", "Z", or of the mine grid; where they point on the screen, x right, y up, 1 = in the plane of the screen.
+    [[nodiscard]] const std::array<QString, 3>& axisNames() const { return names_; }
+    [[nodiscard]] const std::array<Eigen::Vector2d, 3>& axesOnScreen() const { return axes_; }
+    /// "Range [m]"; empty: no colours. What is written along the scale, and where on it, 0 .. 1.
+    [[nodiscard]] QString scaleTitle() const;
+    [[nodiscard]] std::vector<std::pair<double, QString>> scaleTicks() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    /// What decides which point lies in the middle.
+    struct Seen {
+        std::shared_ptr<const CloudGeometry> cloud;
+        CameraPose camera;
+        CloudClip clip;
+        QSize size;
+        bool operator==(const Seen&) const = default;
+    };
+    void follow();
+    void place();
+    [[nodiscard]] double unit() const; // 1, more where the letters are larger than usual
+    [[nodiscard]] double depthInTheMiddle() const;
+    [[nodiscard]] bool coloured() const;
+    void drawBar(QPainter& painter) const;
+    void drawAxes(QPainter& painter) const;
+    void drawColours(QPainter& painter) const;
+
+    CloudView* cloud_;
+    std::shared_ptr<const Scan> scan_; // that the axes are of
+    Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
+    std::array<QString, 3> names_{"X", "Y", "Z"};
+    std::array<Eigen::Vector2d, 3> axes_{};
+    QString barText_, groundText_;
+    double barPixels_ = 0.0;
+    Seen seen_;
+    double depth_ = 1.0; // of what was seen there, metres
+    CloudColours colours_;
+    bool coloured_ = false; // the points have these colours now
+};
+
+} // namespace edgescan::ui

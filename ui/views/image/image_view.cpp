@@ -1,0 +1,301 @@
+// Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
+#include "ui/views/image/image_view.h"
+
+#include "ui/base/marks.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QResizeEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kRing = 7.0;      // radius, px
+constexpr int kRoomForTags = 420;  // px of the view: below it targets have their numbers only
+constexpr double kFaded = 0.45;    // opacity of faces that belong to an older picture
+const QColor kTrail(86, 180, 233); // told from edges by its frames as well
+
+QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
+QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
+
+void drawRing(QPainter& painter, QPointF at) {
+    painter.setBrush(Qt::NoBrush);
+    strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), [&] { painter.drawEllipse(at, kRing, kRing); });
+    painter.setPen(QPen(Qt::black, 1.0));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(at, 1.8, 1.8);
+}
+
+} // namespace
+
+ImageView::ImageView(std::shared_ptr<ViewPort> viewPort, QWidget* parent)
+    : QWidget(parent), viewPort_(viewPort ? std::move(viewPort) : std::make_shared<ViewPort>()) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setContextMenuPolicy(Qt::PreventContextMenu); // the right button drags window and level
+    setCursor(Qt::CrossCursor);
+    connect(viewPort_.get(), &ViewPort::changed, this, qOverload<>(&QWidget::update));
+}
+
+ImageView::~ImageView() {
+    viewPort_->disconnect(this);
+    viewPort_->forgetView(this);
+}
+
+void ImageView::setImage(std::shared_ptr<const QImage> image, Shrink shrink) {
+    if (image == picture_.image() && shrink == picture_.shrink()) return;
+    picture_ = Pyramid(std::move(image), shrink);
+    if (!picture_.empty()) viewPort_->setImageSize(picture_.image()->size());
+    update();
+}
+
+void ImageView::setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink) {
+    const bool same = image == overlay_.image() && shrink == overlay_.shrink();
+    if (same && opacity == overlayOpacity_) return;
+    if (!same) overlay_ = Pyramid(std::move(image), shrink);
+    overlayOpacity_ = std::clamp(opacity, 0.0, 1.0);
+    update();
+}
+
+void ImageView::setFaces(std::shared_ptr<const QImage> faces, bool faded) {
+    const bool same = faces == faces_.image();
+    if (same && faded == facesFaded_) return;
+    if (!same) faces_ = Pyramid(std::move(faces), Shrink::Average);
+    facesFaded_ = faded;
+    update();
+}
+
+void ImageView::setOutline(std::vector<QLine> sides) {
+    if (sides == outline_) return;
+    outline_ = std::move(sides);
+    update();
+}
+
+void ImageView::setTip(const QPoint& cell, const QString& text) {
+    if (cell == tipCell_ && text == tip_) return;
+    tipCell_ = cell;
+    tip_ = text;
+    update();
+}
+
+void ImageView::setMarkedCell(std::optional<QPoint> cell) {
+    if (cell == marked_) return;
+    marked_ = cell;
+    update();
+}
+
+void ImageView::setCrosshair(std::optional<QPoint> cell) {
+    if (cell == crosshair_) return;
+    crosshair_ = cell;
+    update();
+}
+
+void ImageView::setBox(std::optional<QRect> cells) {
+    if (cells == box_) return;
+    box_ = cells;
+    update();
+}
+
+void ImageView::setTrail(EdgeTrail trail) {
+    if (trail.cells.empty() && trail_.cells.empty()) return;
+    trail_ = std::move(trail);
+    update();
+}
+
+void ImageView::setMarks(CellMarks marks) {
+    if (marks == marks_) return;
+    marks_ = std::move(marks);
+    update();
+}
+
+void ImageView::setSelection(std::shared_ptr<const QImage> selection) {
+    if (selection == selection_.image()) return;
+    selection_ = Pyramid(std::move(selection), Shrink::KeepBrightest);
+    update();
+}
+
+void ImageView::setDragTool(DragTool tool) { tool_ = tool; }
+
+void ImageView::setTitle(const QString& title) {
+    title_ = title;
+    update();
+}
+
+void ImageView::setNote(const QString& note) {
+    note_ = note;
+    update();
+}
+
+void ImageView::setStale(const QString& why) {
+    if (why == stale_) return;
+    stale_ = why;
+    update();
+}
+
+void ImageView::setBackground(const QColor& colour) {
+    background_ = colour;
+    update();
+}
+
+void ImageView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (isVisible()) viewPort_->setViewSize(this, size());
+}
+
+void ImageView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    viewPort_->setViewSize(this, size());
+}
+
+// What nobody sees does not limit how large the picture is in the views that are seen.
+void ImageView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    viewPort_->forgetView(this);
+}
+
+std::optional<QPoint> ImageView::cellAt(QPointF pixel) const {
+    if (picture_.empty()) return std::nullopt;
+    const QPointF at = viewPort_->toCell(pixel, size());
+    const QPoint cell(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
+    if (!picture_.image()->rect().contains(cell)) return std::nullopt;
+    return cell;
+}
+
+QRectF ImageView::toPixels(const QRectF& cells) const {
+    return {viewPort_->toPixel(cells.topLeft(), size()), viewPort_->toPixel(cells.bottomRight(), size())};
+}
+
+void ImageView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.fillRect(rect(), background_);
+    drawPyramid(painter, picture_);
+    if (!faces_.empty()) {
+        painter.setOpacity(facesFaded_ ? kFaded : 1.0);
+        drawPyramid(painter, faces_);
+        painter.setOpacity(1.0);
+    }
+    if (!overlay_.empty() && overlayOpacity_ > 0.0) {
+        painter.setOpacity(overlayOpacity_);
+        drawPyramid(painter, overlay_);
+        painter.setOpacity(1.0);
+    }
+    if (!selection_.empty()) drawPyramid(painter, selection_);
+    drawMarks(painter);
+    drawStaleOverlay(painter, rect(), stale_);
+    drawTexts(painter);
+    drawTip(painter);
+}
+
+void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
+    if (pyramid.empty()) return;
+    const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
+    const double scale = std::min(cell.width(), cell.height());
+    const QImage& image = pyramid.level(pyramidLevel(scale, pyramid.shrink()));
+    const QSizeF full = pyramid.image()->size();
+    // Odd sizes: the last pixel of a level stands for fewer cells, so cells per pixel is a power of two, not a quotient.
+    const double cellsPerPixel =
+        std::exp2(std::ceil(std::log2(std::max(full.width() / image.width(), full.height() / image.height())) - 1e-9));
+
+    const QPointF topLeft = viewPort_->toCell({0.0, 0.0}, size());
+    const QPointF bottomRight = viewPort_->toCell(QPointF(width(), height()), size());
+    QRectF seen = QRectF(topLeft, bottomRight).intersected(QRectF({0.0, 0.0}, full));
+    if (seen.isEmpty()) return;
+    // Whole pixels of the level, or drawImage would shift the picture by parts of a cell.
+    const QRect source =
+        QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
+    QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);
+    const QRectF target = toPixels(cells);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() == Shrink::Average);
+    painter.save();
+    painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
+    painter.drawImage(target, image, source);
+    painter.restore();
+}
+
+void ImageView::drawTrail(QPainter& painter) const {
+    const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
+    QVector<QRect> frames;
+    for (const QPoint& cell : trail_.cells) {
+        const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
+        if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false); // chains have thousands of cells
+    painter.setBrush(Qt::NoBrush);
+    strokeTwice(painter, dark(3.0), QPen(kTrail, 1.0), [&] { painter.drawRects(frames); });
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPolygonF way;
+    for (const QPoint& cell : trail_.way) way << viewPort_->toPixel(QPointF(cell) + QPointF(0.5, 0.5), size());
+    strokeTwice(painter, dark(3.0), light(), [&] { painter.drawPolyline(way); });
+    if (trail_.strongest) drawRing(painter, viewPort_->toPixel(QPointF(*trail_.strongest) + QPointF(0.5, 0.5), size()));
+}
+
+void ImageView::drawOutline(QPainter& painter) const {
+    QVector<QLineF> sides;
+    for (const QLine& side : outline_)
+        sides << QLineF(viewPort_->toPixel(QPointF(side.p1()), size()), viewPort_->toPixel(QPointF(side.p2()), size()));
+    painter.setRenderHint(QPainter::Antialiasing, false); // outlines have thousands of sides
+    strokeTwice(painter, dark(4.0), QPen(Qt::white, 2.0), [&] { painter.drawLines(sides); });
+    painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void ImageView::drawTip(QPainter& painter) const {
+    if (tip_.isEmpty()) return;
+    const QPoint at = viewPort_->toPixel(QPointF(tipCell_) + QPointF(0.5, 0.5), size()).toPoint();
+    drawTipAt(painter, rect(), at, tip_);
+}
+
+void ImageView::drawMarks(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    if (!outline_.empty()) drawOutline(painter);
+    if (!trail_.cells.empty()) drawTrail(painter);
+    painter.setBrush(Qt::NoBrush);
+    if (crosshair_) {
+        const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
+        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
+        strokeTwice(painter, dark(3.0), light(), [&] {
+            painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
+            painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
+            painter.drawLine(QPointF(at.x(), 0), QPointF(at.x(), at.y() - gap));
+            painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
+        });
+    }
+    if (box_) strokeTwice(painter, dark(3.0), light(), [&] { painter.drawRect(toPixels(QRectF(*box_))); });
+    if (drag_ == Drag::Box && press_.travelled) {
+        strokeTwice(painter, dark(3.0), light(Qt::DashLine),
+                    [&] { painter.drawRect(toPixels(QRectF(boxCells(press_.from, press_.last)))); });
+    }
+    if (drag_ == Drag::Select && press_.travelled) drawDragged(painter);
+    if (!marks_.targets.empty() || !marks_.measures.empty()) {
+        const int beams = picture_.empty() ? 1 : picture_.image()->width();
+        drawScreenMarks(painter, rect(),
+                        screenMarks(
+                            marks_,
+                            [&](std::size_t cell) -> std::optional<MarkPlace> {
+                                const QPointF at(static_cast<double>(cell % static_cast<std::size_t>(beams)) + 0.5,
+                                                 static_cast<double>(cell / static_cast<std::size_t>(beams)) + 0.5);
+                                return MarkPlace{viewPort_->toPixel(at, size()), false};
+                            },
+                            width() < kRoomForTags));
+    }
+    if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size()));
+}
+
+void ImageView::drawDragged(QPainter& painter) const {
+    QPolygonF pixels;
+    for (const QPointF& corner : way_) pixels << viewPort_->toPixel(corner, size());
+    strokeTwice(painter, dark(3.0), light(Qt::DashLine), [&] { painter.drawPolygon(pixels); });
+}
+
+void ImageView::drawTexts(QPainter& painter) const {
+    const QRect inner = rect().adjusted(11, 8, -11, -8);
+    if (!title_.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, title_);
+    if (note_.isEmpty()) return;
+    drawLabel(painter, inner, picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop, note_);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,130 @@
+// The mouse of an image view.
+#include "ui/views/image/image_view.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kZoomPerNotch = 1.25;
+
+} // namespace
+
+bool ImageView::event(QEvent* event) { return touch_.read(event) || QWidget::event(event); }
+
+void ImageView::pinch(QPointF middle, QPointF shift, double factor) {
+    viewPort_->panPixels(shift);
+    viewPort_->zoomAt(viewPort_->toCell(middle, size()), std::clamp(factor, 0.5, 2.0));
+}
+
+void ImageView::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::None) return; // a second button during a drag changes nothing
+    press_.begin(*event);
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    const bool selects = tool_ != DragTool::Move && !picture_.empty();
+    if (press_.button == Qt::LeftButton) drag_ = selects ? Drag::Select : shift && !picture_.empty() ? Drag::Box : Drag::Pan;
+    way_.clear();
+    if (press_.button == Qt::MiddleButton) drag_ = Drag::Pan;
+    if (press_.button == Qt::RightButton) drag_ = Drag::WindowLevel;
+}
+
+void ImageView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = place(*event);
+    pointAt(cellAt(at));
+    if (drag_ == Drag::None || !press_.travels(at)) return;
+    if (drag_ == Drag::Pan) viewPort_->panPixels(at - press_.last);
+    if (drag_ == Drag::Box) update();
+    if (drag_ == Drag::Select) selectTo(at);
+    if (drag_ == Drag::WindowLevel) {
+        const QPoint by = at.toPoint() - press_.last.toPoint();
+        if (!by.isNull()) emit windowLevelDragged(by.x(), by.y());
+    }
+    press_.last = at;
+}
+
+/// A box has whole cells; a lasso goes where the hand goes.
+void ImageView::selectTo(QPointF at) {
+    if (tool_ == DragTool::Box) {
+        way_ = QPolygonF(QRectF(boxCells(press_.from, at)));
+        way_.removeLast(); // the first corner again
+    } else {
+        if (way_.isEmpty()) way_ << viewPort_->toCell(press_.from, size());
+        way_ << viewPort_->toCell(at, size());
+    }
+    update();
+}
+
+void ImageView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != press_.button || drag_ == Drag::None) return;
+    const Drag was = drag_;
+    drag_ = Drag::None;
+    if (press_.travelled) {
+        if (was == Drag::WindowLevel) emit windowLevelFinished();
+        if (was == Drag::Box) {
+            setBox(boxCells(press_.from, press_.last));
+            update();
+            emit boxSelected(*box_);
+        }
+        if (was == Drag::Select) {
+            update();
+            emit outlined(std::exchange(way_, {}), event->modifiers());
+        }
+        return;
+    }
+    const auto cell = cellAt(place(*event));
+    if (event->button() == Qt::RightButton && cell) emit menuWanted(cell->y(), cell->x(), mapToGlobal(place(*event).toPoint()));
+    if (event->button() != Qt::LeftButton || (was != Drag::Pan && was != Drag::Select) || !cell) return;
+    setCrosshair(cell);
+    emit clicked(cell->y(), cell->x());
+}
+
+void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) viewPort_->fit();
+}
+
+void ImageView::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches(*event)));
+    pointAt(cellAt(event->position())); // another cell may lie under the cursor now
+}
+
+void ImageView::keyPressEvent(QKeyEvent* event) {
+    const bool something = clearsOnEscape_ && (crosshair_ || box_);
+    if (event->key() != Qt::Key_Escape || !something) {
+        QWidget::keyPressEvent(event); // Esc goes on to the window: cancel job, leave tool
+        return;
+    }
+    setCrosshair(std::nullopt);
+    setBox(std::nullopt);
+    emit cleared();
+}
+
+QRect ImageView::boxCells(QPointF from, QPointF to) const {
+    const QRect all = picture_.image()->rect();
+    const auto inside = [&](QPointF pixel) {
+        const QPointF at = viewPort_->toCell(pixel, size());
+        return QPoint(std::clamp(static_cast<int>(std::floor(at.x())), all.left(), all.right()),
+                      std::clamp(static_cast<int>(std::floor(at.y())), all.top(), all.bottom()));
+    };
+    const QPoint a = inside(from);
+    const QPoint b = inside(to);
+    return {QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())), QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))};
+}
+
+void ImageView::pointAt(std::optional<QPoint> cell) {
+    if (std::exchange(hoveredCell_, cell) == cell) return;
+    if (cell)
+        emit hovered(cell->y(), cell->x());
+    else
+        emit hoverLeft();
+}
+
+void ImageView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    pointAt(std::nullopt);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,122 @@
+// Which part of the image is seen.
+#include "ui/views/image/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kMaxZoom = 64.0; // pixels per cell
+constexpr double kMaxAspect = 50.0;
+
+} // namespace
+
+ViewPort::ViewPort(QObject* parent) : QObject(parent) {}
+
+void ViewPort::setImageSize(QSize beamsByLines) {
+    if (beamsByLines == imageSize_) return;
+    const bool grows = beamsByLines.width() == imageSize_.width();
+    imageSize_ = beamsByLines;
+    if (fitted_ || !grows) return fit();
+    keepInReach();
+    emit changed();
+}
+
+void ViewPort::setAspect(double widthByHeight) {
+    if (!(widthByHeight > 0.0)) return;
+    const double aspect = std::clamp(widthByHeight, 1.0 / kMaxAspect, kMaxAspect);
+    if (aspect == aspect_) return;
+    aspect_ = aspect;
+    if (fitted_) refit();
+    keepInReach();
+    emit changed();
+}
+
+void ViewPort::setTrueAngle(double beamStepDeg, double lineStepDeg) { setAspect(std::abs(beamStepDeg) / std::abs(lineStepDeg)); }
+
+void ViewPort::fit() {
+    fitted_ = true;
+    refit();
+    emit changed();
+}
+
+void ViewPort::fitTo(const QRectF& cells) {
+    centre_ = cells.center();
+    zoom_ = fittingZoom(cells.size());
+    fitted_ = false;
+    keepInReach();
+    emit changed();
+}
+
+void ViewPort::refit() {
+    centre_ = QPointF(0.5 * imageSize_.width(), 0.5 * imageSize_.height());
+    zoom_ = fittingZoom(imageSize_);
+}
+
+QSize ViewPort::smallestView() const {
+    QSize smallest;
+    for (const QSize size : viewSizes_) smallest = smallest.isEmpty() ? size : smallest.boundedTo(size);
+    return smallest;
+}
+
+double ViewPort::fittingZoom(QSizeF cells) const {
+    const QSize view = smallestView();
+    if (view.isEmpty() || cells.isEmpty()) return 1.0;
+    return std::min({view.width() / (cells.width() * aspect_), view.height() / cells.height(), kMaxZoom});
+}
+
+void ViewPort::zoomAt(QPointF cell, double factor) {
+    const double least = std::min(0.25 * fittingZoom(imageSize_), 1.0);
+    const double zoom = std::clamp(zoom_ * factor, least, kMaxZoom);
+    if (zoom == zoom_) return;
+    centre_ = cell + (centre_ - cell) * (zoom_ / zoom);
+    zoom_ = zoom;
+    fitted_ = false;
+    keepInReach();
+    emit changed();
+}
+
+void ViewPort::panPixels(QPointF pixels) { centreOn(centre_ - QPointF(pixels.x() / (zoom_ * aspect_), pixels.y() / zoom_)); }
+
+void ViewPort::centreOn(QPointF cell) {
+    const QPointF before = centre_;
+    centre_ = cell;
+    keepInReach();
+    if (centre_ == before) return;
+    fitted_ = false;
+    emit changed();
+}
+
+// The middle of the view never leaves the image, so the image cannot be lost.
+void ViewPort::keepInReach() {
+    centre_.setX(std::clamp(centre_.x(), 0.0, static_cast<double>(std::max(0, imageSize_.width()))));
+    centre_.setY(std::clamp(centre_.y(), 0.0, static_cast<double>(std::max(0, imageSize_.height()))));
+}
+
+void ViewPort::setViewSize(const QObject* view, QSize size) {
+    const QSize before = smallestView();
+    viewSizes_[view] = size;
+    if (!fitted_ || smallestView() == before) return;
+    refit();
+    emit changed();
+}
+
+void ViewPort::forgetView(const QObject* view) {
+    viewSizes_.remove(view);
+    if (!fitted_) return;
+    refit();
+    emit changed();
+}
+
+QPointF ViewPort::toCell(QPointF pixel, QSizeF viewSize) const {
+    return {centre_.x() + (pixel.x() - 0.5 * viewSize.width()) / (zoom_ * aspect_),
+            centre_.y() + (pixel.y() - 0.5 * viewSize.height()) / zoom_};
+}
+
+QPointF ViewPort::toPixel(QPointF cell, QSizeF viewSize) const {
+    return {0.5 * viewSize.width() + (cell.x() - centre_.x()) * zoom_ * aspect_,
+            0.5 * viewSize.height() + (cell.y() - centre_.y()) * zoom_};
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,45 @@
+// What of the window's layout gives way in cab mode.
+#include "ui/base/dock_rail.h"
+#include "ui/base/pane.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+#include "ui/window/tool_bar.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+#include <utility>
+
+namespace edgescan::ui {
+
+void MainWindow::useCab(bool on) {
+    tools_->setVisible(!on);
+    showAlone(on ? cloud_ : nullptr);
+    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own words
+}
+
+/// None is there while it is locked: its switches rest, and nothing else opens one.
+void MainWindow::lockDocks(bool on) {
+    setProperty("docksLocked", on);
+    rail_->setLocked(on);
+    for (auto* dock : findChildren<QDockWidget*>()) {
+        dock->toggleViewAction()->setEnabled(!on);
+        if (on && !dock->isHidden()) hiddenForCab_ << dock;
+        if (on) dock->hide();
+    }
+    if (on) return;
+    for (QDockWidget* dock : std::exchange(hiddenForCab_, {})) {
+        if (!docks_.contains(dock)) dock->show(); // of the others the width decides
+    }
+    arrange();
+}
+
+void MainWindow::showAlone(const QWidget* view) {
+    Pane* wanted = nullptr;
+    for (Pane* pane : panes_) wanted = pane->content() == view ? pane : wanted;
+    if (maximised_ != nullptr) maximise(maximised_);
+    if (wanted != nullptr) maximise(wanted);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,172 @@
+// The window in a cab.
+#include "ui/window/cab_mode.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/files/source.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/panels/tuning/warning_button.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme.h"
+
+#include <QApplication>
+#include <QLayout>
+#include <QLocale>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kCancelAfterMs = 300;
+
+} // namespace
+
+CabMode::CabMode(MainWindow& window, QWidget* middle)
+    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
+      corner_(new CornerPicture(&window.views().cloud())), back_(new CornerPicture(&window.views().gray())), menu_(new QMenu(&window)) {
+    badge_->setObjectName("cab-origin");
+    corner_->setObjectName("cab-corner");
+    back_->setObjectName("cab-back");
+    corner_->hide();
+    back_->hide();
+    back_->setWords(tr("Cloud – tap to swap"));
+    window.setCentralWidget(frame_);
+    connectHead();
+    connectSide();
+    addTools();
+    connect(corner_, &CornerPicture::reachChanged, this, &CabMode::showCorner);
+    for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
+    follow();
+}
+
+void CabMode::connectHead() {
+    CabHead& head = frame_->head();
+    connect(head.menu(), &QToolButton::clicked, this, [this, button = head.menu()] {
+        menu_->clear();
+        menu_->addActions(window_.menuBar()->actions());
+        menu_->popup(button->mapToGlobal(QPoint(0, button->height())));
+    });
+    connect(head.open(), &QToolButton::clicked, this, [this] { window_.files().ask(); });
+    connect(head.connectScanner(), &QToolButton::clicked, this, [this] {
+        LivePanel& live = window_.live().panel();
+        live.setVisible(!live.isVisible() || window_.live().scanner().connected());
+        if (live.isVisible()) live.askAddress();
+    });
+    connect(head.warnings(), &QToolButton::clicked, &window_.warnings(), &QToolButton::click);
+    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.session().cancel(); });
+    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveWanted);
+    connect(head.locked(), &HoldButton::releasedEarly, this,
+            [this] { window_.notice().showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
+    cancelSoon_.setSingleShot(true);
+    cancelSoon_.setInterval(kCancelAfterMs);
+    connect(&cancelSoon_, &QTimer::timeout, head.cancel(), &QWidget::show);
+    connect(&window_.session(), &Session::workStarted, this, [this] { cancelSoon_.start(); });
+    connect(&window_.session(), &Session::workEnded, this, [this, cancel = head.cancel()] {
+        cancelSoon_.stop();
+        cancel->hide();
+    });
+}
+
+void CabMode::connectSide() {
+    NumbersSide& side = frame_->side();
+    connect(&side, &NumbersSide::stepped, &window_.panel(),
+            [this](const QString& key, int steps) { window_.panel().step(key.toUtf8().constData(), steps); });
+    connect(&side, &NumbersSide::stepEnded, &window_.panel(), &EdgesPanel::editEnded);
+    connect(&side, &NumbersSide::nextWanted, this, [this](int by) { window_.targets().goTo(by); });
+}
+
+/// Everything that a number or a picture of this mode is made of.
+void CabMode::follow() {
+    connect(&window_, &MainWindow::pictureShown, this, [this] {
+        showScan();
+        showSettings();
+        showCorner();
+    });
+    connect(&window_, &MainWindow::originShown, this, &CabMode::showScan);
+    connect(&window_.session(), &Session::settingsChanged, this, &CabMode::showSettings);
+    connect(&window_.targets(), &Targets::cardChanged, this, [this] {
+        showNumbers();
+        showCorner();
+    });
+    connect(&window_.rocks(), &Rocks::rocksShown, this, &CabMode::showNumbers);
+    connect(&window_.rocks(), &Rocks::shownChanged, this, &CabMode::showNumbers);
+    connect(&window_.warnings(), &WarningButton::warningsRaised, this, &CabMode::showScan);
+    connect(&window_.warnings(), &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
+    connect(&window_.live().scanner(), &ScannerLink::connectedChanged, this, [this](bool connected) {
+        if (on_) window_.live().panel().setVisible(connected);
+    });
+}
+
+void CabMode::set(bool on) {
+    if (std::exchange(on_, on) == on) return;
+    if (swapped_) swap();
+    const QSize size = window_.size();
+    auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+    if (!on) useTheme(application, false);
+    window_.useCab(on);
+    lockDocks(on);
+    window_.legend().setBrief(on);
+    window_.notice().setBrief(on);
+    frame_->setCab(on);
+    for (ImageView* view : {&window_.views().gray(), &window_.views().edges()}) view->setForGloves(on);
+    window_.views().cloud().setForGloves(on);
+    window_.live().panel().setVisible(!on || window_.live().scanner().connected());
+    showCorner();
+    if (on) {
+        useTheme(application, true); // last: what is large and not shown must not make the window larger
+        showScan();
+        showNumbers();
+        showSettings();
+    }
+    window_.layout()->activate();
+    if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
+    window_.fitScreen();
+    emit changed(on);
+}
+
+void CabMode::lockDocks(bool on) {
+    window_.menuBar()->setVisible(!on);
+    window_.statusBar()->setVisible(!on);
+    window_.lockDocks(on);
+}
+
+void CabMode::showScan() {
+    if (!on_) return;
+    const Picture* picture = window_.session().picture().get();
+    const PictureOrigin origin = originOf(picture, window_.live().scanner());
+    badge_->showState(origin.sign, origin.badge);
+    badge_->setToolTip(origin.more);
+    const QStringList warnings = window_.warnings().warnings();
+    QToolButton* told = frame_->head().warnings();
+    told->setText("▲ " + QString::number(warnings.size()));
+    told->setAccessibleName(window_.warnings().text());
+    told->setVisible(!warnings.isEmpty());
+    if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
+    const Scan& scan = *picture->detection->scan;
+    const QLocale english(QLocale::English, QLocale::UnitedStates);
+    const int expected = std::max(picture->source.growth.expectedLines, scan.lines());
+    const auto missing = std::ranges::count_if(scan.state.cells, [](CellState state) { return state != CellState::Valid; });
+    QString facts = tr("%1 of %2 lines").arg(english.toString(scan.lines()), english.toString(expected));
+    facts +=
+        tr(" · %1 % no return")
+            .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
+    for (const QString& warning : warnings) {
+        if (warning.startsWith("INCOMPLETE")) facts = "✕ INCOMPLETE · " + facts;
+    }
+    if (scan.placement && scan.placement->outOfSpec) facts = tr("▲ OUT OF SPEC") + " · " + facts;
+    frame_->head().showScan(shownName(exactText(scan.name)), facts);
+}
+
+} // namespace edgescan::ui

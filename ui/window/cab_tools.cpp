@@ -1,0 +1,189 @@
+// What the tools, the corner and the numbers of cab mode do.
+#include "core/edges/pipeline/methods.h"
+#include "core/edges/settings/parameters.h"
+#include "ui/base/shown_text.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/tool_column.h"
+#include "ui/panels/targets/target_words.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+
+#include <QMenu>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+void openBeside(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
+
+// Of the menu bar, whatever the language: the entries are those of the menu, not a second list of them.
+QMenu* menuWith(const MainWindow& window, const QString& action) {
+    const QAction* entry = window.findChild<QAction*>(action);
+    return entry == nullptr ? nullptr : qobject_cast<QMenu*>(entry->parent());
+}
+
+} // namespace
+
+void CabMode::addTools() {
+    ToolColumn& column = frame_->tools();
+    LinkedViews& views = window_.views();
+    QToolButton* pin = column.add("cab-pin", "pin", tr("Pin"));
+    pin->setCheckable(true);
+    connect(pin, &QToolButton::clicked, this, [this] {
+        window_.measures().stop();
+        window_.views().setTool(Tool::Pin);
+    });
+    QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
+    measure->setCheckable(true);
+    auto* kinds = new QMenu(measure);
+    addMeasures(*kinds);
+    const auto followTool = [this, pin, measure] {
+        pin->setChecked(window_.views().tool() == Tool::Pin);
+        measure->setChecked(window_.measures().kind().has_value());
+    };
+    connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
+        followTool(); // what is on follows from what is chosen
+        openBeside(*kinds, *measure);
+    });
+    connect(&views, &LinkedViews::toolChanged, this, followTool);
+    connect(&window_.measures(), &Measures::kindChanged, this, followTool);
+    followTool();
+    QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
+    rocks->setCheckable(true);
+    connect(rocks, &QToolButton::clicked, &window_.rocks(), &Rocks::setShown);
+    connect(&window_.rocks(), &Rocks::shownChanged, rocks, &QToolButton::setChecked);
+    QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
+    connect(compare, &QToolButton::clicked, this, [this, compare] {
+        if (QMenu* menu = menuWith(window_, "compare-keep")) openBeside(*menu, *compare);
+    });
+    QToolButton* why = column.add("cab-why", "why", tr("Why"));
+    connect(why, &QToolButton::clicked, &window_.explanation(), &Explanation::explainMarked);
+    QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
+    connect(scanner, &QToolButton::clicked, &views.cloud(), &CloudView::viewFromScanner);
+    QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
+    connect(fit, &QToolButton::clicked, this, [this] {
+        window_.views().cloud().zoomToFit();
+        window_.views().gray().viewPort()->fit();
+    });
+    QToolButton* images = column.add("cab-images", "images", tr("Images"));
+    connect(images, &QToolButton::clicked, this, [this] {
+        if (swapped_) return swap();
+        shown_ = shown_ == Corner::Range ? Corner::Edges : shown_ == Corner::Edges ? Corner::None : Corner::Range;
+        showCorner();
+    });
+    QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
+    connect(undo, &QToolButton::clicked, &window_.undoStack(), &QUndoStack::undo);
+    connect(&window_.undoStack(), &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
+    undo->setEnabled(window_.undoStack().canUndo());
+    column.setFoot(undo);
+    QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
+    tune->setCheckable(true);
+    connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
+    QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
+    connect(report, &QToolButton::clicked, this, [this] { window_.report().ask(); });
+    QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
+    connect(out, &QToolButton::clicked, this, [this] { window_.exports().ask(ExportContent::EdgeCloud); });
+    for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
+}
+
+void CabMode::addMeasures(QMenu& menu) {
+    for (const MeasureTraits& each : measureTraits()) {
+        menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.measures().start(kind); });
+    }
+    menu.addSeparator();
+    menu.addAction(tr("Take the last click back"), this, [this] {
+        if (!window_.measures().takeBack()) window_.measures().stop();
+    });
+}
+
+std::optional<QPoint> CabMode::markedPlace() const {
+    const auto cell = window_.views().marked();
+    return cell && window_.session().picture() ? std::optional(window_.views().placeOf(*cell)) : std::nullopt;
+}
+
+void CabMode::showCorner() {
+    const bool some = on_ && window_.session().picture() != nullptr && shown_ != Corner::None;
+    corner_->setVisible(some);
+    window_.views().cloud().setCaptionRoom(some ? corner_->reach() : 0); // what is said of all rocks must be read
+    if (!some) return;
+    const bool range = shown_ == Corner::Range;
+    corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
+    corner_->show((range ? window_.views().gray() : window_.views().edges()).image(), markedPlace());
+}
+
+/// The image has the room and the cloud a corner, or the other way round.
+void CabMode::swap() {
+    swapped_ = !swapped_;
+    ImageView& image = shown_ == Corner::Edges ? window_.views().edges() : window_.views().gray();
+    back_->setParent(&image);
+    image.installEventFilter(back_);
+    window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.views().cloud());
+    back_->setVisible(swapped_);
+    back_->setWords(back_->text()); // in its place
+}
+
+void CabMode::showSettings() {
+    if (!on_) return;
+    const Settings& settings = window_.session().settings();
+    const Parameter& first = sweptParameter(settings.method);
+    std::vector<SteppedSetting> shown;
+    const auto add = [&](const Parameter& p) { shown.push_back({p.key, QObject::tr(p.label), window_.panel().valueText(p.key)}); };
+    add(first);
+    for (const Parameter& p : parameters()) {
+        if (p.usedBy(settings) && !p.several && &p != &first) add(p);
+    }
+    frame_->side().showSettings(shown);
+}
+
+LargeNumbers CabMode::numbers() const {
+    LargeNumbers told;
+    const Targets& targets = window_.targets();
+    const PinnedTarget* target = targets.active();
+    if (target == nullptr) return told;
+    const auto& all = targets.notebook().targets;
+    told.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
+    told.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
+    const auto known = targets.known().targets.find(target->cell);
+    if (known == targets.known().targets.end()) return told;
+    const CellTarget& cell = known->second;
+    const TargetSurroundings around = targets.around(target->cell);
+    told.distance = distanceText(cell);
+    told.tolerance = toleranceText(cell);
+    told.rock = tr("Rock, visible");
+    told.size = QStringLiteral("–");
+    const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
+    if (around.rock != nullptr) {
+        told.rock = tr("Rock %1, visible").arg(around.rock->label);
+        told.size = tr("%1 × %2 m").arg(metres(around.rock->longM, 2), metres(around.rock->wideM, 2));
+        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(kRockCaveat);
+    } else {
+        told.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
+    }
+    const auto rows = [&](const Eigen::Vector3d& at, std::initializer_list<const char*> names) {
+        int n = 0;
+        for (const char* name : names) told.coordinates.emplace_back(name, metres(at[n++], 3));
+    };
+    if (cell.probe.state != CellState::Valid) return told;
+    if (cell.probe.mineM)
+        rows(*cell.probe.mineM, {"E", "N", "RL"});
+    else
+        rows(cell.probe.pointM, {"X", "Y", "Z"});
+    if (!cell.probe.mineM) told.pose = tr("▲ no pose: no E N RL");
+    for (const TargetRow& row : targetRows(cell, around)) {
+        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) told.rows.emplace_back(row.name, row.value);
+    }
+    return told;
+}
+
+void CabMode::showNumbers() {
+    if (on_) frame_->side().showNumbers(numbers());
+}
+
+} // namespace edgescan::ui

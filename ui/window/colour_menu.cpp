@@ -1,0 +1,34 @@
+// Colours of the cloud as a menu.
+#include "ui/window/colour_menu.h"
+
+#include "ui/controllers/scan_look.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+
+namespace edgescan::ui {
+
+Command colourMenu(MainWindow& window) {
+    auto* group = new QActionGroup(&window);
+    ScanLook& look = window.look();
+    const auto row = [group, &look](Command made, ColourBy by) {
+        made.set = [&look, by](bool) { look.setColourBy(by); };
+        return linked(made, [group, &look, by](QAction& action) {
+            group->addAction(&action);
+            action.setObjectName(QString("colour-") + colourKey(by));
+            action.setChecked(look.colourBy() == by);
+            QObject::connect(&look, &ScanLook::colourByChanged, &action, [&action, by](ColourBy now) {
+                if (now == by) action.setChecked(true);
+            });
+        });
+    };
+    return submenu("Cloud C&olour", {
+                                        row(toggle("G&ray", "", nullptr, false, nullptr), ColourBy::Nothing),
+                                        row(toggle("By &Range", "Shift+J", nullptr, false, nullptr), ColourBy::Range),
+                                        row(toggle("By &Height", "Shift+H", nullptr, false, nullptr), ColourBy::Height),
+                                        row(toggle("By &Line", "", nullptr, false, nullptr), ColourBy::Line),
+                                    });
+}
+
+} // namespace edgescan::ui

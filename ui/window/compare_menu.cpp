@@ -1,0 +1,71 @@
+// Commands and legend of A/B.
+#include "ui/window/compare_menu.h"
+
+#include "ui/controllers/comparing.h"
+#include "ui/controllers/confidence.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/confidence/confidence_legend.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+
+namespace edgescan::ui {
+
+Command compareMenu(MainWindow& w) {
+    Comparing& comparing = w.comparing();
+    const auto whileKept = [&comparing](QAction& action) {
+        action.setEnabled(false);
+        QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
+    };
+    const auto flipped = [&comparing, whileKept](QAction& action) {
+        whileKept(action);
+        QObject::connect(&comparing, &Comparing::flipped, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "Compare &A/B",
+        {
+            linked(command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
+                   [](QAction& action) { action.setObjectName("compare-keep"); }),
+            command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            kLine,
+            linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
+            linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
+                   [](QAction& action) {
+                       action.setChecked(true);
+                       action.setProperty(kInSessions, "compare/changes");
+                   }),
+            linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
+            kLine,
+            linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
+        });
+}
+
+void addChangeLegend(MainWindow& w) {
+    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
+    over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
+    const auto follow = [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); };
+    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
+    QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
+}
+
+Command confidenceCommand(MainWindow& w) {
+    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&w](bool on) { w.confidence().setOn(on); }), [](QAction& action) {
+        action.setObjectName("edge-confidence");
+        action.setProperty(kInSessions, "edges/confidence");
+        action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
+    });
+}
+
+void addConfidenceLegend(MainWindow& w) {
+    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
+    over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::giveWay);
+    QObject::connect(&w.confidence(), &Confidence::changed, &w,
+                     [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); });
+}
+
+} // namespace edgescan::ui

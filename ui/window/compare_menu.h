@@ -1,0 +1,19 @@
+// The commands of A/B and of edge confidence, and where their legends stand.
+#pragma once
+
+#include "ui/panels/keys/commands.h"
+
+namespace edgescan::ui {
+
+class MainWindow;
+
+[[nodiscard]] Command compareMenu(MainWindow& window);
+
+/// Over the cloud, above the legend of the edges, which gives way to it while a difference is shown.
+void addChangeLegend(MainWindow& window);
+
+/// Edge confidence: its switch, and its legend in the same place, which gives way to a difference.
+[[nodiscard]] Command confidenceCommand(MainWindow& window);
+void addConfidenceLegend(MainWindow& window);
+
+} // namespace edgescan::ui

@@ -1,0 +1,49 @@
+// On which side the legends stand.
+#include "ui/window/legend_place.h"
+
+#include "ui/base/view_plate.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_view.h"
+
+#include <QLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kLabelWide = 150, kLabelHigh = 28; // px, of what is written beside a pin
+constexpr int kRing = 14;                        // px round it
+
+/// What is in the way of plates, or would be.
+bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
+    for (ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!plate->isVisible() || cloud.layout()->indexOf(plate) < 0) continue; // what moves by itself keeps away by itself
+        QRect place = plate->geometry();
+        const int margin = std::min(place.left(), cloud.width() - 1 - place.right());
+        place.moveLeft(atRight ? cloud.width() - margin - place.width() : margin);
+        if (place.intersects(label)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+void keepLegendsAside(CloudView& cloud, LinkedViews& views) {
+    const auto look = [&cloud, &views] {
+        const auto cell = views.pinned();
+        const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
+        const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
+        const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
+        QLayout* over = cloud.layout();
+        const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
+        for (int n = 0; n < over->count(); ++n) {
+            QWidget* plate = over->itemAt(n)->widget();
+            if (qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side) over->setAlignment(plate, side);
+        }
+    };
+    QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
+    QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);
+}
+
+} // namespace edgescan::ui

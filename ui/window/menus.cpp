@@ -1,0 +1,393 @@
+// Which commands there are, menu by menu.
+#include "ui/window/menus.h"
+
+#include "core/edges/settings/presets.h"
+#include "ui/base/language/languages.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/contact_sheets.h"
+#include "ui/controllers/files/calibrating.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/dialogs/command_palette.h"
+#include "ui/panels/dialogs/sheets.h"
+#include "ui/panels/keys/key_editing.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/timeline.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/colour_menu.h"
+#include "ui/window/compare_menu.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session_menu.h"
+#include "ui/window/theme_menu.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+// Can be used only while `signal` last said true; at first it cannot.
+template <class Sender, class Signal>
+std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
+    return [&sender, signal](QAction& action) {
+        action.setEnabled(false);
+        QObject::connect(&sender, signal, &action, &QAction::setEnabled);
+    };
+}
+
+Command fileMenu(MainWindow& w) {
+    const auto exported = [&w](const char* text, const char* keys, ExportContent content) {
+        return command(text, keys, [&w, content] { w.exports().ask(content); });
+    };
+    Command recent = submenu("Open &Recent", {});
+    recent.fill = [&w](QMenu& menu) { w.files().fillRecent(menu); };
+    Command menu = submenu("&File", {
+                                        command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
+                                        recent,
+                                        command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
+                                        command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
+                                        command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
+                                        command("Re&load", "F5", [&w] { w.files().reload(); }),
+                                        kLine,
+                                        submenu("&Export",
+                                                {
+                                                    exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
+                                                    exported("&Full Cloud…", "", ExportContent::FullCloud),
+                                                    exported("Edge &Image…", "", ExportContent::EdgeImage),
+                                                    exported("&Gray Image…", "", ExportContent::GrayImage),
+                                                    exported("&Range Image…", "", ExportContent::RangeImage),
+                                                    command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
+                                                }),
+                                        command("Re&port…", "", [&w] { w.report().ask(); }),
+                                        command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
+                                        command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
+                                        kLine,
+                                        command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
+                                    });
+    const std::vector<Command> sessions = sittingCommands(w);
+    menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // behind what opens scans
+    return menu;
+}
+
+Command editMenu(MainWindow& w) {
+    Command undo{.keys = "Ctrl+Z", .made = w.undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
+    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
+    undo.made->setObjectName("Undo"); // the texts name the step
+    redo.made->setObjectName("Redo");
+    undo.made->setProperty(kPlainName, QObject::tr("&Undo"));
+    redo.made->setProperty(kPlainName, QObject::tr("&Redo"));
+    const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
+    return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
+}
+
+Command mouseMenu(MainWindow& w, Memory& memory) {
+    auto* presets = new QActionGroup(&w);
+    CloudView& cloud = w.views().cloud();
+    const auto preset = [&](const char* text, const QString& name, MousePreset mouse) {
+        Command made = toggle(text, "", nullptr, false, [&cloud, &memory, name, mouse](bool) {
+            cloud.setMousePreset(mouse);
+            memory.keep("view/mouse", name);
+        });
+        return linked(made, [&cloud, &memory, presets, name, mouse](QAction& action) {
+            presets->addAction(&action);
+            if (memory.text("view/mouse", "default") != name) return;
+            action.setChecked(true);
+            cloud.setMousePreset(mouse);
+        });
+    };
+    return submenu("&Mouse", {
+                                 preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
+                                 preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
+                                 kLine,
+                                 habit(toggle("&Wheel the other way", "", "view/wheel-reversed", false,
+                                              [&cloud](bool on) { cloud.setWheelReversed(on); })),
+                             });
+}
+
+Command languageMenu(MainWindow& w, Memory& memory) {
+    auto* languages = new QActionGroup(&w);
+    Command menu = submenu("Lan&guage", {});
+    for (const Language& language : kLanguages) {
+        const QString code = language.code;
+        Command made{.text = QString::fromUtf8(language.name), .set = [&w, &memory, code](bool) {
+                         memory.keep("language", code);
+                         w.notice().showNotice(NoticeBar::Kind::Done,
+                                               QObject::tr("The window speaks this language from its next start on."));
+                     }};
+        menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
+            languages->addAction(&action);
+            action.setObjectName("language-" + code);
+            action.setChecked(code == languageInUse());
+        }));
+    }
+    return menu;
+}
+
+std::vector<Command> lookCommands(MainWindow& w) {
+    LinkedViews& views = w.views();
+    CloudView& cloud = views.cloud();
+    EdgeLegend& legend = w.legend();
+    const auto setColourBlind = [&](bool on) {
+        const EdgeColours& colours = on ? kColourBlindColours : kUsualColours;
+        views.setEdgeColours(colours);
+        w.panel().setEdgeColours(colours);
+        legend.showColours(colours);
+    };
+    const auto setByClass = [&](bool on) {
+        views.setEdgesByClass(on);
+        legend.showByClass(on);
+    };
+    const auto setEdges = [&](bool on) {
+        cloud.setEdgesVisible(on);
+        legend.showEdges(on);
+    };
+    const auto followLegend = [&legend](auto signal) {
+        return [&legend, signal](QAction& action) { QObject::connect(&legend, signal, &action, &QAction::setChecked); };
+    };
+    return {
+        linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
+               [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
+        toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
+        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesWanted)),
+        toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
+        toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
+        toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setOverlay(on); }),
+        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassWanted)),
+        toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
+        toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
+    };
+}
+
+Command viewMenu(MainWindow& w, Memory& memory) {
+    LinkedViews& views = w.views();
+    CloudView& cloud = views.cloud();
+    Command menu = submenu("&View", {
+                                        command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
+                                        command("&Front", "1", [&cloud] { cloud.viewFront(); }),
+                                        command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
+                                        command("&Right", "3", [&cloud] { cloud.viewRight(); }),
+                                        command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
+                                        command("&Top", "7", [&cloud] { cloud.viewTop(); }),
+                                        command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
+                                        command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                        command("R&eset View", "R; Home", [&views] { views.resetView(); }),
+                                        command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
+                                        command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
+                                        command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); }),
+                                        kLine,
+                                    });
+    const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
+    add(lookCommands(w));
+    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }), colourMenu(w)});
+    add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
+         command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), themeMenu(w, memory),
+         languageMenu(w, memory), kLine});
+    for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
+    add({command("Reset &Layout", "", [&w] { w.resetLayout(); }), cabCommand(w, memory),
+         command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
+    return menu;
+}
+
+Command calibrateCommand(MainWindow& w, Memory& memory) {
+    auto* calibrating = new Calibrating(w.session(), w.files(), w.notice(), memory, &w);
+    QObject::connect(calibrating, &Calibrating::saved, &w.audit(),
+                     [&w](const QString& path) { w.audit().noteExport("calibration", path); });
+    return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
+}
+
+Command scanMenu(MainWindow& w, Memory& memory) {
+    Files& files = w.files();
+    Live& live = w.live();
+    const auto connected = onlyWhile(live.scanner(), &ScannerLink::connectedChanged);
+    const auto playable = onlyWhile(live.timeline(), &Timeline::activeChanged);
+    const auto step = [&](const char* text, const char* keys, int lines) {
+        return linked(command(text, keys, [&live, lines] { live.timeline().stepBy(lines); }), playable);
+    };
+    const auto showProperties = [&w] {
+        if (w.session().picture()) showScanProperties(&w, *w.session().picture()->detection->scan);
+    };
+    const auto followStraightening = [&files](QAction& action) {
+        action.setObjectName("straighten-beams");
+        action.setToolTip(
+            QObject::tr("Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped"));
+        QObject::connect(&files, &Files::straightened, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "&Scan",
+        {
+            command("&Next Scan", "PgDown", [&files] { files.step(1); }),
+            command("Pre&vious Scan", "PgUp", [&files] { files.step(-1); }),
+            kLine,
+            linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
+            linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
+            habit(toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
+            command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
+            kLine,
+            linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
+            step("Next Line", "Right", 1),
+            step("Last Line", "Left", -1),
+            step("Ten Lines Forward", "Shift+Right", 10),
+            step("Ten Lines Back", "Shift+Left", -10),
+            kLine,
+            linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
+            command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
+            calibrateCommand(w, memory),
+            command("Does This Look &Right?", "", [&w] { w.opening().show(); }),
+            command("&Properties…", "", showProperties),
+        });
+}
+
+Command edgesMenu(MainWindow& w) {
+    Tuning& tuning = w.tuning();
+    EdgesPanel& panel = w.panel();
+    auto* sheets = new ContactSheets(w.session(), tuning, w.notice(), &w);
+    Command presets = submenu("&Presets", {});
+    for (const Preset& preset : builtInPresets())
+        presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
+                                         [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
+    presets.submenu.push_back(kLine);
+    presets.submenu.push_back(command("&Open…", "", [&tuning] { tuning.askOpenPreset(); }));
+    presets.submenu.push_back(command("&Save…", "", [&tuning] { tuning.askSavePreset(); }));
+    const auto followLock = [&panel](QAction& action) {
+        action.setChecked(panel.ratioLocked());
+        QObject::connect(&panel, &EdgesPanel::ratioLockChanged, &action, &QAction::setChecked);
+    };
+    return submenu(
+        "&Edges",
+        {
+            presets,
+            compareMenu(w),
+            linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
+            command("This &Is an Edge", "Shift+E", [&w] { w.markedEdges().mark(w.views().marked(), true); }),
+            command("This Is &No Edge", "Shift+X", [&w] { w.markedEdges().mark(w.views().marked(), false); }),
+            command("Settings for These &Marks…", "", [&w] { w.markedEdges().propose(); }),
+            command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
+            command("Clear the Mar&ks", "", [&w] { w.markedEdges().clear(); }),
+            command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
+            confidenceCommand(w),
+            command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(builtInPresets().front()); }),
+        });
+}
+
+Command rocksMenu(MainWindow& w) {
+    Rocks& rocks = w.rocks();
+    CloudView& cloud = w.views().cloud();
+    const auto step = [&rocks](double by) {
+        RockSettings settings = rocks.settings();
+        const RockParameter& level = rockParameters().front();
+        level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
+        rocks.turn(settings);
+    };
+    const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
+        return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),
+                      [&rocks, which](QAction& action) {
+                          QObject::connect(&rocks, &Rocks::toolChanged, &action,
+                                           [&action, which](RockTool now) { action.setChecked(now == which); });
+                      });
+    };
+    return submenu("&Rocks",
+                   {
+                       linked(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
+                              [&rocks](QAction& action) { QObject::connect(&rocks, &Rocks::shownChanged, &action, &QAction::setChecked); }),
+                       toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
+                       kLine,
+                       command("&Finer", ",", [step] { step(-0.5); }),
+                       command("&Coarser", ".", [step] { step(0.5); }),
+                       kLine,
+                       command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
+                       tool("S&plit at Next Click", "S", RockTool::Split),
+                       tool("&Join along a Line", "J", RockTool::Join),
+                       tool("C&ut along a Line", "X", RockTool::Cut),
+                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
+                       kLine,
+                       tool("Draw Region of &Interest", "G", RockTool::Region),
+                       command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
+                       kLine,
+                       {.made = w.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
+                       command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
+                   });
+}
+
+/// A tool. `on`: whether it is the one in use.
+Command tool(MainWindow& w, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
+    const auto set = [&w, start = std::move(start)](bool wanted) { wanted ? start() : w.views().setTool(Tool::Pin); };
+    return linked(toggle(text, keys, nullptr, false, set), [&w, on = std::move(on)](QAction& action) {
+        const auto follow = [&action, on] { action.setChecked(on()); };
+        QObject::connect(&w.views(), &LinkedViews::toolChanged, &action, follow);
+        QObject::connect(&w.measures(), &Measures::kindChanged, &action, follow);
+        follow();
+    });
+}
+
+Command measureMenu(MainWindow& w) {
+    LinkedViews& views = w.views();
+    Measures& measures = w.measures();
+    Selection& selection = w.selection();
+    const auto usual = [&](const char* text, const char* keys, Tool wanted) {
+        return tool(
+            w, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
+    };
+    const auto measure = [&](const char* text, const char* keys, MeasureKind kind) {
+        return tool(
+            w, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
+    };
+    const auto letGo = [&w] {
+        if (const PinnedTarget* target = w.targets().active()) w.targets().letGo(target->number);
+    };
+    return submenu("&Measure", {
+                                   usual("&Pin", "P", Tool::Pin),
+                                   measure("&Distance", "U", MeasureKind::Distance),
+                                   measure("&Vertical", "V", MeasureKind::Vertical),
+                                   measure("&Angle", "A", MeasureKind::Angle),
+                                   measure("&Spans a × b", "Y", MeasureKind::Spans),
+                                   measure("Along S&urface", "Shift+U", MeasureKind::Path),
+                                   measure("Thr&oat Width", "Shift+Y", MeasureKind::Throat),
+                                   usual("&Box", "B", Tool::Box),
+                                   usual("&Lasso", "L", Tool::Lasso),
+                                   kLine,
+                                   command("Let &Go of This Target", "Del", letGo),
+                                   command("Let Go of All &Targets", "", [&w] { w.targets().letGoOfAll(); }),
+                                   command("&Copy This Target", "", [&w] { w.targets().copyCard(); }),
+                                   kLine,
+                                   command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
+                                   command("&Hide Selected", "Shift+I", [&selection] { selection.hideSelected(); }),
+                                   command("Sho&w All", "Ctrl+I", [&selection] { selection.showAll(); }),
+                                   command("Clip to Bo&x round Selected", "", [&selection] { selection.clipToSelected(); }),
+                                   command("&Range Gate…", "Shift+G", [&selection] { selection.askRangeGate(); }),
+                                   command("Hide &Farther than This Cell", "", [&w] { w.selection().hideFartherThan(w.views().marked()); }),
+                                   command("Hide Nearer than This Cell", "", [&w] { w.selection().hideNearerThan(w.views().marked()); }),
+                                   command("&Zoom to Selected", "Z", [&selection] { selection.zoomTo(); }),
+                                   command("Select &Nothing", "", [&selection] { selection.select({}); }),
+                                   command("&Export Selected…", "", [&w] { w.exports().askSelected(); }),
+                               });
+}
+
+} // namespace
+
+std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
+    const auto showKeys = [&window] { showShortcuts(&window, window.actions()); };
+    return {fileMenu(window),
+            editMenu(window),
+            viewMenu(window, memory),
+            scanMenu(window, memory),
+            edgesMenu(window),
+            rocksMenu(window),
+            measureMenu(window),
+            submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
+                              command("&Keys and Mouse", "F1; H; ?", showKeys),
+                              command("&Change Keys…", "", [&window, &memory] { editKeys(window, memory); }),
+                              command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,69 @@
+// Notes of the panes.
+#include "ui/window/pane_notes.h"
+
+#include "ui/base/count_text.h"
+#include "ui/base/pane.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/main_window.h"
+
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+QString rangeNote(MainWindow& window) {
+    const RangeSpan ranges = window.views().rangesShown();
+    QString note = Pane::tr("%1 to %2 m").arg(ranges.nearM, 0, 'f', 2).arg(ranges.farM, 0, 'f', 2);
+    const Growth& growth = window.session().picture()->source.growth;
+    if (growth.growing) note = Pane::tr("line %1").arg(window.session().picture()->detection->scan->lines()) + " · " + note;
+    return note;
+}
+
+QString edgeNote(MainWindow& window) {
+    const LinkedViews& views = window.views();
+    const EdgesInstead* instead = views.flipped() ? nullptr : views.edgesInstead().get();
+    const Detection& detection = *views.shown()->detection;
+    const std::size_t all = detection.edges->size();
+    // Of two scans the edges that are shown are not those of one.
+    const std::size_t shown = instead != nullptr && instead->overlayAsAsked && instead->cells.all ? instead->cells.all->size() : all;
+    const QString edges =
+        shown == all ? Pane::tr("%1 edges").arg(countText(all)) : Pane::tr("%1 of %2 edges").arg(countText(shown), countText(all));
+    if (instead != nullptr) return edges + " · " + instead->words;
+    return views.edgesByClass() && detection.classes ? edges + " · " + Pane::tr("by class") : edges;
+}
+
+QString cloudNote(MainWindow& window) {
+    const CloudView& cloud = window.views().cloud();
+    if (!cloud.geometryOfCloud()) return {};
+    const std::size_t all = window.views().shown()->cloud->validCount, shown = cloud.geometryOfCloud()->validCount;
+    QString note =
+        shown == all ? Pane::tr("%1 points").arg(countText(all)) : Pane::tr("%1 of %2 points").arg(countText(shown), countText(all));
+    if (window.session().picture()->source.growth.growing) note += ", " + Pane::tr("growing");
+    return note;
+}
+
+QString cloudRemark(const CloudView& cloud) {
+    if (cloud.drawnFraction() < 1.0) return Pane::tr("%1 % of the points drawn").arg(std::lround(cloud.drawnFraction() * 100));
+    return (cloud.isTurntable() ? Pane::tr("turntable") : Pane::tr("free rotation")) + " · " +
+           (cloud.isParallel() ? Pane::tr("orthographic") : Pane::tr("perspective"));
+}
+
+} // namespace
+
+void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
+    const auto tell = [&] {
+        if (!window.session().picture() || !window.views().shown()) return;
+        range.setNote(rangeNote(window));
+        edges.setNote(edgeNote(window));
+        cloud.setNote(cloudNote(window));
+        cloud.setRemark(cloudRemark(window.views().cloud()));
+    };
+    QObject::connect(&window.views(), &LinkedViews::picturesChanged, &window, tell);
+    QObject::connect(&window, &MainWindow::pictureShown, &window, tell);
+    CloudView& view = window.views().cloud();
+    for (const auto told : {&CloudView::parallelChanged, &CloudView::turntableChanged}) QObject::connect(&view, told, &window, tell);
+    QObject::connect(&view, &CloudView::pointsChanged, &window, tell);
+    QObject::connect(&view, &CloudView::drawnFractionChanged, &window, tell);
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,60 @@
+// Commands of sessions, and the layout that they keep.
+#include "ui/window/session_menu.h"
+
+#include "ui/base/pane.h"
+#include "ui/controllers/sessions/session_store.h"
+#include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+
+#include <QFileInfo>
+#include <QSplitter>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+
+std::unique_ptr<Sittings> sittingsOf(MainWindow& w, Memory& memory) {
+    auto sittings = std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
+                                                    w.rocks(), w.markedEdges(), w.comparing(), w.confidence(), w.look(), w.live(),
+                                                    w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
+                                                    [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
+    w.exports().setCarried([made = sittings.get()](const QImage& image, const QString& path) {
+        return withSitting(image, made->textFor(QFileInfo(path).absolutePath()));
+    });
+    return sittings;
+}
+
+std::vector<Command> sittingCommands(MainWindow& w) {
+    return {command("Open Sess&ion…", "", [&w] { w.sittings().ask(); }),
+            command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sittings().askSaveAs(); }),
+            command("Go on with the &Last Session", "", [&w] { w.sittings().goOn(); })};
+}
+
+std::map<std::string, std::string> MainWindow::layoutKept() const {
+    if (cab_->on()) return {}; // the other layout is the one to come back to
+    const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
+    const QByteArray alone = maximised_ == nullptr ? QByteArray() : maximised_->content()->objectName().toUtf8();
+    return {{"docks", text(saveState())},
+            {"views", text(splitter_->saveState())},
+            {"pictures", text(images_->saveState())},
+            {"alone", text(alone)}};
+}
+
+void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
+    const auto bytes = [&layout](const char* name) {
+        const auto found = layout.find(name);
+        return found == layout.end() ? QByteArray() : QByteArray::fromBase64(QByteArray::fromStdString(found->second));
+    };
+    if (cab_->on() || layout.empty()) return;
+    restoreState(bytes("docks"));
+    splitter_->restoreState(bytes("views"));
+    images_->restoreState(bytes("pictures"));
+    images_->setOrientation(Qt::Vertical);
+    const QByteArray alone = bytes("alone");
+    const auto found = std::ranges::find_if(panes_, [&alone](const Pane* pane) { return pane->content()->objectName().toUtf8() == alone; });
+    showAlone(found == panes_.end() ? nullptr : (*found)->content());
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,114 @@
+// What the buttons of the start page do, and where it lies.
+#include "ui/window/start.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/controllers/sessions/sessions.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/dialogs/sheets.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/start/start_page.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileDialog>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSettleMs = 400; // docks have found their places
+
+/// Keeps it over all between tool bar and status bar; the bar of notices stays to be seen, and the panel of the scanner ends it.
+class OverViews : public QObject {
+public:
+    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
+        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
+                                 static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.live().panel())})
+            watched->installEventFilter(this);
+        settle_.setSingleShot(true);
+        settle_.setInterval(kSettleMs);
+        connect(&settle_, &QTimer::timeout, this, [this] {
+            window_.update();
+            page_.update();
+        });
+        place();
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const auto type = event->type();
+        // A window that is destroyed is hidden first; from then on it must not be asked.
+        if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
+        // A picture of OpenGL under other widgets leaves the line beside it black.
+        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
+            window_.views().cloud().setVisible(type == QEvent::Hide);
+        if (gone_ || !page_.isVisible()) return false;
+        if (watched == &window_.live().panel() && type == QEvent::Show)
+            page_.hide();
+        else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
+            place();
+        return false;
+    }
+
+private:
+    void place() {
+        const QWidget& centre = *window_.centralWidget();
+        const NoticeBar& notice = window_.notice();
+        const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
+        page_.setGeometry(0, top, window_.width(), std::max(0, window_.statusLine().mapTo(&window_, QPoint(0, 0)).y() - top));
+        page_.raise();
+        settle_.start();
+    }
+
+    MainWindow& window_;
+    StartPage& page_;
+    QTimer settle_; // then all is painted once more: the line between docks that moved under the page is black until then
+    bool gone_ = false;
+};
+
+} // namespace
+
+StartPage* showStart(MainWindow& w, Memory& memory) {
+    const QString cache = memory.ownFolder().isEmpty()
+                              ? QString()
+                              : QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/recent";
+    auto* page = new StartPage(cache, &w);
+    new OverViews(w, *page);
+    QObject::connect(page, &StartPage::openWanted, &w, [&w] { w.files().ask(); });
+    QObject::connect(page, &StartPage::connectWanted, &w, [&w, page] {
+        page->hide();
+        w.live().panel().askAddress();
+    });
+    QObject::connect(page, &StartPage::goOnWanted, &w, [&w] { w.sittings().goOn(); });
+    QObject::connect(page, &StartPage::demoWanted, &w, [&w] { w.files().openDemo(); });
+    QObject::connect(page, &StartPage::scanWanted, &w, [&w](const QString& path) { w.sittings().open({path}); });
+    QObject::connect(page, &StartPage::locateWanted, &w, [&w, &memory, page](const QString& path) {
+        const QString now =
+            QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), memory.folder("scans"), Files::filters());
+        if (now.isEmpty()) return;
+        memory.forgetRecentFile(path);
+        memory.keepRecentFile(now);
+        page->showRecent(memory.recentFiles());
+        w.sittings().open({now});
+    });
+    QObject::connect(page, &StartPage::clearWanted, &w, [&memory, page] {
+        memory.forgetRecentFiles();
+        page->showRecent({});
+    });
+    QObject::connect(page, &StartPage::cabWanted, &w, [&w] {
+        if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
+    });
+    QObject::connect(page, &StartPage::keysWanted, &w, [&w] { showShortcuts(&w, w.actions()); });
+    QObject::connect(&w.session(), &Session::pictureReady, page, &QWidget::hide);
+    page->showRecent(memory.recentFiles());
+    page->showSession(w.sittings().toGoOn());
+    page->show();
+    page->setFocus();
+    return page;
+}
+
+} // namespace edgescan::ui

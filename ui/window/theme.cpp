@@ -1,0 +1,119 @@
+// Fusion with the borders, the focus and the sizes that it lacks.
+#include "ui/window/theme.h"
+
+#include "ui/base/themes.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QPainter>
+#include <QPalette>
+#include <QProxyStyle>
+#include <QStyleFactory>
+#include <QStyleOption>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kLarger = 1.4; // times the desktop's letters, for gloves
+
+void drawFrame(QPainter& painter, const QRect& place, const QPen& pen, double radius) {
+    painter.save();
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.setRenderHint(QPainter::Antialiasing, radius > 0);
+    const double half = pen.widthF() / 2.0;
+    painter.drawRoundedRect(QRectF(place).adjusted(half, half, -half, -half), radius, radius);
+    painter.restore();
+}
+
+/// Fusion draws a light shadow beside the words of what cannot be used: on a dark ground they would look bold.
+class FlatStyle : public QProxyStyle {
+public:
+    explicit FlatStyle(bool forGloves) : QProxyStyle(QStyleFactory::create("Fusion")), forGloves_(forGloves) {}
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
+        return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+    // Fusion's own frames are shades of the ground and cannot be seen on some.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
+        if (element == PE_FrameFocusRect) return drawFrame(*painter, option->rect, {option->palette.color(QPalette::Link), 2.0}, 2.0);
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box = element == PE_IndicatorCheckBox;
+        const bool round = element == PE_IndicatorRadioButton;
+        if (box || round || element == PE_FrameLineEdit || element == PE_PanelButtonCommand)
+            drawFrame(*painter, option->rect, penFor(*option), round ? option->rect.width() / 2.0 : box ? 0.0 : 2.0);
+    }
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_SpinBox || control == CC_ComboBox) drawFrame(*painter, option->rect, penFor(*option), 2.0);
+        if (control == CC_Slider)
+            drawFrame(*painter, proxy()->subControlRect(CC_Slider, option, SC_SliderHandle, widget), penFor(*option), 2.0);
+    }
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+        if (!forGloves_) return usual;
+        switch (metric) {
+        case PM_IndicatorWidth:
+        case PM_IndicatorHeight:
+        case PM_ExclusiveIndicatorWidth:
+        case PM_ExclusiveIndicatorHeight:
+            return 28; // the row around it is as high as a glove needs
+        case PM_ScrollBarExtent:
+        case PM_SliderThickness:
+        case PM_SliderControlThickness:
+        case PM_SliderLength:
+        case PM_TabBarTabVSpace:
+            return std::max(usual, kGlovePx);
+        default:
+            return usual;
+        }
+    }
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents, const QWidget* widget) const override {
+        const QSize usual = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        if (!forGloves_) return usual;
+        switch (type) {
+        case CT_PushButton:
+        case CT_ToolButton:
+        case CT_ComboBox:
+        case CT_SpinBox:
+        case CT_LineEdit:
+        case CT_CheckBox:
+        case CT_RadioButton:
+        case CT_ItemViewItem:
+        case CT_TabBarTab:
+            return usual.expandedTo({kGlovePx, kGlovePx});
+        case CT_MenuItem: {
+            const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+            const bool line = item != nullptr && item->menuItemType == QStyleOptionMenuItem::Separator;
+            return line ? usual : usual.expandedTo({kGlovePx, kGlovePx});
+        }
+        default:
+            return usual;
+        }
+    }
+
+private:
+    static QPen penFor(const QStyleOption& option) {
+        if (option.state.testFlag(State_HasFocus)) return {option.palette.color(QPalette::Link), 2.0};
+        const QColor border = option.palette.color(QPalette::Mid);
+        return {option.state.testFlag(State_Enabled) ? border : option.palette.color(QPalette::Midlight), 1.0};
+    }
+
+    bool forGloves_;
+};
+
+} // namespace
+
+void useTheme(QApplication& application, bool forGloves) {
+    static const QFont usual = QApplication::font();
+    QFont font = usual;
+    if (forGloves) font.setPointSizeF(kLarger * usual.pointSizeF());
+    QApplication::setStyle(new FlatStyle(forGloves));
+    application.setFont(font);
+    useColours(themeInUse());
+}
+
+} // namespace edgescan::ui

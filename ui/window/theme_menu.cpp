@@ -1,0 +1,53 @@
+// The themes as a menu.
+#include "ui/window/theme_menu.h"
+
+#include "ui/base/themes.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+
+namespace edgescan::ui {
+
+Command themeMenu(MainWindow& window, Memory& memory) {
+    constexpr const char* kKey = "view/theme";
+    const Theme& remembered = themeOf(memory.text(kKey));
+    if (&remembered != &themeInUse()) useColours(remembered);
+    auto* group = new QActionGroup(&window);
+    Command menu = submenu("&Theme", {});
+    for (const Theme& theme : themes()) {
+        Command made = toggle(theme.label, "", nullptr, false, [&memory, &theme](bool) {
+            useColours(theme);
+            memory.keep(kKey, QString(theme.key));
+        });
+        menu.submenu.push_back(linked(made, [group, &theme](QAction& action) {
+            group->addAction(&action);
+            action.setObjectName(QString("theme-") + theme.key);
+            action.setChecked(&theme == &themeInUse());
+        }));
+    }
+    return menu;
+}
+
+Command cabCommand(MainWindow& window, Memory& memory) {
+    constexpr const char* kKey = "view/cab";
+    CabMode& cab = window.cab();
+    const auto use = [&cab, &memory](bool on) {
+        cab.set(on);
+        memory.keep(kKey, on);
+    };
+    QObject::connect(&cab, &CabMode::leaveWanted, &window, [use] { use(false); });
+    return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
+        action.setObjectName("cab-mode");
+        const auto follow = [&action](bool on) {
+            action.setChecked(on);
+            action.setEnabled(!on); // it is left by holding Locked
+        };
+        follow(cab.on());
+        QObject::connect(&cab, &CabMode::changed, &action, follow);
+    });
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,17 @@
+// View > Theme and View > Cab Mode.
+#pragma once
+
+#include "ui/panels/keys/commands.h"
+
+namespace edgescan::ui {
+
+class MainWindow;
+class Memory;
+
+/// One entry per theme; what was chosen is remembered, and used at once.
+[[nodiscard]] Command themeMenu(MainWindow& window, Memory& memory);
+
+/// View > Cab Mode: on here, off only where Locked is held.
+[[nodiscard]] Command cabCommand(MainWindow& window, Memory& memory);
+
+} // namespace edgescan::ui

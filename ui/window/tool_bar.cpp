@@ -1,0 +1,128 @@
+// The bar of tools.
+#include "ui/window/tool_bar.h"
+
+#include "ui/base/icons.h"
+#include "ui/base/themes.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QStringList>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSign = 22, kLeastHigh = 34; // px
+constexpr int kForAsked = 300;             // px: what a tool asks for has room before words of buttons have
+
+} // namespace
+
+ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsPlace_(nullptr) {
+    setObjectName("tools");
+    setWindowTitle(tr("Tools"));
+    setMovable(false);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    setIconSize({kSign, kSign});
+    // On: a ground and a border of its own, so that no colour says it alone.
+    followColours(*this, [this](const Theme& theme) {
+        setStyleSheet(QString("QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; }"
+                              "QToolButton:hover { background: %1; border-color: %2; }"
+                              "QToolButton:checked { background: %3; color: white; border-color: %4; }"
+                              "QToolButton:focus { border: 2px solid %4; padding: 2px 4px; }"
+                              "QToolButton:disabled { color: %5; }"
+                              "QToolButton::menu-indicator { image: none; }")
+                          .arg(theme.button.name(), theme.edge.name(), theme.chosen.name(), theme.accent.name(), theme.unusable.name()));
+    });
+    words_->setObjectName("tool-words");
+    words_->setContentsMargins(12, 0, 0, 0);
+    // The last in the bar: where there is no room it goes before a button does.
+    words_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    wordsPlace_ = addWidget(words_);
+}
+
+void ToolBar::add(QAction& action, const char* sign, const QString& word, Word shown) {
+    action.setIcon(toolIcon(sign));
+    action.setIconVisibleInMenu(false);
+    action.setIconText(word); // of the button; the menu keeps its text
+    const auto tell = [&action] {
+        const QString key = action.shortcut().toString(QKeySequence::NativeText);
+        const QString text = action.text().remove('&').remove(QStringLiteral("…"));
+        action.setToolTip(key.isEmpty() ? text : text + " (" + key + ")");
+    };
+    connect(&action, &QAction::changed, &action, tell); // the key may be changed, and what is undone
+    tell();
+    insertAction(wordsPlace_, &action);
+    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(&action))) take(*button, shown);
+}
+
+void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights) {
+    auto* button = new QToolButton;
+    menu->setParent(button, menu->windowFlags());
+    button->setObjectName(name);
+    button->setIcon(toolIcon(sign));
+    button->setText(word);
+    button->setToolTip(word);
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setCheckable(true);
+    const auto follow = [button, lights] { button->setChecked(std::ranges::any_of(lights, &QAction::isChecked)); };
+    for (QAction* each : lights) connect(each, &QAction::toggled, button, follow);
+    connect(button, &QToolButton::toggled, button, follow); // a press alone turns nothing on
+    follow();
+    insertWidget(wordsPlace_, button);
+    take(*button, Word::WhereRoom);
+}
+
+void ToolBar::take(QToolButton& button, Word shown) {
+    button.setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    button.setMinimumHeight(kLeastHigh);
+    button.setAccessibleName(button.text());
+    buttons_.push_back({&button, shown});
+    fit();
+}
+
+void ToolBar::addGap() { insertSeparator(wordsPlace_); }
+
+/// Words of all buttons, or of those alone that always have one.
+void ToolBar::fit() {
+    int needed = kForAsked;
+    for (const Button& each : buttons_) {
+        each.button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        needed += each.button->sizeHint().width() + 2;
+    }
+    const bool room = needed <= width();
+    for (const Button& each : buttons_) {
+        if (!room && each.shown == Word::WhereRoom) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+}
+
+void ToolBar::resizeEvent(QResizeEvent* event) {
+    fit();
+    QToolBar::resizeEvent(event);
+}
+
+void ToolBar::showAsked(const QString& words) {
+    asked_ = words;
+    showWords();
+}
+
+void ToolBar::showSelected(const QString& words) {
+    selected_ = words;
+    showWords();
+}
+
+void ToolBar::showWords() {
+    words_->setText(shown());
+    words_->setToolTip(shown());
+}
+
+QString ToolBar::shown() const {
+    QStringList all{asked_, selected_};
+    all.removeAll(QString());
+    return all.join(" · ");
+}
+
+} // namespace edgescan::ui

@@ -1,0 +1,117 @@
+// The buttons of the bar as a table.
+#include "ui/window/tool_buttons.h"
+
+#include "ui/panels/keys/shortcuts.h"
+#include "ui/window/main_window.h"
+#include "ui/window/tool_bar.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace edgescan::ui {
+namespace {
+
+/// Without a command: a gap.
+struct ToolRow {
+    const char* command = nullptr; ///< its name for keys: menu and text in the words of the source
+    const char* sign = nullptr;
+    const char* word = nullptr;
+    ToolBar::Word shown = ToolBar::Word::WhereRoom;
+};
+
+constexpr std::array kBefore{
+    ToolRow{"File/Open", "open", QT_TRANSLATE_NOOP("QObject", "Open"), ToolBar::Word::Always},
+    ToolRow{"File/Connect to Scanner", "connect", QT_TRANSLATE_NOOP("QObject", "Connect"), ToolBar::Word::Always},
+    ToolRow{},
+    ToolRow{"Edit/Undo", "undo", QT_TRANSLATE_NOOP("QObject", "Undo")},
+    ToolRow{"Edit/Redo", "redo", QT_TRANSLATE_NOOP("QObject", "Redo")},
+    ToolRow{},
+    ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin")},
+};
+constexpr std::array kBehind{
+    ToolRow{"Edges/Why Is This Cell an Edge, or None?", "why", QT_TRANSLATE_NOOP("QObject", "Why")},
+    ToolRow{},
+    ToolRow{"View/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner")},
+    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit")},
+    ToolRow{},
+    ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks")},
+};
+constexpr std::array kLast{
+    ToolRow{},
+    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export")},
+    ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report")},
+    ToolRow{},
+    ToolRow{"View/Cab Mode", "cab-mode", QT_TRANSLATE_NOOP("QObject", "Cab")},
+};
+
+/// A button with a menu; an empty text is a line in it.
+struct MenuRow {
+    const char* name;
+    const char* sign;
+    const char* word;
+    std::vector<const char*> commands;
+    std::vector<const char*> lights; ///< commands that light it while they are on
+};
+
+const std::vector<const char*> kWaysToMeasure{"Measure/Distance",    "Measure/Vertical",      "Measure/Angle",
+                                              "Measure/Spans a × b", "Measure/Along Surface", "Measure/Throat Width"};
+const MenuRow kMeasures{"tool-measure", "measure", QT_TRANSLATE_NOOP("QObject", "Measure"), kWaysToMeasure, kWaysToMeasure};
+const MenuRow kSelections{"tool-select",
+                          "select",
+                          QT_TRANSLATE_NOOP("QObject", "Select"),
+                          {"Measure/Box", "Measure/Lasso", "", "Measure/Zoom to Selected", "Measure/Isolate Selected",
+                           "Measure/Hide Selected", "Measure/Show All", "", "Measure/Range Gate", "Measure/Export Selected"},
+                          {"Measure/Box", "Measure/Lasso"}};
+const MenuRow kCompares{"tool-compare",
+                        "ab",
+                        QT_TRANSLATE_NOOP("QObject", "A/B"),
+                        {"Edges/Compare A/B/Keep This as A", "Edges/Compare A/B/Compare with Scan", "", "Edges/Compare A/B/Show A",
+                         "Edges/Compare A/B/Show What Changed", "Edges/Compare A/B/Next Changed Region", "", "Edges/Compare A/B/Forget A"},
+                        {"Edges/Compare A/B/Show A"}};
+
+QAction& actionOf(const QList<KeyedCommand>& commands, const char* id) {
+    const auto found = std::ranges::find(commands, QString::fromUtf8(id), &KeyedCommand::id);
+    if (found == commands.end()) qFatal("there is no command %s", id);
+    return *found->action;
+}
+
+template <class Rows>
+void addRows(ToolBar& bar, const QList<KeyedCommand>& commands, const Rows& rows) {
+    for (const ToolRow& row : rows) {
+        if (row.command == nullptr)
+            bar.addGap();
+        else
+            bar.add(actionOf(commands, row.command), row.sign, QObject::tr(row.word), row.shown);
+    }
+}
+
+void addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow& row) {
+    auto* menu = new QMenu;
+    for (const char* id : row.commands) {
+        if (*id == '\0')
+            menu->addSeparator();
+        else
+            menu->addAction(&actionOf(commands, id));
+    }
+    QList<QAction*> lights;
+    for (const char* id : row.lights) lights << &actionOf(commands, id);
+    bar.add(menu, row.name, row.sign, QObject::tr(row.word), lights);
+}
+
+} // namespace
+
+void addToolButtons(MainWindow& window) {
+    const QList<KeyedCommand> commands = keyedCommands(window.actions());
+    ToolBar& bar = window.tools();
+    addRows(bar, commands, kBefore);
+    for (const MenuRow* row : {&kMeasures, &kSelections}) addMenu(bar, commands, *row);
+    addRows(bar, commands, kBehind);
+    addMenu(bar, commands, kCompares);
+    addRows(bar, commands, kLast);
+}
+
+} // namespace edgescan::ui

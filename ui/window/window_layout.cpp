@@ -1,0 +1,169 @@
+// How the window shares its room between cloud, images and panels, and what of that is remembered.
+#include "ui/window/main_window.h"
+
+#include "ui/base/pane.h"
+#include "ui/base/window_room.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/tuning/range_window.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/window/cab_mode.h"
+
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QScreen>
+#include <QSplitter>
+#include <QStyle>
+#include <QWindow>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kFoldedBelow = 1100;    // px of the window: the panels are folded unless somebody opens them
+constexpr double kCloudShare = 0.55;  // of the width, at least
+constexpr int kRangeWindowFrom = 600; // px of the window's height
+constexpr int kLeastPanel = 240;      // px; narrower than that its words are cut
+constexpr int kOpenFrame = 2;         // px beside a width that count as the same
+
+// Widths that leave the cloud most of the window and still let images and panel be read.
+int usualImages(int window) {
+    const int wanted = window < kFoldedBelow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
+    return std::clamp(wanted, 140, 560);
+}
+int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), kLeastPanel, 400); }
+
+// A small screen is filled, a large one not quite.
+QSize usualWindow(const QRect& screen) {
+    constexpr int kSmall = 1600;
+    if (screen.width() <= kSmall) return screen.size();
+    return {std::max(kSmall, static_cast<int>(0.85 * screen.width())), static_cast<int>(0.88 * screen.height())};
+}
+
+} // namespace
+
+void MainWindow::arrange() {
+    if (!isVisible() || cab_->on()) return;
+    const int wide = width();
+    for (QDockWidget* dock : docks_) {
+        const QString byHand = dock->property(kByHand).toString();
+        const bool open = byHand.isEmpty() ? wide >= kFoldedBelow : byHand == "open";
+        if (dock->isHidden() != open) continue;
+        dock->setVisible(open);
+        // Beside others it gets their width, which may cut it off: looked at when it has one.
+        if (open) QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
+    }
+    const auto asArranged = [](int now, int arranged) { return arranged == 0 || std::abs(now - arranged) <= kOpenFrame; };
+    int panel = 0;
+    for (QDockWidget* dock : docks_) {
+        if (dock->isHidden() || dock->isFloating()) continue;
+        const int usual = std::max(usualPanel(wide), dock->minimumSizeHint().width());
+        const bool follows = asArranged(dock->width(), arrangedPanel_) || dock->width() < kLeastPanel; // cut off is nobody's wish
+        if (follows) resizeDocks({dock}, {arrangedPanel_ = usual}, Qt::Horizontal);
+        panel = std::max(panel, follows ? usual : dock->width()); // its width follows later
+    }
+    if (maximised_ != nullptr) return;
+    const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
+    if (asArranged(pictures_->width(), arrangedImages_))
+        setImagesWidth(std::min(usualImages(wide), std::max(most, pictures_->minimumSizeHint().width())));
+    showRangeWindow();
+}
+
+void MainWindow::setImagesWidth(int width) {
+    arrangedImages_ = width;
+    splitter_->setSizes({width, std::max(1, splitter_->width() - width - splitter_->handleWidth())});
+}
+
+void MainWindow::maximise(Pane* pane) {
+    maximised_ = maximised_ == pane ? nullptr : pane;
+    for (Pane* each : panes_) {
+        each->setVisible(maximised_ == nullptr || maximised_ == each);
+        each->showAlone(maximised_ == each);
+    }
+    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != cloud_);
+    showRangeWindow();
+}
+
+/// Not where it would take the images their room, and not beside the edge map alone.
+void MainWindow::showRangeWindow() {
+    const bool wanted = maximised_ == nullptr || maximised_->content() == gray_;
+    rangeWindow_->setVisible(wanted && height() >= kRangeWindowFrom);
+}
+
+void MainWindow::remember() {
+    if (cab_->on()) return; // the other layout is the one that comes back
+    memory_.keep("window/geometry", saveGeometry());
+    memory_.keep("window/state", saveState());
+    memory_.keep("window/views", splitter_->saveState());
+    memory_.keep("window/images", images_->saveState());
+    memory_.keep("window/images-width", QString::number(arrangedImages_));
+    memory_.keep("window/panel-width", QString::number(arrangedPanel_));
+}
+
+void MainWindow::restoreLayout() {
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    const QSize title(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
+    resize(usualWindow({screen.topLeft(), screen.size() - title}));
+    restoreGeometry(memory_.bytes("window/geometry"));
+    restoreState(memory_.bytes("window/state"));
+    images_->restoreState(memory_.bytes("window/images"));
+    images_->setOrientation(Qt::Vertical); // what was remembered may be of a version that had them side by side
+    splitter_->restoreState(memory_.bytes("window/views"));
+    arrangedImages_ = memory_.text("window/images-width").toInt();
+    arrangedPanel_ = memory_.text("window/panel-width").toInt();
+    // A window on a screen that is gone is pulled back; one of a larger screen is made to fit.
+    const QScreen* at = nullptr;
+    for (const QScreen* each : QGuiApplication::screens()) {
+        if (each->availableGeometry().intersects(geometry())) at = each;
+    }
+    const QRect room = at != nullptr ? at->availableGeometry() : screen;
+    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room.size() - title));
+    if (at == nullptr) move(room.topLeft());
+}
+
+void MainWindow::fitScreen() { keepInsideScreen(*this); }
+
+/// How wide the frame is the desktop says only after it has put the window somewhere.
+void MainWindow::followFrame() {
+    if (framed_ || !isVisible() || windowHandle() == nullptr || windowHandle()->frameMargins().isNull()) return;
+    framed_ = true;
+    QTimer::singleShot(0, this, &MainWindow::fitScreen); // not while it is being moved
+}
+
+void MainWindow::resetLayout() {
+    if (cab_->on()) return;
+    if (maximised_ != nullptr) maximise(maximised_);
+    for (QDockWidget* dock : docks_) {
+        dock->setProperty(kByHand, QString());
+        memory_.keep("window/" + dock->objectName(), QString());
+        dock->setFloating(false);
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+    }
+    images_->setSizes({1000, 1000});
+    arrangedImages_ = arrangedPanel_ = 0;
+    arrange();
+    rememberTimer_.start();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    arrange();
+    followFrame();
+    rememberTimer_.start();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    arrange();
+}
+
+void MainWindow::moveEvent(QMoveEvent* event) {
+    QMainWindow::moveEvent(event);
+    followFrame();
+    rememberTimer_.start();
+}
+
+} // namespace edgescan::ui
