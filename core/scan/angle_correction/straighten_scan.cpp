@@ -22,12 +22,12 @@ struct Parity {
 };
 
 Parity parityOf(const std::vector<float>& parity) {
-    std::vector<double> allowed;
-    std::copy_if(parity.begin(), parity.end(), std::back_inserter(allowed), [](float steps) { return steps != 0; });
-    const double middle = median(allowed);
-    const std::size_t lines = allowed.size();
-    for (double& steps : allowed) steps -= middle;
-    const double surest = std::abs(middle) / sdOfMedian(std::move(allowed), lines);
+    std::vector<double> shown;
+    std::copy_if(parity.begin(), parity.end(), std::back_inserter(shown), [](float steps) { return steps != 0; });
+    const double middle = median(shown);
+    const std::size_t lines = shown.size();
+    for (double& steps : shown) steps -= middle;
+    const double surest = std::abs(middle) / sdOfMedian(std::move(shown), lines);
     return surest >= kSignificant ? Parity{middle, surest} : Parity{};
 }
 
