@@ -1,4 +1,4 @@
-// edgescan-cli calibrate: the errors of the scanner's assembly from a turn of more than 180 degrees.
+// edgescan-cli calibrate: estimates the mounting errors of the scanner from a sweep of more than 180 degrees.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"

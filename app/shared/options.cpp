@@ -1,4 +1,4 @@
-// Flags that several commands share.
+// Flags of several commands.
 #include "app/shared/options.h"
 
 #include "core/base/foreign_text.h"
@@ -30,7 +30,7 @@ std::string hint(const Parameter& p) {
     return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
 }
 
-// One line per stage on stderr, redrawn in place.
+// One line per stage on stderr, overwritten in place.
 bool tellStage(const char* stage, double fraction) {
     std::string line = stage;
     line.resize(std::max<std::size_t>(24, line.size()), ' ');
