@@ -123,12 +123,12 @@ std::string clockText(double seconds) {
 
 class ProgressLine {
 public:
-    ProgressLine(bool told, std::size_t scans) : told_(told), scans_(scans) {}
+    ProgressLine(bool shown, std::size_t scans) : shown_(shown), scans_(scans) {}
     void tell(const Counts& counts) {
         const auto now = Clock::now();
         const bool last = counts.ended() == scans_;
-        if (!told_ || (!last && now - told_at_ < std::chrono::milliseconds(200))) return;
-        told_at_ = now;
+        if (!shown_ || (!last && now - shownAt_ < std::chrono::milliseconds(200))) return;
+        shownAt_ = now;
         const double seconds = std::chrono::duration<double>(now - start_).count();
         const auto worked = static_cast<double>(counts.ended() - counts.unchanged);
         std::string text = std::to_string(counts.ended()) + "/" + std::to_string(scans_) + " scans";
@@ -141,9 +141,9 @@ public:
     }
 
 private:
-    bool told_;
+    bool shown_;
     std::size_t scans_;
-    Clock::time_point start_ = Clock::now(), told_at_;
+    Clock::time_point start_ = Clock::now(), shownAt_;
 };
 
 /// The state of a run.

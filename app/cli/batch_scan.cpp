@@ -100,7 +100,7 @@ Json beginRow(const BatchWork& work, std::size_t job) {
 
 // Lists every file that was read for this scan: the scan, its counts or description, pose, calibration and provenance record. Returns
 // whether the scan's own file is readable.
-bool tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
+bool addInputFiles(Json& row, const std::string& input, const InputClaims& claims) {
     std::vector<std::string> paths{input};
     for (const fs::path& path : claimedPaths(claims)) {
         if (std::ranges::find(paths, path.string()) == paths.end()) paths.push_back(path.string());
@@ -128,7 +128,7 @@ Json changedSettings(const Settings& settings) {
     return changed;
 }
 
-void tellDetection(Json& row, const Detection& detection) {
+void addDetection(Json& row, const Detection& detection) {
     const Json report = detectReport(detection, 0);
     const Scan& scan = *detection.scan;
     row["format"] = scan.format;
@@ -147,7 +147,7 @@ void tellDetection(Json& row, const Detection& detection) {
 }
 
 // The same keys as the JSON of `rocks`, without the list of rocks.
-void tellRocks(Json& row, const RockStudy& study) {
+void addRockStudy(Json& row, const RockStudy& study) {
     Json report = rocksReport(study, CoordinateFrame::Scanner);
     row["rocks"] = Json::object();
     for (const char* key : {"rock_count", "size_curve", "fines", "not_rock", "outside_region", "labels_sha256", "note"})
@@ -238,7 +238,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     Result<Scan> opened = openAsAsked(input, reading);
     const double loadMs = milliseconds(start);
     row["times"] = {{"load_ms", loadMs}};
-    const bool readable = tellFiles(row, input, *inputs.claims());
+    const bool readable = addInputFiles(row, input, *inputs.claims());
     if (!opened) {
         refuse(row, readable ? "refused" : "failed", opened.error());
         return {};
@@ -252,7 +252,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     const auto detection =
         detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, work.withRocks ? KeepFor::Rocks : KeepFor::Edges);
     row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
-    tellDetection(row, *detection);
+    addDetection(row, *detection);
     std::shared_ptr<const RockStudy> rocks;
     if (work.withRocks) {
         const auto asked = presetOf(work.rocks, *detection->scan);
@@ -263,7 +263,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         const auto begun = Clock::now();
         rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), *asked->settings));
         row["times"]["rocks_ms"] = milliseconds(begun);
-        tellRocks(row, *rocks);
+        addRockStudy(row, *rocks);
     }
     for (const WantedFile& wanted : work.wanted) {
         const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging);

@@ -31,7 +31,7 @@ struct Record {
     Mounting mounting;
 };
 
-void tell(const LiveStatus& status) {
+void showStatus(const LiveStatus& status) {
     std::string line = sessionPhaseName(status.session.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
@@ -135,13 +135,13 @@ int run(const Record& record) {
     }
     catchInterrupt();
     const auto start = std::chrono::steady_clock::now();
-    const bool telling = record.progress || isatty(STDERR_FILENO) != 0;
+    const bool showsProgress = record.progress || isatty(STDERR_FILENO) != 0;
     while (!finished(record, feed.status(), start)) {
-        if (telling) tell(feed.status());
+        if (showsProgress) showStatus(feed.status());
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     LiveStatus status = feed.status();
-    if (telling) tellProgress(std::to_string(status.lines) + " lines", true);
+    if (showsProgress) tellProgress(std::to_string(status.lines) + " lines", true);
     feed.stop();
     const LiveStatus last = feed.status();
     status.sweep = last.sweep;           // includes the end of its last sweep

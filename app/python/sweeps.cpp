@@ -162,8 +162,8 @@ public:
 private:
     std::optional<SweepObject> newest() {
         for (FinishedSweep& sweep : feed_->takeFinished()) {
-            const bool told = sweep.progress.number == told_.number && sweep.progress.received == told_.received;
-            if (!told) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
+            const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
+            if (!yielded) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
         }
         SweepObject object;
         if (!finished_.empty()) {
@@ -174,11 +174,11 @@ private:
             if (!sweep.scan || sweep.scan == shown_) return std::nullopt;
             // The feed ends a sweep when the next one begins; a sweep with all its lines is yielded without that wait.
             const bool whole = !sweep.progress.growing;
-            if (whole && sweep.progress.number == told_.number && sweep.progress.received == told_.received) return std::nullopt;
+            if (whole && sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received) return std::nullopt;
             object = {std::move(sweep.scan), std::move(sweep.progress), whole};
         }
         shown_ = object.scan;
-        if (object.finished) told_ = {object.progress.number, object.progress.received};
+        if (object.finished) yielded_ = {object.progress.number, object.progress.received};
         return object;
     }
     Done wait(Clock::time_point end) {
@@ -197,7 +197,7 @@ private:
     ScanPtr shown_;
     struct {
         int number = -1, received = 0;
-    } told_;                         // the last finished sweep that was yielded
+    } yielded_;                      // the last finished sweep that was yielded
     std::unique_ptr<LiveFeed> feed_; // last member: its thread uses the members above
 };
 

@@ -38,7 +38,7 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
 }
 
 // Qt stores file names as Unicode: a name with other bytes would open a different file.
-std::optional<Error> nameThatIsNone(const Wanted& wanted) {
+std::optional<Error> unusableName(const Wanted& wanted) {
     std::vector<std::string> names = wanted.files;
     names.push_back(wanted.screenshot);
     names.push_back(wanted.compare);
@@ -100,7 +100,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
 }
 
 std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) {
-    if (const auto none = nameThatIsNone(wanted)) return Refusal{*none, cli::kRefused};
+    if (const auto none = unusableName(wanted)) return Refusal{*none, cli::kRefused};
     if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
     if (auto refused = understandScanner(wanted, understood)) return refused;
     const auto pins = pinsOf(wanted.pins);

@@ -30,10 +30,10 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    void draw(const QPointF& beside, const QString& text, bool active) {
+    void draw(const QPointF& corner, const QString& text, bool active) {
         if (text.isEmpty()) return;
         QRectF box = QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
-        box.moveBottomLeft(beside);
+        box.moveBottomLeft(corner);
         keepWithin(box);
         const QRectF wanted = box;
         const auto isTaken = [&] { return std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); }); };

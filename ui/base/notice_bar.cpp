@@ -102,9 +102,9 @@ void NoticeBar::showEarlier() {
     if (earlier_.empty()) return;
     const Note before = earlier_.back();
     earlier_.pop_back();
-    const std::size_t kept = earlier_.size();
+    const std::size_t count = earlier_.size();
     keepShown();
-    if (earlier_.size() > kept) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
+    if (earlier_.size() > count) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
     put(before);
 }
 

@@ -141,9 +141,9 @@ double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& 
     const std::size_t every = std::max<std::size_t>(1, sample.size() / kEnough);
     for (std::size_t n = 0; n < sample.size(); n += every) {
         const std::size_t k = sample[n];
-        const bool beside = (k + 1) % beams != 0 && cloud.drawable(k + 1);
+        const bool right = (k + 1) % beams != 0 && cloud.drawable(k + 1);
         const bool below = cloud.drawable(k + beams);
-        if (beside || below) steps.push_back(std::max(beside ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
+        if (right || below) steps.push_back(std::max(right ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
     }
     if (steps.empty()) return 0.0;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
