@@ -4,7 +4,7 @@
 
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/live_feed/live_health.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,7 +21,7 @@ class ScannerLink : public QObject {
     Q_OBJECT
 public:
     /// `session` must outlive this.
-    explicit ScannerLink(Session& session, QObject* parent = nullptr);
+    explicit ScannerLink(Engine& engine, QObject* parent = nullptr);
     ~ScannerLink() override;
 
     /// Closes an open connection first. EdgeScan sends only read requests and a subscription.
@@ -73,7 +73,7 @@ private:
     void noticeTroubles(const LiveStatus& status);
     void runInThread(std::function<std::function<void()>()> work); // on its own thread; the returned function is called on the GUI thread
 
-    Session& session_;
+    Engine& engine_;
     std::shared_ptr<LiveFeed> feed_;
     std::shared_ptr<std::atomic<bool>> news_ = std::make_shared<std::atomic<bool>>(false);
     LiveHealth health_;
