@@ -48,7 +48,7 @@ TargetRow surfaceRow(const CellTarget& target) {
     if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
     return {
         QObject::tr("Surface"),
-        QObject::tr("%1° ± %2 off the beam").arg(fixed(target.surface->offBeamDeg, 0), fixed(kShownSigmas * target.surface->sigmaDeg, 0)),
+        QObject::tr("%1° ± %2 off the beam").arg(fixed(target.surface->offBeamDeg, 0), fixed(kToldSigmas * target.surface->sigmaDeg, 0)),
         QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
             .arg(target.surface->cells)
             .arg(inMillimetres(target.surface->reliefM))};
@@ -60,7 +60,7 @@ TargetRow dipRow(const CellTarget& target) {
     if (!target.surface) return {name, QObject::tr("no plane fits"), tip};
     if (!target.dip) return {name, noPose(), tip};
     // A level surface has no dip direction: within its uncertainty it may dip in any direction.
-    const bool falls = target.dip->dipDeg > kShownSigmas * target.surface->sigmaDeg;
+    const bool falls = target.dip->dipDeg > kToldSigmas * target.surface->sigmaDeg;
     return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
 }
 

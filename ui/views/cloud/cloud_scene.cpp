@@ -208,7 +208,7 @@ void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
 }
 
 void CloudScene::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
-    if (ready_ != cloud) spareGoes_ = spare_->cloud && spare_->cloud != cloud;
+    if (ready_ != cloud) dropSpare_ = spare_->cloud && spare_->cloud != cloud;
     ready_ = cloud;
 }
 
@@ -348,7 +348,7 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
 
 // Must be called while the graphics context is current.
 void CloudScene::freeSpare() {
-    if (!std::exchange(spareGoes_, false)) return;
+    if (!std::exchange(dropSpare_, false)) return;
     for (Layer& part : spare_->parts) {
         part.setCells(nullptr, {});
         part.data->GetPointData()->SetNormals(nullptr);
