@@ -3,7 +3,7 @@
 
 #include "app/python/module.h"
 
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 namespace edgescan::python {
 

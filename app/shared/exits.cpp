@@ -39,11 +39,6 @@ void say(const std::string& text) { std::cout << printableLines(text) << '\n' <<
 
 void say(const nlohmann::ordered_json& report, bool indented) { std::cout << reportText(report, indented) << '\n' << std::flush; }
 
-bool everythingWasSaid() {
-    std::cout.flush();
-    return std::cout.good();
-}
-
 void tellProgress(const std::string& text, bool last) {
     constexpr std::size_t kWidth = 78;
     std::string line = printable(text, kWidth);
@@ -68,6 +63,14 @@ int guarded(const std::function<int()>& work, int failed) {
         complain(repeated(error.what()));
     }
     return failed;
+}
+
+int finished(const std::function<int()>& work) {
+    const int code = guarded(work, kRefused);
+    std::cout.flush();
+    if (std::cout.good()) return code;
+    complain("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
+    return kRefused;
 }
 
 } // namespace edgescan::cli

@@ -31,14 +31,14 @@ void say(const std::string& text);
 /// Prints a report as JSON, on one line or indented.
 void say(const nlohmann::ordered_json& report, bool indented);
 
-/// False if an earlier write to stdout failed.
-[[nodiscard]] bool everythingWasSaid();
-
 /// Prints a progress line on stderr. The next one overwrites it; the `last` one stays and ends the line.
 void tellProgress(const std::string& text, bool last = false);
 
 /// Returns the result of `work`. If an exception ends it (out of memory, or an error without its own message), prints a message and returns
 /// `failed`.
 int guarded(const std::function<int()>& work, int failed);
+
+/// The exit code of a program that prints results: that of `work`, or kRefused if an exception ended it or stdout took not all of them.
+int finished(const std::function<int()>& work);
 
 } // namespace edgescan::cli

@@ -5,7 +5,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/inspect/registration/point_index.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lab/score/score.h"
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -4,8 +4,8 @@
 #include "core/base/bounded_json.h"
 #include "core/base/json_fields.h"
 #include "core/base/whole_file.h"
-#include "core/lab/score/truth_files.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>

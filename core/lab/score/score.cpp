@@ -2,7 +2,7 @@
 #include "core/lab/score/score.h"
 
 #include "core/lab/score/match.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <array>
 

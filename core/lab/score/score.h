@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lab/score/match.h"
-#include "core/lab/score/truth.h"
+#include "core/sim/truth/truth.h"
 
 #include <vector>
 

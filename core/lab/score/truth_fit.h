@@ -1,7 +1,7 @@
 // Whether a scan is the one that its ground truth was made with.
 #pragma once
 
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // Rounded rocks: their surface is one radius off the core everywhere, and truth has edges where such a surface has some.
-#include "core/lab/score/truth.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/caster.h"
 #include "core/sim/cell_seams.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/rounded_core.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
-#include "core/lab/score/truth.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/scenes.h"
 #include "core/sim/settings_json.h"
 #include "core/sim/simulate.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

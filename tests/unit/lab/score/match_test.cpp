@@ -1,6 +1,6 @@
 // Matching and thinning against brute force.
 #include "core/lab/score/match.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Regions against true rocks: by hand, and against a slow second reading of the rules (docs/method.md, "Truth and score").
 #include "core/lab/score/rock_evaluation.h"
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
-#include "app/cli/commands.h"
-#include "app/cli/evaluate_rocks.h"
+// edgescan-lab evaluate: a mask, or a method over its thresholds, against ground truth.
+#include "app/lab/commands.h"
+#include "app/lab/evaluate_rocks.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"

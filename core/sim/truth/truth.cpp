@@ -1,9 +1,9 @@
 // Ground truth of edges.
-#include "core/lab/score/truth.h"
+#include "core/sim/truth/truth.h"
 
-#include "core/lab/score/thin.h"
 #include "core/sim/scene.h"
 #include "core/sim/seam.h"
+#include "core/sim/truth/thin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Thinning.
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Ground truth as files (docs/method.md, "Truth and score").
 #pragma once
 
-#include "core/lab/score/truth.h"
+#include "core/sim/truth/truth.h"
 
 #include <filesystem>
 

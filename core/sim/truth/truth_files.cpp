@@ -1,5 +1,5 @@
 // Ground truth as files.
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include "core/base/json_text.h"
 #include "core/base/whole_file.h"

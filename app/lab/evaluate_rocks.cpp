@@ -1,7 +1,7 @@
-// edgescan-cli evaluate --rocks.
-#include "app/cli/evaluate_rocks.h"
+// edgescan-lab evaluate --rocks.
+#include "app/lab/evaluate_rocks.h"
 
-#include "app/cli/commands.h"
+#include "app/lab/commands.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
 #include "core/containers/png/png.h"
