@@ -1,5 +1,6 @@
 // edgescan-lab: measures how good the methods are, against ground truth, against PCL and on a second scan of the same place.
 #include "app/lab/commands.h"
+#include "app/shared/interrupt.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"

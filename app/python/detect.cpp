@@ -1,10 +1,8 @@
 // Edges in Python: detection, its arrays, writing results, and scores against ground truth.
 #include "app/python/result.h"
-#include "app/python/simulation.h"
 
 #include "app/shared/typed_settings.h"
 #include "core/base/inputs.h"
-#include "core/containers/png/png.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"

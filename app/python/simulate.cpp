@@ -1,15 +1,28 @@
 // The simulator in Python.
-#include "app/python/simulation.h"
+#include "app/python/module.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <algorithm>
 #include <charconv>
 
 namespace edgescan::python {
 namespace {
+
+struct SimulationObject {
+    std::shared_ptr<const Simulation> simulation;
+    ScanPtr scan; ///< the simulated scan
+    SimulationSettings settings;
+};
+
+/// Error: the simulation was made without truth.
+Result<TruthSet> truthOf(const SimulationObject& object) {
+    if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
+    return truthSetOf(*object.simulation);
+}
 
 /// The index of a word among the allowed words of a setting.
 std::size_t wordOf(const std::string& key, const std::string& text, const std::vector<std::string>& words) {
@@ -94,11 +107,6 @@ py::object truthArrays(const SimulationObject& object) {
 }
 
 } // namespace
-
-Result<TruthSet> truthOf(const SimulationObject& object) {
-    if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
-    return truthSetOf(*object.simulation);
-}
 
 void bindSimulate(py::module_& module) {
     py::class_<SimulationObject>(module, "Simulation", "A simulated scan, and its ground truth where it was asked for.")
