@@ -65,7 +65,7 @@ std::span<const Command> commandsFor(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (const auto moved = std::ranges::find(kMoved, std::string_view(argc > 1 ? argv[1] : ""), &MovedCommand::name);
         moved != kMoved.end()) {
-        cli::complain({"the command is in another program now", std::string(moved->name), "use " + std::string(moved->now)});
+        cli::printError({"the command is in another program now", std::string(moved->name), "use " + std::string(moved->now)});
         return cli::kWrongUsage;
     }
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};

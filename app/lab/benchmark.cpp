@@ -39,48 +39,51 @@ std::string fileName(const std::string& name) {
     return result;
 }
 
-Result<Done> savePictures(const Benchmark& asked, const Scan& scan, const std::vector<ComparedMethod>& methods,
-                          const std::optional<TruthSet>& truth) {
+Result<Done> savePictures(const Benchmark& asked, const Scan& scan, const std::vector<lab::ComparedMethod>& methods,
+                          const std::optional<sim::TruthSet>& truth) {
     const fs::path folder = asked.pictures;
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", asked.pictures, "give one that can be written to"};
-    for (const ComparedMethod& method : methods) {
+    for (const lab::ComparedMethod& method : methods) {
         if (method.edges == 0 && !method.note.empty()) continue;
-        if (const Result<Done> saved = savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved) return saved.error();
+        if (const Result<Done> saved = containers::savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved)
+            return saved.error();
     }
     if (truth) {
-        const Grid<Rgb> sheet = truthSheet(scan, methods, truth->edges, asked.compared.settings.tolerance);
-        if (const Result<Done> saved = sheet.size() > 0 ? savePngRgb(sheet, folder / "truth.png") : Done{}; !saved) return saved.error();
+        const Grid<Rgb> sheet = lab::truthSheet(scan, methods, truth->edges, asked.compared.settings.tolerance);
+        if (const Result<Done> saved = sheet.size() > 0 ? containers::savePngRgb(sheet, folder / "truth.png") : Done{}; !saved)
+            return saved.error();
     }
-    return savePngRgb(edgesSheet(scan, methods), folder / "comparison.png");
+    return containers::savePngRgb(lab::edgesSheet(scan, methods), folder / "comparison.png");
 }
 
 Result<Done> benchmark(const Benchmark& asked) {
-    const ComparisonSettings settings = comparisonSettings(asked.compared);
-    Result<Scan> opened = openAndTell(asked.file, asked.compared.read);
+    const lab::ComparisonSettings settings = comparisonSettings(asked.compared);
+    Result<Scan> opened = openAndWarn(asked.file, asked.compared.read);
     if (!opened) return opened.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *opened); !enough) return enough.error();
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *opened); !enough) return enough.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));
-    std::optional<TruthSet> truth;
+    std::optional<sim::TruthSet> truth;
     if (!asked.truth.empty()) {
-        Result<TruthSet> read = readTruth(asked.truth);
+        Result<sim::TruthSet> read = sim::readTruth(asked.truth);
         if (!read) return read.error();
         if (read->edges.edgeClass.lines != scan->lines() || read->edges.edgeClass.beams != scan->beams())
             return Error{"the truth is not of this scan's shape", asked.truth, "give the folder that was written with the scan"};
-        if (auto fits = checkTruthFits(*scan, *read, asked.truth); !fits) return fits.error();
+        if (auto fits = lab::checkTruthFits(*scan, *read, asked.truth); !fits) return fits.error();
         truth = std::move(*read);
     }
-    const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, shownProgress(asked.compared));
-    if (showsProgress(asked.compared)) tellProgress("all compared", true);
+    const std::vector<lab::ComparedMethod> methods =
+        lab::compareMethods(scan, truth ? &*truth : nullptr, settings, shownProgress(asked.compared));
+    if (showsProgress(asked.compared)) showProgress("all compared", true);
     if (!asked.pictures.empty()) {
         const Result<Done> saved = savePictures(asked, *scan, methods, truth);
         if (!saved) return saved.error();
     }
     const std::string& json = asked.compared.json;
-    if (json != "-") say(comparisonText(*scan, methods));
+    if (json != "-") printResult(lab::comparisonText(*scan, methods));
     if (json.empty()) return Done{};
-    return writeDocument(json, document("compare", comparisonReport(*scan, methods, settings)));
+    return writeDocument(json, document("compare", lab::comparisonReport(*scan, methods, settings)));
 }
 
 int run(const Benchmark& asked) {
@@ -88,11 +91,11 @@ int run(const Benchmark& asked) {
     if (!wrong && asked.compared.settings.bestThreshold && asked.truth.empty())
         wrong = Error{"without truth no threshold is the best", "--best", "give --truth DIR too"};
     if (wrong) {
-        complain(*wrong);
+        printError(*wrong);
         return kWrongUsage;
     }
     const Result<Done> result = benchmark(asked);
-    if (!result) complain(result.error());
+    if (!result) printError(result.error());
     return result ? kDone : kRefused;
 }
 
@@ -106,7 +109,7 @@ void addBenchmark(CLI::App& app, int& code) {
     command.add_option("--pictures", asked->pictures,
                        "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
                        "mask per method");
-    ComparisonSettings& settings = asked->compared.settings;
+    lab::ComparisonSettings& settings = asked->compared.settings;
     addNumber(command, "--tolerance", settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--best", settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
     addNumber(command, "--repeats", settings.repeats, {1, 1000},

@@ -13,8 +13,8 @@ namespace edgescan::cli {
 
 void addComparedFlags(CLI::App& command, ComparedFlags& flags) {
     command.add_option("--json", flags.json, "All figures; - is stdout, instead of the tables");
-    addNumber(command, "--radius", flags.settings.peerLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
-    addNumber(command, "--peer-seconds", flags.settings.peerLimits.seconds, {0, 1e6},
+    addNumber(command, "--radius", flags.settings.pclLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
+    addNumber(command, "--peer-seconds", flags.settings.pclLimits.seconds, {0, 1e6},
               "A PCL peer that works point by point stops after this time [s]");
     command.add_flag("--slow", flags.slow, "Let every PCL peer end, however long it takes");
     command.add_option("--only", flags.settings.only, "Only these of our methods, and no peers: thesis,edgescan+")->delimiter(',');
@@ -23,7 +23,7 @@ void addComparedFlags(CLI::App& command, ComparedFlags& flags) {
 }
 
 std::optional<Error> unknownKey(const ComparedFlags& flags) {
-    const std::vector<std::string> known = comparedKeys();
+    const std::vector<std::string> known = lab::comparedKeys();
     for (const std::string& key : flags.settings.only) {
         if (std::ranges::find(known, key) != known.end()) continue;
         std::string names;
@@ -33,18 +33,18 @@ std::optional<Error> unknownKey(const ComparedFlags& flags) {
     return std::nullopt;
 }
 
-ComparisonSettings comparisonSettings(const ComparedFlags& flags) {
-    ComparisonSettings settings = flags.settings;
-    settings.peers = !flags.noPeers && flags.settings.only.empty();
-    if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
+lab::ComparisonSettings comparisonSettings(const ComparedFlags& flags) {
+    lab::ComparisonSettings settings = flags.settings;
+    settings.withPcl = !flags.noPeers && flags.settings.only.empty();
+    if (flags.slow) settings.pclLimits.seconds = std::numeric_limits<double>::infinity();
     return settings;
 }
 
 bool showsProgress(const ComparedFlags& flags) { return flags.read.progress || isatty(STDERR_FILENO) != 0; }
 
-ComparisonProgress shownProgress(const ComparedFlags& flags) {
+lab::ComparisonProgress shownProgress(const ComparedFlags& flags) {
     return [shown = showsProgress(flags)](const char* name, double fraction) {
-        if (shown) tellProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
+        if (shown) showProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
         return true;
     };
 }

@@ -12,7 +12,7 @@
 namespace edgescan::cli {
 
 struct ComparedFlags {
-    ComparisonSettings settings;
+    lab::ComparisonSettings settings;
     bool slow = false, noPeers = false;
     std::string json; ///< file, "-" or empty
     ReadFlags read;
@@ -25,12 +25,12 @@ void addComparedFlags(CLI::App& command, ComparedFlags& flags);
 [[nodiscard]] std::optional<Error> unknownKey(const ComparedFlags& flags);
 
 /// The settings as typed: without peers, or with peers that may take any time.
-[[nodiscard]] ComparisonSettings comparisonSettings(const ComparedFlags& flags);
+[[nodiscard]] lab::ComparisonSettings comparisonSettings(const ComparedFlags& flags);
 
 /// At a terminal, or with --progress.
 [[nodiscard]] bool showsProgress(const ComparedFlags& flags);
 
 /// Prints a line on stderr before each method where progress is shown.
-[[nodiscard]] ComparisonProgress shownProgress(const ComparedFlags& flags);
+[[nodiscard]] lab::ComparisonProgress shownProgress(const ComparedFlags& flags);
 
 } // namespace edgescan::cli

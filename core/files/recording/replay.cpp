@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Where the payload of a frame begins, to know a scan telegram without taking the frame apart.
@@ -15,12 +15,12 @@ bool isLine(const RecordedMessage& message) {
     if (message.topic != RecordingTopic::ColaRx || message.payload.size() < 2) return false;
     constexpr std::size_t kBinaryPayload = 8;
     const bool binary = message.payload.size() > kBinaryPayload && message.payload[1] == 2;
-    return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
+    return scanner::isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
 }
 
 } // namespace
 
-bool feedMessage(SweepFeed& feed, const RecordedMessage& message) {
+bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message) {
     if (message.topic == RecordingTopic::ColaRx) return feed.frames(message.payload, message.logNs);
     if (message.topic != RecordingTopic::Stepper) return false;
     if (const auto reading = parseStepper(message.payload, message.logNs)) feed.assembler().push(*reading);
@@ -30,7 +30,7 @@ bool feedMessage(SweepFeed& feed, const RecordedMessage& message) {
 namespace {
 
 /// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
-void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
+void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options) {
     if (options.axis) {
         if (settings.axisAssumed) settings.axis = *options.axis;
         settings.axisAssumed = false;
@@ -45,11 +45,11 @@ void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
 
 Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options)
     : recording_(std::move(recording)), warnings_(recording_->warnings()), feed_(settings_) {
-    SettingsFound found = settingsOf(recording_->metadata());
+    scanner::SettingsFound found = scanner::settingsOf(recording_->metadata());
     settings_ = found.settings;
     sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
-    feed_ = SweepFeed(settings_);
+    feed_ = scanner::SweepFeed(settings_);
     for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
         if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
     }
@@ -77,7 +77,7 @@ bool Replay::step() {
 
 void Replay::seek(int line) {
     if (line < position_) {
-        feed_ = SweepFeed(settings_);
+        feed_ = scanner::SweepFeed(settings_);
         next_ = 0;
         position_ = 0;
     }
@@ -88,7 +88,7 @@ void Replay::seek(int line) {
 }
 
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options) {
-    const SweepMetadata& metadata = recording.metadata();
+    const scanner::SweepMetadata& metadata = recording.metadata();
     sweep.format = "recording";
     if (const auto note = metadata.find("note"); note != metadata.end()) sweep.note = note->second;
     if (metadata.contains(kMadeFromKey))
@@ -107,10 +107,10 @@ Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::s
 Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options,
                     const LinePlayed& played) {
     Replay replay(recording, options);
-    FinishedSweep best;
+    scanner::FinishedSweep best;
     int sweeps = 0;
     const auto collect = [&] {
-        for (FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
+        for (scanner::FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
             ++sweeps;
             if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
         }
@@ -121,7 +121,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     }
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
-    const TelegramAccount account = replay.progress().account;
+    const scanner::TelegramAccount account = replay.progress().account;
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0
@@ -154,4 +154,4 @@ Result<Scan> readRecording(const Source& source) {
     return scanOf(*recording, source.path.string(), *source.options, source.played);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,10 +7,10 @@
 
 #include <functional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Feeds a message of a recording: a telegram or a reading of the stepper. True if it contained a line.
-bool feedMessage(SweepFeed& feed, const RecordedMessage& message);
+bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message);
 
 /// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
 class Replay {
@@ -33,8 +33,8 @@ public:
     void seek(int line);
 
     [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
-    [[nodiscard]] SweepProgress progress() const { return feed_.assembler().progress(); }
-    [[nodiscard]] SweepFeed& feed() { return feed_; }
+    [[nodiscard]] scanner::SweepProgress progress() const { return feed_.assembler().progress(); }
+    [[nodiscard]] scanner::SweepFeed& feed() { return feed_; }
     /// What the recording and its settings gave reason to say.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -42,10 +42,10 @@ private:
     void playOne();
 
     std::shared_ptr<const Recording> recording_;
-    SweepSettings settings_;
+    scanner::SweepSettings settings_;
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
-    SweepFeed feed_;
+    scanner::SweepFeed feed_;
     std::size_t next_ = 0; // message
     int position_ = 0;
 };
@@ -61,4 +61,4 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
 /// The same for openScan().
 Result<Scan> readRecording(const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The score of the outline of one rock.
 struct ScoredOutline {
@@ -33,11 +33,11 @@ struct Evaluation {
 };
 
 /// `scan` may be null: then there are no errors in 3D. `mask`: 255 = edge. `tolerance`: cells.
-[[nodiscard]] Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const TruthSet& truth, const Scan* scan, double tolerance);
+[[nodiscard]] Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const sim::TruthSet& truth, const Scan* scan, double tolerance);
 
 /// Pratt's figure of merit (1978): sum over the detections of 1 / (1 + d^2 / 9) divided by the larger of the two counts; d is the distance
 /// to the nearest true cell, in cells. Cells that are not scored are left out. 1 if there are no true cells and no detections.
-[[nodiscard]] double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth);
+[[nodiscard]] double prattMerit(const Grid<std::uint8_t>& thin, const sim::EdgeTruth& truth);
 
 /// A method over its thresholds, on several scans.
 struct ThresholdSweep {
@@ -55,4 +55,4 @@ struct ThresholdSweep {
 /// precision over recall, counts summed over the scans); and the whole evaluation at the ODS threshold of all edges.
 [[nodiscard]] nlohmann::ordered_json sweepJson(const ThresholdSweep& sweep);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <map>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr const char* kHint = "write the truth again with simulate --truth";
@@ -67,7 +67,7 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder) {
     for (const Picture& picture :
          {Picture{"object.png", &object, true}, Picture{"range_clean.png", &truth.cleanMm, true},
           Picture{"tear_beam.png", &truth.tearToBeamMm, false}, Picture{"tear_line.png", &truth.tearToLineMm, false}}) {
-        auto grid = readTruthNumbers(folder / picture.name);
+        auto grid = sim::readTruthNumbers(folder / picture.name);
         if (!grid) return grid.error();
         *picture.grid = std::move(*grid);
         if (picture.grid->size() == 0 && picture.needed) return Error{"it is not there", (folder / picture.name).string(), kHint};
@@ -80,10 +80,10 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder) {
     return truth;
 }
 
-TrueRocks trueRocksOf(const Simulation& simulation) {
-    const SimulationTruth& known = *simulation.truth;
-    const TruthSet set = truthSetOf(simulation);
-    TrueRocks truth{{}, set.cleanMm, wholeTears(known.toNextBeam), wholeTears(known.toNextLine), {}};
+TrueRocks trueRocksOf(const sim::Simulation& simulation) {
+    const sim::SimulationTruth& known = *simulation.truth;
+    const sim::TruthSet set = sim::truthSetOf(simulation);
+    TrueRocks truth{{}, set.cleanMm, sim::wholeTears(known.toNextBeam), sim::wholeTears(known.toNextLine), {}};
     for (const auto& rock : known.rocks)
         truth.rocks.push_back(
             {static_cast<std::uint32_t>(rock.object), rock.centreM.cast<double>(), {rock.spansM[0], rock.spansM[1], rock.spansM[2]}});
@@ -159,4 +159,4 @@ Grid<std::uint32_t> visibleParts(const Grid<std::uint32_t>& rock) {
     return part;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Counts that can be added over scans.
 struct EdgeCounts {
@@ -38,7 +38,7 @@ struct EdgeMatches {
 };
 
 /// `mask`: 255 = edge; it is thinned here. `tolerance`: cells.
-[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
-[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
+[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const sim::EdgeTruth& truth, double tolerance);
+[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const sim::EdgeTruth& truth);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -1,7 +1,7 @@
 // Decodes received frames for the sweep.
 #include "core/scanner/sweep_assembly/sweep_feed.h"
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
     if (!isScanTelegram(frame.payload())) return false;
@@ -23,4 +23,4 @@ bool SweepFeed::frames(ByteView bytes, std::int64_t hostNs) {
     return line;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// Decodes what was received and pushes it into an assembler.
 class SweepFeed {
@@ -35,4 +35,4 @@ private:
     std::string whyUndecodable_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 constexpr double kJumpMm = 50.0; // from here on an occluding edge
@@ -171,4 +171,4 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::sim

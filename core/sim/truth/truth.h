@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::sim {
 
 /// Values of EdgeTruth::edgeClass and of gt_class.png.
 enum class EdgeClass : std::uint8_t {
@@ -24,4 +24,4 @@ struct EdgeTruth {
 
 [[nodiscard]] EdgeTruth edgeTruth(const SimulationTruth& truth);
 
-} // namespace edgescan
+} // namespace edgescan::sim

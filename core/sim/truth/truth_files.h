@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace edgescan {
+namespace edgescan::sim {
 
 /// The truth for the score of a scan. All grids are lines x beams.
 struct TruthSet {
@@ -31,4 +31,4 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 /// Reads gt_class.png and gt_ignore.png, and object.png and range_clean.png if they exist. Error: missing, damaged, of different shapes.
 Result<TruthSet> readTruth(const std::filesystem::path& folder);
 
-} // namespace edgescan
+} // namespace edgescan::sim

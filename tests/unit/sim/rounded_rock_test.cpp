@@ -71,7 +71,7 @@ TEST(SimRoundedRock, AWornCubeHasItsKnownMeasures) {
 }
 
 TEST(SimRoundedRock, RaysEndOneRadiusOffTheCoreAndNotBehindIt) {
-    Dice dice(31, Purpose::Shapes);
+    RandomSequence dice(31, Purpose::Shapes);
     int hit = 0;
     int missed = 0;
     int round = 0;
@@ -116,11 +116,11 @@ TEST(SimRoundedRock, RaysEndOneRadiusOffTheCoreAndNotBehindIt) {
 }
 
 TEST(SimRoundedRock, TurnsAndGrowsWithItsScene) {
-    Dice dice(33, Purpose::Shapes);
+    RandomSequence dice(33, Purpose::Shapes);
     Scene scene;
     addRock(scene, rockCorners(1.5, dice), {0.3, -0.2, 4.0}, 0.5);
     const Eigen::Matrix3f turn = Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, 3).normalized()).toRotationMatrix();
-    const Scene other = turned(scaled(scene, 2.0F), turn);
+    const Scene other = rotated(scaled(scene, 2.0F), turn);
     int round = 0;
     for (int ray = 0; ray < 200; ++ray) {
         const Vector3d aim = (Vector3d{0.3, -0.2, 4.0} + 0.3 * Vector3d{dice.normal(), dice.normal(), dice.normal()}).normalized();
@@ -165,7 +165,7 @@ struct Cube {
             return Vector3d(9.0 * ahead + 9.0 * (i - 0.5) * turn.col(2) + 9.0 * (j - 0.5) * across.normalized());
         };
         addLattice(scene, scene.solids, {2, 2, false, plate}, {.texture = Texture::Smooth});
-        const Caster caster(scene, {});
+        const RayCaster caster(scene, {});
         truth = {{kCells, kCells},
                  {kCells, kCells},
                  {kCells, kCells},

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 using namespace sim;
@@ -507,4 +507,4 @@ TEST(SimSweep, ProgressRisesAndCancels) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::sim

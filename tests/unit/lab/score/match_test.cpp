@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 Grid<std::uint8_t> randomMask(int lines, int beams, unsigned oneIn, std::mt19937& random) {
@@ -125,9 +125,9 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
                 }
             }
         }
-        const Grid<std::uint8_t> thin = thinned(mask);
+        const Grid<std::uint8_t> thin = sim::thinned(mask);
         EXPECT_EQ(components(thin), components(mask));
-        EXPECT_EQ(thinned(thin), thin);
+        EXPECT_EQ(sim::thinned(thin), thin);
         for (std::size_t k = 0; k < mask.size(); ++k) EXPECT_LE(thin[k], mask[k]);
         for (int i = 1; i + 1 < 30; ++i) {
             for (int j = 1; j + 1 < 40; ++j) {
@@ -168,9 +168,9 @@ TEST(Thin, LooksOnlyWhereSomethingChangedAndMissesNothing) {
         Grid<std::uint8_t> mask(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 40));
         const unsigned filled = 5 + static_cast<unsigned>(random() % 95); // per cent: from dust to a full picture with holes
         for (std::uint8_t& cell : mask.cells) cell = random() % 100 < filled ? 255 : 0;
-        EXPECT_EQ(thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
+        EXPECT_EQ(sim::thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
     }
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab
