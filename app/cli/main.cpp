@@ -80,5 +80,5 @@ int main(int argc, char** argv) {
                         {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
                          "edgescan-cli detect BELL.json", "edgescan-cli detect BELL.json -o RESULTS --jump 40",
                          "edgescan-cli convert BELL.json BELL.pcd", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
-    return cli::finished([&] { return cli::parsed(app, argc, argv).value_or(code); });
+    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

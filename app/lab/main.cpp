@@ -24,5 +24,5 @@ int main(int argc, char** argv) {
               "measures how good edge detection is",
               {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
                "edgescan-lab evaluate BELL.json --truth TRUTH", "edgescan-lab benchmark BELL.json --truth TRUTH --no-peers --repeats 1"}});
-    return cli::finished([&] { return cli::parsed(app, argc, argv).value_or(code); });
+    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

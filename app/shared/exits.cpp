@@ -67,7 +67,7 @@ int guarded(const std::function<int()>& work, int failed) {
     return failed;
 }
 
-int finished(const std::function<int()>& work) {
+int exitCodeOf(const std::function<int()>& work) {
     const int code = guarded(work, kRefused);
     std::cout.flush();
     if (std::cout.good()) return code;

@@ -39,6 +39,6 @@ void showProgress(const std::string& text, bool last = false);
 int guarded(const std::function<int()>& work, int failed);
 
 /// The exit code of a program that prints results: that of `work`, or kRefused if an exception ended it or stdout took not all of them.
-int finished(const std::function<int()>& work);
+int exitCodeOf(const std::function<int()>& work);
 
 } // namespace edgescan::cli
