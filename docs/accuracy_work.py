@@ -43,11 +43,11 @@ def simulator():
 
 
 def program():
-    """A copy of the program, which a build cannot change meanwhile, and its hash."""
+    """A copy of edgescan-cli, edgescan-lab and edgescan-peers, which a build cannot change meanwhile; the path of the first."""
     if not os.path.exists(CLI):
         sys.exit("%s: there is no such program; build it with ./run or ./test, or name another in EDGESCAN_CLI." % CLI)
-    peers = os.path.join(os.path.dirname(CLI), "edgescan-peers")
-    parts = [CLI] + ([peers] if os.path.exists(peers) else [])
+    others = [os.path.join(os.path.dirname(CLI), name) for name in ("edgescan-lab", "edgescan-peers")]
+    parts = [CLI] + [other for other in others if os.path.exists(other)]
     digest = hash_of(*parts)
     folder = os.path.join(CACHE, "program-" + digest[:16])
     os.makedirs(folder, exist_ok=True)
@@ -65,7 +65,8 @@ SIMULATOR = simulator()
 
 
 def run(arguments):
-    done = subprocess.run([PROGRAM] + arguments, capture_output=True, text=True, check=False)
+    measures = arguments[0] in ("benchmark", "evaluate")
+    done = subprocess.run([os.path.join(os.path.dirname(PROGRAM), "edgescan-lab") if measures else PROGRAM] + arguments, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip())
     return done.stdout

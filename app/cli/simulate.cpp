@@ -6,8 +6,8 @@
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/lab/score/truth_files.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <unistd.h>
 
@@ -85,7 +85,7 @@ int run(const Simulate& simulate) {
         return kWrongUsage;
     }
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
-    if (saved && settings.truth) saved = lab::writeTruth(*simulation, settings, simulate.truth);
+    if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
     if (saved) return kDone;
     printError(saved.error());
     return kRefused;

@@ -126,7 +126,7 @@ Ranges ours(const Scan& scan, const Grid<int>& blob) {
 // surface.
 std::vector<int> onOneSurface(const Grid<int>& blob, const sim::SimulationTruth& truth) {
     constexpr double kTornMm = 50;
-    const Grid<std::uint16_t> tornBeam = lab::wholeTears(truth.toNextBeam), tornLine = lab::wholeTears(truth.toNextLine);
+    const Grid<std::uint16_t> tornBeam = sim::wholeTears(truth.toNextBeam), tornLine = sim::wholeTears(truth.toNextLine);
     std::vector<int> one(kBlobs + 1, 1), object(kBlobs + 1, 0);
     for (int i = 1; i + 1 < blob.lines; ++i) {
         for (int j = 1; j + 1 < blob.beams; ++j) {
@@ -268,7 +268,7 @@ struct Voids {
     void print() const { std::printf("Of %zu cells whose beam hit nothing, %zu were filled.\n\n", open, filled); }
 };
 
-double fOf(const Scan& scan, const lab::TruthSet& truth, bool fill) {
+double fOf(const Scan& scan, const sim::TruthSet& truth, bool fill) {
     edges::Settings settings;
     settings.fillCells = fill ? kWidest : 0;
     settings.fillEdges = fill;
@@ -281,7 +281,7 @@ struct EdgeScores {
 };
 
 EdgeScores edgeScores(const sim::Simulation& one, std::uint64_t m) {
-    const lab::TruthSet truth = lab::truthSetOf(one);
+    const sim::TruthSet truth = sim::truthSetOf(one);
     Scan holes = one.scan;
     dropBlobs(holes, 7, 9000 + m);
     return {one.scan.name, fOf(one.scan, truth, false), fOf(one.scan, truth, true), fOf(holes, truth, false), fOf(holes, truth, true)};

@@ -47,7 +47,7 @@ double receive(const std::vector<Bytes>& frames, int snapshotEvery) {
     scanner::SweepSettings settings;
     settings.expectedLines = static_cast<int>(frames.size());
     scanner::ColaStream stream;
-    files::SweepFeed feed(settings);
+    scanner::SweepFeed feed(settings);
     std::int64_t ns = 1'700'000'000'000'000'000;
     std::shared_ptr<const Scan> shown;
     const double start = threadSeconds();

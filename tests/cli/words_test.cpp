@@ -84,13 +84,14 @@ TEST(Words, NoStringOfTheProgramPromises) {
 }
 
 TEST(Words, NoHelpPromises) {
-    for (const char* command :
-         {"", "info", "detect", "convert", "simulate", "evaluate", "verify", "serve", "record", "replay", "why", "compare"}) {
+    for (const char* command : {"", "info", "detect", "convert", "simulate", "verify", "serve", "record", "replay", "why"}) {
         const std::string help = test::runCli(std::string(command) + " --help").out;
         EXPECT_GT(help.size(), 100U) << command;
         EXPECT_EQ(promiseIn(help), "") << command;
     }
     EXPECT_EQ(promiseIn(test::runProgram("edgescan", "--help").out), "");
+    for (const char* command : {"", "benchmark", "repeatability", "evaluate"})
+        EXPECT_EQ(promiseIn(test::runLab(std::string(command) + " --help").out), "") << command;
 }
 
 TEST(Words, NoDocumentPromises) {

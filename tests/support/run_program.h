@@ -53,5 +53,6 @@ inline ProgramRun runProgram(const std::string& name, const std::string& argumen
 }
 
 inline ProgramRun runCli(const std::string& arguments) { return runProgram("edgescan-cli", arguments); }
+inline ProgramRun runLab(const std::string& arguments) { return runProgram("edgescan-lab", arguments); }
 
 } // namespace edgescan::test

@@ -5,7 +5,7 @@
 
 namespace edgescan::test {
 
-inline lab::EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const lab::EdgeTruth& truth, double tolerance) {
+inline lab::EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const sim::EdgeTruth& truth, double tolerance) {
     return lab::scoreMatches(lab::matchWithTruth(mask, truth, tolerance), truth);
 }
 

@@ -72,7 +72,7 @@ private:
     RecordingClock clock_;
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the session
-    SweepFeed feed_;
+    scanner::SweepFeed feed_;
     scanner::SessionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;

@@ -1,10 +1,10 @@
-// Rounded rocks: their surface is one radius away from the core everywhere, and the truth has edges where such a surface has them.
-#include "core/lab/score/truth.h"
+// Rounded rocks: their surface is one radius off the core everywhere, and truth has edges where such a surface has some.
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/caster.h"
 #include "core/sim/cell_seams.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/rounded_core.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -141,7 +141,7 @@ TEST(SimRoundedRock, TurnsAndGrowsWithItsScene) {
 struct Cube {
     Scan scan;
     SimulationTruth truth;
-    lab::EdgeTruth edges;
+    EdgeTruth edges;
 
     explicit Cube(double rounding) {
         constexpr int kCells = 70;
@@ -187,10 +187,10 @@ struct Cube {
             truth.rounded[k] = surface.ridge >= 0 ? 1 : 0;
         }
         for (int i = 0; i < kCells; ++i) findSeams({scene, caster, {&tables, &tables}}, i, truth);
-        edges = lab::edgeTruth(truth);
+        edges = edgeTruth(truth);
     }
 
-    [[nodiscard]] long count(lab::EdgeClass wanted) const {
+    [[nodiscard]] long count(EdgeClass wanted) const {
         return std::ranges::count(edges.edgeClass.cells, static_cast<std::uint8_t>(wanted));
     }
     /// Cells that are not scored in the row that crosses the middle of the ridge.
@@ -203,20 +203,20 @@ struct Cube {
 
 TEST(SimRoundedRock, AFoldIsACreaseOnlyWhileItTurnsWithinOneCell) {
     const Cube sharp(0.0);
-    const long ridge = sharp.count(lab::EdgeClass::Crease);
+    const long ridge = sharp.count(EdgeClass::Crease);
     EXPECT_GT(ridge, 20);
     EXPECT_EQ(sharp.unscored(), 0);
 
-    const Cube hardly(0.01); // 5 mm: not visible
-    EXPECT_NEAR(static_cast<double>(hardly.count(lab::EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
+    const Cube hardly(0.01); // 5 mm: nobody can see it
+    EXPECT_NEAR(static_cast<double>(hardly.count(EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
 
     const Cube worn(0.3); // 150 mm: 90 degrees over 7 cells
-    EXPECT_EQ(worn.count(lab::EdgeClass::Crease), 0);
+    EXPECT_EQ(worn.count(EdgeClass::Crease), 0);
     EXPECT_GT(worn.unscored(), 4);
     EXPECT_LT(worn.unscored(), 12);
 
     const Cube round(0.9); // 450 mm: 90 degrees over 18 cells and more
-    EXPECT_EQ(round.count(lab::EdgeClass::Crease), 0);
+    EXPECT_EQ(round.count(EdgeClass::Crease), 0);
     EXPECT_EQ(round.unscored(), 0);
 }
 
@@ -234,8 +234,7 @@ TEST(SimRoundedRock, ItsOutlineStaysAnOutline) {
                 bool found = false; // thinning removes corners of stairs
                 for (int di = -1; di <= 1; ++di)
                     for (int dj = -1; dj <= 1; ++dj) {
-                        const bool occluding =
-                            rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(lab::EdgeClass::Occluding);
+                        const bool occluding = rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(EdgeClass::Occluding);
                         found = found || (occluding && rock.edges.ignore.at(i + di, j + dj) == 0);
                     }
                 EXPECT_TRUE(found) << rounding << ": " << i << ", " << j;
@@ -255,19 +254,19 @@ TEST(SimRoundedRock, RoundingTakesCreasesOfAPileAndLeavesOutlines) {
         settings.rockRounding = rounding;
         settings.truth = true;
         const Result<Simulation> pile = simulate(settings);
-        lab::EdgeTruth truth = lab::edgeTruth(*pile->truth);
+        EdgeTruth truth = edgeTruth(*pile->truth);
         for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
             if (pile->truth->object[k] < kFirstRock) truth.edgeClass[k] = 0; // the wall's own edges remain
         }
         return truth;
     };
-    const auto count = [](const lab::EdgeTruth& truth, lab::EdgeClass wanted) {
+    const auto count = [](const EdgeTruth& truth, EdgeClass wanted) {
         return static_cast<double>(std::ranges::count(truth.edgeClass.cells, static_cast<std::uint8_t>(wanted)));
     };
-    const lab::EdgeTruth sharp = truthOf(0.0);
-    const lab::EdgeTruth worn = truthOf(0.8);
-    EXPECT_LT(count(worn, lab::EdgeClass::Crease), 0.5 * count(sharp, lab::EdgeClass::Crease));
-    EXPECT_GT(count(worn, lab::EdgeClass::Occluding), 0.8 * count(sharp, lab::EdgeClass::Occluding));
+    const EdgeTruth sharp = truthOf(0.0);
+    const EdgeTruth worn = truthOf(0.8);
+    EXPECT_LT(count(worn, EdgeClass::Crease), 0.5 * count(sharp, EdgeClass::Crease));
+    EXPECT_GT(count(worn, EdgeClass::Occluding), 0.8 * count(sharp, EdgeClass::Occluding));
     SimulationSettings nonsense;
     nonsense.rockRounding = 1.0;
     const auto refused = simulate(nonsense);

@@ -1,10 +1,10 @@
-// The simulated sweep: repeatable to the byte, with noise, mixed pixels and gaps in the documented amounts (docs/method.md, "Simulator").
-#include "core/lab/score/truth.h"
+// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/scenes.h"
 #include "core/sim/settings_json.h"
 #include "core/sim/simulate.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -285,8 +285,8 @@ TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
         EXPECT_EQ(seen.size(), treads.size()) << distanceM;
         for (const double step : {50.0, 80.0, 120.0, 200.0, 300.0, 500.0})
             EXPECT_EQ(std::ranges::count(treads, step, &StaircaseTread::stepMm), 1) << step;
-        const lab::EdgeTruth truth = lab::edgeTruth(*result.truth);
-        for (int j = 240; j < 900; ++j) { // every scored step is one edge between the two cells at it
+        const EdgeTruth truth = edgeTruth(*result.truth);
+        for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the cells beside it
             const int a = result.truth->object.at(10, j);
             const int b = result.truth->object.at(10, j + 1);
             if (a == b || a == 0 || b == 0) continue;

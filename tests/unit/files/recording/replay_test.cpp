@@ -311,7 +311,7 @@ TEST(Sweep, CostOfALineAndOfASnapshot) {
             scanner::framed(scanner::encodeScanTelegram(telegramOfLine(n, {.beams = 1141}), scanner::Dialect::B), scanner::Dialect::B);
         frames.push_back(scanner::ColaStream().push(wire).front());
     }
-    SweepFeed feed(settings);
+    scanner::SweepFeed feed(settings);
     double worst = 0;
     double sum = 0;
     double lineMs = 0;

@@ -21,23 +21,25 @@ sim::Simulation simulated(const char* scene, std::uint64_t seed, int lines = 250
     return test::scoredScene(scene, seed, lines, beams);
 }
 
-std::size_t countOf(const EdgeTruth& truth, EdgeClass wanted) {
+std::size_t countOf(const sim::EdgeTruth& truth, sim::EdgeClass wanted) {
     return static_cast<std::size_t>(
         std::count(truth.edgeClass.cells.begin(), truth.edgeClass.cells.end(), static_cast<std::uint8_t>(wanted)));
 }
 
 TEST(EdgeTruth, AWallHasNoEdgeAndABellHasAllKinds) {
     const sim::Simulation wall = simulated("wall", 3);
-    const EdgeTruth none = edgeTruth(*wall.truth);
-    for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_EQ(countOf(none, c), 0U);
+    const sim::EdgeTruth none = sim::edgeTruth(*wall.truth);
+    for (const sim::EdgeClass c : {sim::EdgeClass::Occluding, sim::EdgeClass::Contact, sim::EdgeClass::Crease})
+        EXPECT_EQ(countOf(none, c), 0U);
     const sim::Simulation bell = simulated("hangup", 3);
-    const EdgeTruth all = edgeTruth(*bell.truth);
-    for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_GT(countOf(all, c), 100U);
+    const sim::EdgeTruth all = sim::edgeTruth(*bell.truth);
+    for (const sim::EdgeClass c : {sim::EdgeClass::Occluding, sim::EdgeClass::Contact, sim::EdgeClass::Crease})
+        EXPECT_GT(countOf(all, c), 100U);
 }
 
 TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
     const sim::Simulation bell = simulated("hangup", 4);
-    const EdgeTruth truth = edgeTruth(*bell.truth);
+    const sim::EdgeTruth truth = sim::edgeTruth(*bell.truth);
     Grid<std::uint8_t> mask(bell.scan.lines(), bell.scan.beams());
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edgeClass[k] != 0 ? 255 : 0;
     const EdgeScore perfect = test::scoreEdges(mask, truth, 2);
@@ -50,8 +52,8 @@ TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
 }
 
 TEST(EdgeScore, FalseAlarmsCountOnlyWhereTheyAreScored) {
-    EdgeTruth truth{Grid<std::uint8_t>(20, 20), Grid<std::uint8_t>(20, 20)};
-    for (int j = 2; j < 18; ++j) truth.edgeClass.at(5, j) = static_cast<std::uint8_t>(EdgeClass::Occluding);
+    sim::EdgeTruth truth{Grid<std::uint8_t>(20, 20), Grid<std::uint8_t>(20, 20)};
+    for (int j = 2; j < 18; ++j) truth.edgeClass.at(5, j) = static_cast<std::uint8_t>(sim::EdgeClass::Occluding);
     Grid<std::uint8_t> mask(20, 20);
     for (int j = 2; j < 18; ++j) mask.at(6, j) = 255; // one line next to the truth
     mask.at(15, 3) = mask.at(15, 10) = 255;
@@ -67,7 +69,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     EdgeScore gray;
     for (const char* scene : {"hangup", "pile"}) {
         const sim::Simulation bell = simulated(scene, 21);
-        const EdgeTruth truth = edgeTruth(*bell.truth);
+        const sim::EdgeTruth truth = sim::edgeTruth(*bell.truth);
         depth += test::scoreEdges(test::depthEdges(bell.scan, {}).mask, truth, 2);
         gray += test::scoreEdges(*edges::detectEdges(std::make_shared<Scan>(bell.scan), edges::cannySettings())->mask, truth, 2);
     }
@@ -115,7 +117,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const sim::Simulation bell = *sim::simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, sim::edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);

@@ -1,6 +1,6 @@
 // Matching and thinning compared with exhaustive search.
 #include "core/lab/score/match.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <gtest/gtest.h>
 
@@ -125,9 +125,9 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
                 }
             }
         }
-        const Grid<std::uint8_t> thin = thinned(mask);
+        const Grid<std::uint8_t> thin = sim::thinned(mask);
         EXPECT_EQ(components(thin), components(mask));
-        EXPECT_EQ(thinned(thin), thin);
+        EXPECT_EQ(sim::thinned(thin), thin);
         for (std::size_t k = 0; k < mask.size(); ++k) EXPECT_LE(thin[k], mask[k]);
         for (int i = 1; i + 1 < 30; ++i) {
             for (int j = 1; j + 1 < 40; ++j) {
@@ -168,7 +168,7 @@ TEST(Thin, LooksOnlyWhereSomethingChangedAndMissesNothing) {
         Grid<std::uint8_t> mask(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 40));
         const unsigned filled = 5 + static_cast<unsigned>(random() % 95); // per cent: from dust to a full picture with holes
         for (std::uint8_t& cell : mask.cells) cell = random() % 100 < filled ? 255 : 0;
-        EXPECT_EQ(thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
+        EXPECT_EQ(sim::thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
     }
 }
 

@@ -1,7 +1,7 @@
 // Regions compared with true rocks: by hand-made examples, and by a slow second implementation of the rules (docs/method.md, "Truth and
 // score").
 #include "core/lab/score/rock_evaluation.h"
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -279,7 +279,7 @@ TEST(RockTruth, SurvivesItsFilesAndScoresItselfPerfect) {
     settings.truth = true;
     const sim::Simulation bell = *sim::simulate(settings);
     const auto folder = std::filesystem::path(testing::TempDir()) / "truth-of-rocks";
-    ASSERT_TRUE(writeTruth(bell, settings, folder));
+    ASSERT_TRUE(sim::writeTruth(bell, settings, folder));
     const Result<TrueRocks> read = readTrueRocks(folder);
     ASSERT_TRUE(read) << read.error().sentence();
     const TrueRocks made = trueRocksOf(bell);

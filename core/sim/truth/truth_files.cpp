@@ -1,5 +1,5 @@
 // Reads and writes ground truth.
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include "core/base/json_text.h"
 #include "core/base/whole_file.h"
@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan::lab {
+namespace edgescan::sim {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,8 +50,8 @@ std::array<double, 3> visibleSpans(const std::vector<Eigen::Vector3d>& points) {
     return spans;
 }
 
-Json rocksJson(const sim::Simulation& simulation) {
-    const sim::SimulationTruth& truth = *simulation.truth;
+Json rocksJson(const Simulation& simulation) {
+    const SimulationTruth& truth = *simulation.truth;
     const CartesianTables tables(simulation.scan);
     std::vector<std::vector<Eigen::Vector3d>> visible(65536);
     for (std::size_t k = 0; k < truth.object.size(); ++k) {
@@ -100,17 +100,17 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const fs::path& path) {
     return numbers;
 }
 
-TruthSet truthSetOf(const sim::Simulation& simulation) {
+TruthSet truthSetOf(const Simulation& simulation) {
     return {edgeTruth(*simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
 }
 
-Result<Done> writeTruth(const sim::Simulation& simulation, const sim::SimulationSettings& settings, const fs::path& folder) {
+Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
     const TruthSet truth = truthSetOf(simulation);
     const auto texts = {std::pair{"rocks.json", jsonText(rocksJson(simulation), 2) + "\n"},
-                        std::pair{"scene.json", jsonText(sim::settingsJson(settings), 2) + "\n"}};
+                        std::pair{"scene.json", jsonText(settingsJson(settings), 2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
     }
@@ -144,4 +144,4 @@ Result<TruthSet> readTruth(const fs::path& folder) {
     return TruthSet{{std::move(*edgeClass), std::move(*ignore)}, std::move(*object), std::move(*clean)};
 }
 
-} // namespace edgescan::lab
+} // namespace edgescan::sim

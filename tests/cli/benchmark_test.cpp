@@ -1,4 +1,4 @@
-// edgescan-cli why and compare from outside.
+// edgescan-cli why and edgescan-lab benchmark from outside.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/run_program.h"
@@ -15,15 +15,16 @@ namespace {
 
 using nlohmann::json;
 using test::runCli;
+using test::runLab;
 
-struct CliCompare : public ::testing::Test {
+struct LabBenchmark : public ::testing::Test {
     test::TemporaryFolder folder;
     std::string scanPath = (folder / "boxes.json").string();
 
     void SetUp() override { ASSERT_TRUE(files::saveScan(test::boxesScan(60, 80, 3, 0.02), scanPath)); }
 };
 
-TEST_F(CliCompare, WhyAnswersForACellAndItsThresholdHolds) {
+TEST_F(LabBenchmark, WhyAnswersForACellAndItsThresholdHolds) {
     const std::string cell = "why " + scanPath + " --line 20 --beam 30 --preset log";
     const auto run = runCli(cell);
     ASSERT_EQ(run.code, 0) << run.err;
@@ -37,14 +38,14 @@ TEST_F(CliCompare, WhyAnswersForACellAndItsThresholdHolds) {
     EXPECT_TRUE(json::parse(runCli(cell + " --lower " + limit).out)["edge"].get<bool>());
 }
 
-TEST_F(CliCompare, WhyRefusesCellsThatDoNotExist) {
+TEST_F(LabBenchmark, WhyRefusesCellsThatDoNotExist) {
     const auto run = runCli("why " + scanPath + " --line 60 --beam 0");
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("lines run from 0 to 59"), std::string::npos) << run.err;
     EXPECT_EQ(runCli("why " + scanPath + " --line 3").code, 2);
 }
 
-TEST_F(CliCompare, ALowerThresholdCanBeADepth) {
+TEST_F(LabBenchmark, ALowerThresholdCanBeADepth) {
     const auto metres = runCli("detect " + scanPath + " --preset window --near 0 --far 25500 --lower 0.5m --json -");
     ASSERT_EQ(metres.code, 0) << metres.err;
     EXPECT_EQ(json::parse(metres.out)["settings"]["lower"], 15); // 5 levels x 3
@@ -54,9 +55,22 @@ TEST_F(CliCompare, ALowerThresholdCanBeADepth) {
     EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5x").code, 2);
 }
 
-TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
+TEST(LabCommands, TheCommandLineNamesTheProgramThatHasThemNow) {
+    for (const auto& [command, now] : {std::pair{"compare", "edgescan-lab benchmark SCAN, or edgescan-lab repeatability A B"},
+                                       std::pair{"evaluate", "edgescan-lab evaluate"}}) {
+        for (const char* rest : {"", " no-such-file.json --truth no-such-folder", " --help"}) {
+            const auto run = runCli(command + std::string(rest));
+            EXPECT_EQ(run.code, 2) << command << rest;
+            EXPECT_EQ(run.err.find("edgescan-cli: " + std::string(command) + ": "), 0U) << run.err;
+            EXPECT_NE(run.err.find(now), std::string::npos) << run.err;
+            EXPECT_EQ(run.out, "");
+        }
+    }
+}
+
+TEST_F(LabBenchmark, EveryMethodAndPeerIsOneRow) {
     const std::string pictures = (folder / "pictures").string();
-    const auto run = runCli("compare " + scanPath + " --json - --repeats 1 --peer-seconds 2 --pictures " + pictures);
+    const auto run = runLab("benchmark " + scanPath + " --json - --repeats 1 --peer-seconds 2 --pictures " + pictures);
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);
     std::set<std::string> names;
@@ -84,16 +98,16 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
     EXPECT_EQ(mask->lines, 60);
 }
 
-TEST_F(CliCompare, OnlySomeMethodsAreComparedWhicheverTheyAre) {
-    const auto run = runCli("compare " + scanPath + " --only sobel,jumps --repeats 1 --json -");
+TEST_F(LabBenchmark, OnlySomeMethodsAreComparedWhicheverTheyAre) {
+    const auto run = runLab("benchmark " + scanPath + " --only sobel,jumps --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);
     ASSERT_EQ(report["methods"].size(), 2U);
     EXPECT_EQ(report["methods"][0]["method"], "sobel");
     EXPECT_TRUE(report["table_6_1"].is_null());
-    EXPECT_NE(runCli("compare " + scanPath + " --only sobel --repeats 1").out.find("Sobel"), std::string::npos);
+    EXPECT_NE(runLab("benchmark " + scanPath + " --only sobel --repeats 1").out.find("Sobel"), std::string::npos);
     for (const char* only : {"nonsense", "sobel,nonsense", "nonsense,thesis"}) {
-        const auto refused = runCli("compare " + scanPath + " --repeats 1 --only " + only);
+        const auto refused = runLab("benchmark " + scanPath + " --repeats 1 --only " + only);
         EXPECT_EQ(refused.code, 2) << only;
         EXPECT_EQ(refused.out, "");
         EXPECT_EQ(refused.err,
@@ -102,10 +116,10 @@ TEST_F(CliCompare, OnlySomeMethodsAreComparedWhicheverTheyAre) {
     }
 }
 
-TEST_F(CliCompare, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
+TEST_F(LabBenchmark, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
     const std::string bell = (folder / "bell.json").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 260 --beams 300 --interlace 0.35 --seed 3").code, 0);
-    const auto run = runCli("compare " + bell + " --no-peers --repeats 1 --json -");
+    const auto run = runLab("benchmark " + bell + " --no-peers --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     std::map<std::string, std::size_t> edges;
     const json report = json::parse(run.out);
@@ -119,11 +133,11 @@ TEST_F(CliCompare, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
     EXPECT_NE(edges["edgescan+"], edges["edgescan+as-measured"]);
 }
 
-TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
+TEST_F(LabBenchmark, WithTruthEveryMethodHasAScore) {
     const std::string bell = (folder / "bell.json").string();
     const std::string truth = (folder / "truth").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 90 --beams 110 --seed 4 --truth " + truth).code, 0);
-    const auto run = runCli("compare " + bell + " --truth " + truth + " --no-peers --best --repeats 1 --json -");
+    const auto run = runLab("benchmark " + bell + " --truth " + truth + " --no-peers --best --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);
     for (const json& method : report["methods"]) {
@@ -133,17 +147,17 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
         EXPECT_GE(method["best"]["score"]["all"]["f"].get<double>(), fixed) << method["name"];
     }
     const std::string pictures = (folder / "pictures").string();
-    ASSERT_EQ(runCli("compare " + bell + " --truth " + truth + " --only thesis,edgescan+ --best --repeats 1 --pictures " + pictures).code,
+    ASSERT_EQ(runLab("benchmark " + bell + " --truth " + truth + " --only thesis,edgescan+ --best --repeats 1 --pictures " + pictures).code,
               0);
     const auto found = containers::readPng8(pictures + "/truth.png");
     ASSERT_TRUE(found) << found.error().sentence();
     EXPECT_GT(found->beams, 2 * 1100); // 10 pixels per cell
-    EXPECT_EQ(runCli("compare " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);
-    EXPECT_EQ(runCli("compare " + bell + " --no-peers --best").code, 2); // --best needs a ground truth
-    const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");
+    EXPECT_EQ(runLab("benchmark " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);
+    EXPECT_EQ(runLab("benchmark " + bell + " --no-peers --best").code, 2); // --best needs a ground truth
+    const auto table = runLab("benchmark " + bell + " --truth " + truth + " --no-peers --repeats 1");
     EXPECT_NE(table.out.find("Thesis, table 6.1"), std::string::npos);
     EXPECT_NE(table.out.find("1852880 ms"), std::string::npos);
-    EXPECT_EQ(runCli("compare " + scanPath + " --truth " + truth + " --no-peers").code, 1); // of another grid size
+    EXPECT_EQ(runLab("benchmark " + scanPath + " --truth " + truth + " --no-peers").code, 1); // of another grid size
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// edgescan-cli evaluate --rocks: rocks of simulated scenes against the true ones.
+// edgescan-lab evaluate --rocks: rocks of simulated scenes against the true ones.
 #pragma once
 
 #include "app/shared/options.h"

@@ -1,12 +1,12 @@
 // Thinning.
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace edgescan::lab {
+namespace edgescan::sim {
 namespace {
 
 // The eight neighbours, north first, clockwise.
@@ -114,4 +114,4 @@ Grid<std::uint8_t> thinned(Grid<std::uint8_t> mask) {
     return mask;
 }
 
-} // namespace edgescan::lab
+} // namespace edgescan::sim

@@ -1,7 +1,7 @@
-// edgescan-cli evaluate --rocks.
-#include "app/cli/evaluate_rocks.h"
+// edgescan-lab evaluate --rocks.
+#include "app/lab/evaluate_rocks.h"
 
-#include "app/cli/commands.h"
+#include "app/lab/commands.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
 #include "core/containers/png/png.h"
@@ -32,7 +32,7 @@ Result<OpenScene> openScene(const EvaluateRocks& evaluate, std::size_t n) {
     const Grid<std::uint16_t> clean = truth->cleanMm;
     Result<lab::RockScene> scene = lab::rockScene(*scan, std::move(*truth), evaluate.files[n]);
     if (!scene) return scene.error();
-    if (auto fits = lab::checkTruthFits(*scan, lab::TruthSet{{}, {}, clean}, evaluate.truths[n]); !fits) return fits.error();
+    if (auto fits = lab::checkTruthFits(*scan, sim::TruthSet{{}, {}, clean}, evaluate.truths[n]); !fits) return fits.error();
     if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
     return OpenScene{std::make_shared<const Scan>(std::move(*scan)), std::move(*scene)};
 }

@@ -1,6 +1,6 @@
-// edgescan-cli evaluate: a mask, or a method over its thresholds, against ground truth.
-#include "app/cli/commands.h"
-#include "app/cli/evaluate_rocks.h"
+// edgescan-lab evaluate: a mask, or a method over its thresholds, against ground truth.
+#include "app/lab/commands.h"
+#include "app/lab/evaluate_rocks.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
@@ -56,7 +56,7 @@ std::vector<double> usualThresholds(const edges::Parameter& parameter, double ow
 struct Case {
     std::shared_ptr<const Scan> scan; ///< null for a mask without ranges
     Grid<std::uint8_t> mask;          ///< empty for a scan
-    lab::TruthSet truth;
+    sim::TruthSet truth;
 };
 
 bool isMask(const std::string& file) { return fs::path(file).extension() == ".png"; }
@@ -70,7 +70,7 @@ Result<Done> checkShape(const std::string& file, int lines, int beams, const Gri
 
 Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     Case one;
-    Result<lab::TruthSet> truth = lab::readTruth(evaluate.truths[n]);
+    Result<sim::TruthSet> truth = sim::readTruth(evaluate.truths[n]);
     if (!truth) return truth.error();
     one.truth = std::move(*truth);
     const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
