@@ -14,9 +14,9 @@ namespace edgescan::cli {
 /// One of the files that are asked for of every scan, as typed: "mask", "edges.ply".
 struct WantedFile {
     std::string typed;
-    std::optional<ExportContent> content; ///< empty: JSON or the report
-    [[nodiscard]] bool isOfRocks() const { return content && edgescan::isOfRocks(*content); }
-    std::string stem, extension; ///< of the file's name; a cloud's frame comes between
+    const ExportKind* kind = nullptr; ///< null: JSON or the report
+    [[nodiscard]] bool isOfRocks() const { return kind != nullptr && kind->needs == ExportKind::Needs::Rocks; }
+    std::string stem, extension; ///< of the file's name without a kind
 };
 
 /// Error: a word that names no result, or a format that cannot hold it. Each is given once.

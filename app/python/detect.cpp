@@ -45,22 +45,12 @@ py::array strengthOf(const ResultObject& result) {
     return gridArray(kept->map.highest, kept);
 }
 
-struct Content {
-    const char* name;
-    ExportContent content;
-};
-constexpr std::array<Content, 6> kContents{{{"edges", ExportContent::EdgeCloud},
-                                            {"cloud", ExportContent::FullCloud},
-                                            {"mask", ExportContent::EdgeImage},
-                                            {"gray", ExportContent::GrayImage},
-                                            {"range", ExportContent::RangeImage},
-                                            {"scan", ExportContent::WholeScan}}};
-
 ExportContent contentOf(const std::string& name) {
     std::string names;
-    for (const Content& content : kContents) {
-        if (name == content.name) return content.content;
-        names += (names.empty() ? "" : ", ") + std::string(content.name);
+    for (const ExportKind& kind : exportKinds()) {
+        if (kind.needs == ExportKind::Needs::Rocks) continue;
+        if (name == kind.key) return kind.content;
+        names += (names.empty() ? "" : ", ") + std::string(kind.key);
     }
     throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
 }

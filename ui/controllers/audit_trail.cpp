@@ -25,7 +25,7 @@ AuditTrail::AuditTrail(const QString& folder, const Session& session, const Link
         note("opened", scanShown());
     });
     connect(&session, &Session::saved, this,
-            [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportContentName(what), path, count); });
+            [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportKind(what).record, path, count); });
     connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {
         const bool isUndone = index < last;

@@ -10,12 +10,11 @@
 #include "core/containers/png/png.h"
 #include "core/edges/tuning/confidence.h"
 #include "core/exports/provenance/record_parts.h"
-#include "core/exports/provenance/rock_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
-#include "core/scan/grid/range_picture.h"
+#include "core/rocks/attributes/study.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,14 +40,14 @@ Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
-    const char* of = "cells"; ///< where there are no points
+    const char* of = "points";
 };
 
 Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
-    if (isOfRocks(content) && !isCloud(content) && content != ExportContent::RockLabels)
-        return Expected{options.rocks->rocks.size(), std::nullopt, "rocks"};
-    const bool points = isCloud(content) || (content == ExportContent::WholeScan && writtenFormat(path)->write != nullptr);
-    if (!points) return Expected{detection.scan->cells(), std::nullopt};
+    const ExportKind& kind = exportKind(content);
+    if (kind.counts == ExportKind::Counts::Rocks) return Expected{options.rocks->rocks.size(), std::nullopt, countedThings(kind)};
+    const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && writtenFormat(path)->write != nullptr);
+    if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
     const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
 }
@@ -62,9 +61,9 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 /// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
     const Format* format = writtenFormat(path);
-    const bool inside = content == ExportContent::WholeScan && format != nullptr &&
-                        (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
-    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : descriptionText(scan, "", -1);
+    const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
+    const bool inside = whole && format != nullptr && (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
+    return inside || !(isCloud(content) || whole) ? std::string() : descriptionText(scan, "", -1);
 }
 
 std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
@@ -73,7 +72,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
                {"sha256", sha256Hex(bytesOf(file.bytes))},
                {"bytes", file.bytes.size()},
                {"written_utc", utcText(utcNow())},
-               {expected.bounds ? "points" : expected.of, expected.count}};
+               {expected.of, expected.count}};
     if (expected.bounds && expected.count > 0)
         about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
     for (const FileBytes& other : files) {
@@ -168,46 +167,7 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
     if (auto can = checkConfidence(content, path, options); !can) return can.error();
     const auto confidence = isCloud(content) && options.choices.confidence ? edgeConfidence(detection) : std::nullopt;
     if (confidence) save.confidence = &confidence->percent;
-    const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
-        if (!bytes) return bytes.error();
-        std::vector<FileBytes> files; // a list in braces would copy all bytes
-        files.push_back({path, std::move(*bytes)});
-        return files;
-    };
-    switch (content) {
-    case ExportContent::EdgeCloud:
-        return one(edgeBytes(scan, *detection.mask, path, save));
-    case ExportContent::FullCloud:
-        return one(cloudBytes(scan, path, detection.mask.get(), save));
-    case ExportContent::EdgeImage:
-        return one(png8Bytes(*detection.mask, path.string(), record));
-    case ExportContent::GrayImage:
-        return one(png8Bytes(detection.gray->levels, path.string(), record));
-    case ExportContent::WholeScan:
-        return scanFiles(scan, path, save);
-    case ExportContent::RockLabels: {
-        const auto picture = labelPicture(*options.rocks, path.string());
-        if (!picture) return picture.error();
-        return one(png16Bytes(*picture, path.string(), record));
-    }
-    case ExportContent::RockTable:
-        return one(tableBytes(*options.rocks, options.frame, path));
-    case ExportContent::RockReport:
-        return one(reportBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RockCloud: {
-        const Grid<std::uint32_t> labels = rockLabels(*options.rocks->leaves, options.rocks->map);
-        SaveOptions withRocks = save;
-        withRocks.rocks = &labels;
-        return one(cloudBytes(scan, path, detection.mask.get(), withRocks));
-    }
-    case ExportContent::RockOutlines:
-        return one(outlineBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RockHulls:
-        return one(hullBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RangeImage:
-        break;
-    }
-    return one(png16Bytes(rangePicture(scan), path.string(), record));
+    return exportKind(content).make({detection, scan, path, record, options, save});
 }
 
 std::string embeddedRecord(std::string_view bytes) {

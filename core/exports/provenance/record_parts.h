@@ -17,8 +17,6 @@ namespace edgescan {
 
 inline constexpr const char* kRecordFormat = "edgescan-record/1";
 
-[[nodiscard]] std::optional<ExportContent> exportContentNamed(std::string_view name);
-
 /// SHA-256 of what a scan is to the method: shape, angles, ranges, states, points. The same file opened otherwise gives another.
 [[nodiscard]] std::string gridSha256(const Scan& scan);
 

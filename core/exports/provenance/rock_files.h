@@ -13,9 +13,6 @@
 
 namespace edgescan {
 
-/// Whether names of files of this content say in which frame their coordinates are: clouds, tables, hulls, outlines in space.
-[[nodiscard]] bool namesFrame(ExportContent content, const std::filesystem::path& path);
-
 /// 0 none, then the rocks. Error: more rocks than a picture of 16 bits can number.
 Result<Grid<std::uint16_t>> labelPicture(const RockStudy& study, const std::string& where);
 

@@ -131,9 +131,9 @@ void compareResults(const Json& record, const Detection& detection, Verification
 }
 
 /// The scan and, unless it alone was exported, its edges.
-Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, ExportContent content, const std::optional<fs::path>& scansFolder,
+Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, const ExportKind& kind, const std::optional<fs::path>& scansFolder,
                                                      Verification& v) {
-    const bool method = content != ExportContent::WholeScan;
+    const bool method = kind.needs != ExportKind::Needs::Scan;
     const auto settings = method ? settingsFromJson(nlohmann::json(at(record, "/settings")), cannySettings(), v.exported.string())
                                  : Result<Settings>(Settings{});
     if (!settings) return settings.error();
@@ -144,7 +144,7 @@ Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, ExportC
         bare->scan = *scan;
         return std::shared_ptr<const Detection>(bare);
     }
-    auto detection = detectEdges(*scan, *settings, isOfRocks(content) ? KeepFor::Rocks : KeepFor::Edges);
+    auto detection = detectEdges(*scan, *settings, kind.needs == ExportKind::Needs::Rocks ? KeepFor::Rocks : KeepFor::Edges);
     compareResults(record, *detection, v);
     return detection;
 }
@@ -253,8 +253,8 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     v.foundSha256 = sha256Of(found);
     const auto record = recordOf(found, v);
     if (!record) return record.error();
-    const auto content = exportContentNamed(wordAt(*record, "/content"));
-    if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
+    const ExportKind* kind = exportKindNamed(wordAt(*record, "/content"));
+    if (wordAt(*record, "/format") != kRecordFormat || kind == nullptr) return notUnderstood(v, "format");
     ExportOptions options;
     for (const Json& key : at(*record, "/choices")) {
         const auto choice = std::ranges::find_if(kWritingChoices, [&](const WritingChoice& known) { return key == Json(known.key); });
@@ -268,17 +268,17 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
-    const auto detection = detectionOf(*record, *content, scansFolder, v);
+    const auto detection = detectionOf(*record, *kind, scansFolder, v);
     if (!detection) return detection.error();
     if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
-    if (isOfRocks(*content)) {
+    if (kind->needs == ExportKind::Needs::Rocks) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();
         options.rocks = *rocks;
     }
-    const auto again = exportFiles(*content, **detection, exported, sealed(*record), options);
+    const auto again = exportFiles(kind->content, **detection, exported, sealed(*record), options);
     if (!again) return again.error();
-    compareRecord(*record, parsed(exportRecord(*content, **detection, options)), v);
+    compareRecord(*record, parsed(exportRecord(kind->content, **detection, options)), v);
     compareFiles(found, *again, *record, v);
     v.identical = v.findings.empty();
     if (!v.identical) compareProgram(*record, v);

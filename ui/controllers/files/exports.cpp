@@ -26,37 +26,18 @@
 #include <QStandardPaths>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace edgescan::ui {
 namespace {
 
-struct ContentNames {
-    ExportContent content;
-    const char* tail;   // of the file's name
-    const char* things; // what is counted
-};
-constexpr std::array<ContentNames, 10> kNames{{{ExportContent::EdgeCloud, "edges", "edge points"},
-                                               {ExportContent::FullCloud, "cloud", "points"},
-                                               {ExportContent::EdgeImage, "edge-map", "cells"},
-                                               {ExportContent::GrayImage, "gray", "cells"},
-                                               {ExportContent::RangeImage, "range", "cells"},
-                                               {ExportContent::RockLabels, "rocks", "cells"},
-                                               {ExportContent::RockTable, "rocks", "rocks"},
-                                               {ExportContent::RockReport, "rocks", "rocks"},
-                                               {ExportContent::RockOutlines, "rocks", "rocks"},
-                                               {ExportContent::RockHulls, "hulls", "rocks"}}};
-
-const ContentNames& namesOf(ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
-
 // "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
 QString exportName(const Detection& detection, ExportContent content, CoordinateFrame frame) {
-    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
+    const ExportKind::InWindow& names = exportKind(content).window;
+    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), names.tail};
     const Settings& settings = detection.settings;
     const Parameter& swept = sweptParameter(settings.method);
-    const bool ofEdges = content != ExportContent::RangeImage && content != ExportContent::GrayImage;
-    if (ofEdges) parts << traitsOf(settings.method).key << swept.key + exactText(formatValue(swept, swept.get(settings)));
+    if (names.namesMethod) parts << traitsOf(settings.method).key << swept.key + exactText(formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
     return parts.join('_') + (isCloud(content) ? frameTail(frame) : "");
 }
@@ -117,7 +98,7 @@ void Exports::askOf(ExportContent wanted, bool selectedOnly) {
 void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
     memory_.keepFolder(isCloud(what) ? "exports" : "images", path);
     if (isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.tellSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
+    notice_.tellSaved(path, QString("%1 %2").arg(count).arg(countedThings(exportKind(what))));
 }
 
 void Exports::askScreenshot(const QImage& image) {
