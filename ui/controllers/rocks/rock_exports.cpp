@@ -79,7 +79,7 @@ void Rocks::exportTo(const QString& path) {
     ExportOptions options;
     if (file->file->coordinates != ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const RockStudy>(picture_, &picture_->study);
-    session_.save(file->kind->content, path, options);
+    engine_.save(file->kind->content, path, options);
 }
 
 } // namespace edgescan::ui
