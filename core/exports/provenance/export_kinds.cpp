@@ -44,13 +44,6 @@ Files rockLabelPicture(const ExportInput& in) {
 }
 Files rockOutlines(const ExportInput& in) { return one(in, outlineBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
-Files rockCloud(const ExportInput& in) {
-    const Grid<std::uint32_t> labels = rockLabels(*in.options.rocks->leaves, in.options.rocks->map);
-    SaveOptions withRocks = in.save;
-    withRocks.rocks = &labels;
-    return one(in, cloudBytes(in.scan, in.path, in.detection.mask.get(), withRocks));
-}
-
 constexpr std::array kCloudFile{ExportFile{".pcd", nullptr, Coordinates::InName}};
 constexpr std::array kPictureFile{ExportFile{".png", nullptr, Coordinates::None}};
 constexpr std::array kReportFile{ExportFile{".json", "Report with settings and edits", Coordinates::Inside}};
@@ -89,7 +82,7 @@ constexpr ExportKind kKinds[]{
     {ExportContent::RockHulls, "rock-hulls", "rock hulls", Needs::Rocks, Holds::Shapes, Counts::Rocks, "hulls", kHullFiles,
      "--hulls", "Convex hulls of the visible points, never a volume: .ply or .obj", rockHullFile},
     {ExportContent::RockCloud, "rock-cloud", "rock cloud", Needs::Rocks, Holds::Points, Counts::Points, "rocks", kCloudFile,
-     "--cloud", "All points in metres with a field for rocks", rockCloud},
+     "--cloud", "All points in metres with a field for rocks", fullCloud},
 };
 // clang-format on
 

@@ -8,7 +8,7 @@
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
-#include "core/edges/tuning/confidence.h"
+#include "core/exports/provenance/cell_columns.h"
 #include "core/exports/provenance/record_parts.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
@@ -85,29 +85,6 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
-/// Any field that a cloud has stands in the file under its name.
-bool hasNamedFields(const fs::path& path) {
-    const std::string extension = Source::lowerCase(path.extension());
-    return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";
-}
-
-/// What nobody measured is written only where the file tells it apart.
-Result<Done> checkFilled(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
-    if (!isCloud(content) || !options.choices.filled) return Done{};
-    if (!detection.filled)
-        return Error{"no gap was filled that could be written", path.string(),
-                     "give --fill and how many cells, or leave --with-filled out"};
-    if (hasNamedFields(path)) return Done{};
-    return Error{"this format has no room for the mark of filled cells", path.string(),
-                 "choose .pcd, .ply or .csv, or leave --with-filled out"};
-}
-
-Result<Done> checkConfidence(ExportContent content, const fs::path& path, const ExportOptions& options) {
-    if (!isCloud(content) || !options.choices.confidence || hasNamedFields(path)) return Done{};
-    return Error{"this format has no room for a field of confidence", path.string(),
-                 "choose .pcd, .ply or .csv, or leave --with-confidence out"};
-}
-
 /// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
 Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
@@ -159,14 +136,10 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
                                            const std::string& record, const ExportOptions& options) {
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     const Scan& scan = *chosen;
-    SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
-    if (auto can = checkFilled(content, detection, path, options); !can) return can.error();
-    const bool filled = isCloud(content) && options.choices.filled;
-    const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
-    if (filled) save.filledSdMm = &filledSdMm;
-    if (auto can = checkConfidence(content, path, options); !can) return can.error();
-    const auto confidence = isCloud(content) && options.choices.confidence ? edgeConfidence(detection) : std::nullopt;
-    if (confidence) save.confidence = &confidence->percent;
+    auto columns = cellColumns(exportKind(content), detection, path, options);
+    if (!columns) return columns.error();
+    const SaveOptions save{options.ascii,   options.frame,      record, options.includeAttached, detection.classes.get(),
+                           options.choices, std::move(*columns)};
     return exportKind(content).make({detection, scan, path, record, options, save});
 }
 
