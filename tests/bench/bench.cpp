@@ -108,7 +108,7 @@ Scan enlarged(const Scan& scan, int scale) {
 }
 
 void runPlus(const Scan& scan, int threads) {
-    const DepthEdgeSettings settings;
+    const Settings settings;
     const DepthEdges found =
         decideDepthEdges(depthResponses(depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
     (void)edgeCells(found.mask);
@@ -212,7 +212,7 @@ double bytesPerMs() {
 // Full runs, sliders and the gray path at one size.
 void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const Settings thesis = findPreset("thesis")->settings;
-    const DepthEdgeSettings plus;
+    const Settings plus;
     const DepthSurface surface = depthSurface(scan, true);
     const DepthResponses responses = depthResponses(surface, plus);
     const Grid<std::uint8_t> blurred = smooth(grayImage(scan, thesis).levels, thesis);

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const Scan scan = scanOf(argc, argv);
     const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 15;
     const Settings thesis = findPreset("thesis")->settings;
-    const DepthEdgeSettings depth;
+    const Settings depth;
     InverseRange inverse = inverseRange(scan);
     const DepthSurface surface = depthSurface(scan, true);
     const DepthResponses responses = depthResponses(surface, depth);

@@ -5,11 +5,11 @@
 
 namespace edgescan::test {
 
-inline DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
+inline DepthResponses depthResponses(const Scan& scan, const Settings& settings) {
     return edgescan::depthResponses(depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
 }
 
-inline DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings) {
+inline DepthEdges depthEdges(const Scan& scan, const Settings& settings) {
     return decideDepthEdges(depthResponses(scan, settings), settings);
 }
 

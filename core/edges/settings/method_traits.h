@@ -37,6 +37,9 @@ struct MethodTraits {
 /// All of these bits of Reads.
 [[nodiscard]] inline bool reads(Method method, unsigned what) { return (traitsOf(method).reads & what) == what; }
 
+/// Whether edges of this class (EdgeClassBits) are asked for.
+[[nodiscard]] bool wants(const Settings& settings, int edgeClass);
+
 /// An edge is where the response to gray levels is larger than settings.lower.
 [[nodiscard]] inline bool hasOneThreshold(Method method) { return reads(method, kReadsGray) && !reads(method, kReadsTwoThresholds); }
 

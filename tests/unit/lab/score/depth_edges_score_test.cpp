@@ -123,12 +123,12 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
 
 TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
     const Simulation bell = simulated("pile", 23, 120, 150);
-    DepthEdgeSettings settings;
+    Settings settings;
     const DepthResponses responses = test::depthResponses(bell.scan, settings);
     settings.sensitivity = 1.4;
-    settings.hysteresisLow = 0.5;
+    settings.hysteresisPercent = 50;
     settings.minimumLength = 7;
-    settings.convex = false;
+    settings.classes &= ~kClassConvex;
     const DepthEdges decided = decideDepthEdges(responses, settings);
     const DepthEdges whole = test::depthEdges(bell.scan, settings);
     EXPECT_EQ(decided.mask, whole.mask);
