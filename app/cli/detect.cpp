@@ -1,4 +1,4 @@
-// edgescan-cli detect: runs the method on files and writes what was asked for.
+// edgescan-cli detect: runs the method on files and writes the requested results.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
 #include "app/shared/json_output.h"
@@ -37,7 +37,7 @@ struct Detect {
     MethodFlags method;
 };
 
-// What is written of one scan; an empty path of the JSON is not.
+// The output paths of one scan; an empty path of the JSON is not written.
 struct Outputs {
     std::string json;
     std::vector<WantedExport> exports;
@@ -58,7 +58,7 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
 
 Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detection& detection, double loadMs) {
     const ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
-    std::optional<Error> failure; // the others are still written
+    std::optional<Error> failure; // the other exports are still written
     for (const auto& [kind, path] : out.exports) {
         const auto written = exportWithProvenance(kind->content, detection, path, options);
         if (!written && !failure) failure = written.error();
@@ -102,14 +102,14 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     return Done{};
 }
 
-// One output file cannot hold the results of several scans.
+// True if one output path would get the results of several scans.
 bool onePathForSeveral(const Detect& detect) {
     const bool onePath = !(detect.json.empty() || detect.json == "-") ||
                          std::ranges::any_of(detect.out.typed, [](const std::string& path) { return !path.empty(); });
     return detect.files.size() > 1 && onePath;
 }
 
-// Wrong usage is found before anything is read.
+// Wrong usage is reported before any file is read.
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     if (auto known = checkExtensions(detect.out); !known) return known;
@@ -118,7 +118,7 @@ Result<Done> checkUsage(const Detect& detect) {
     if (auto distinct = checkDistinct(typed); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
-        claimInput(file); // before the first of them has results
+        claimInput(file); // before the first scan writes results
         const std::string stem = scanName(file);
         if (detect.out.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};

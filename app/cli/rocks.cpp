@@ -1,4 +1,4 @@
-// edgescan-cli rocks: from the edges of a scan to one label per rock, with what may be said of each.
+// edgescan-cli rocks: turns the edges of a scan into one label per rock, with a description of each rock.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
 #include "app/cli/rock_flags.h"
@@ -50,7 +50,7 @@ Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const ch
     return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
 }
 
-// A click at each of these cells, one after the other.
+// Splits at these cells, one after the other, like clicks in the viewer.
 Result<Done> split(const RocksFlags& flags, const RockInputs& inputs, RockStudy& study) {
     for (const std::string& text : flags.split) {
         const auto cell = cellOf(text, *inputs.scan, "--split");
@@ -137,7 +137,7 @@ Result<Done> findRocks(const RocksFlags& flags) {
     return writeFiles(flags, *detection, study);
 }
 
-// Wrong usage is found before anything is read.
+// Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
     if (auto known = checkExtensions(flags.out); !known) return known;
     std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());

@@ -1,4 +1,4 @@
-// Rocks as files: table, report, labels, outlines, hulls.
+// Exports of rocks: table, report, labels, outlines, hulls.
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
@@ -17,7 +17,7 @@
 namespace edgescan::ui {
 namespace {
 
-// What a file holds follows from its extension.
+// The extension determines the content of the file.
 struct RockFile {
     const ExportKind* kind;
     const ExportFile* file;
@@ -58,7 +58,7 @@ void Rocks::askExport() {
     question.extension = rockFiles().front().file->extension;
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
-    // The record beside the file is replaced with it.
+    // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
