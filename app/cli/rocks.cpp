@@ -88,7 +88,7 @@ Result<Done> answerWhy(const RocksFlags& flags, const RockStudy& study) {
 Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, const std::shared_ptr<const RockStudy>& study) {
     ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
     options.rocks = study;
-    std::optional<Error> failure; // the others are still written
+    std::optional<Error> failure; // the other exports are still written
     const std::vector<WantedExport> files = wantedExports(flags.out, kRocks, detection.scan->name, options.frame);
     std::vector<std::string> paths{flags.writeEdits};
     for (const WantedExport& file : files) paths.push_back(file.path);

@@ -54,7 +54,7 @@ TEST(ExportKinds, AnExtensionThatNamesNoFormatIsRefused) {
     EXPECT_FALSE(check(ExportContent::FullCloud, "a.png"));
     const auto refused = check(ExportContent::RockOutlines, "a.obj");
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().sentence(), "a.obj: the extension names no format for this; use .dxf or .geojson");
+    EXPECT_EQ(refused.error().sentence(), "a.obj: the extension names no format for this; use .dxf or .geojson.");
 }
 
 } // namespace
