@@ -42,7 +42,7 @@ using Clock = std::chrono::steady_clock;
 /// A word of --results.
 struct ResultWord {
     std::string word;
-    const ExportKind* kind; ///< null: not an export; stem and extension are given below
+    const exports::ExportKind* kind; ///< null: not an export; stem and extension are given below
     std::string stem = {};
     std::string extension = {}; ///< empty: the extension is typed after the word
 };
@@ -51,19 +51,19 @@ struct ResultWord {
 const std::vector<ResultWord>& resultWords() {
     static const std::vector<ResultWord> kWords = [] {
         std::vector<ResultWord> words;
-        const auto add = [&](ExportKind::Needs needs, bool oneFormat) {
-            for (const ExportKind& kind : exportKinds()) {
-                const bool one = kind.holds != ExportKind::Holds::Points && kind.files.size() == 1;
+        const auto add = [&](exports::ExportKind::Needs needs, bool oneFormat) {
+            for (const exports::ExportKind& kind : exports::exportKinds()) {
+                const bool one = kind.holds != exports::ExportKind::Holds::Points && kind.files.size() == 1;
                 if (kind.needs == needs && one == oneFormat)
                     words.push_back({kind.key, &kind, {}, one ? kind.files.front().extension : ""});
             }
         };
-        add(ExportKind::Needs::Edges, true);
+        add(exports::ExportKind::Needs::Edges, true);
         words.push_back({"json", nullptr, "detect", ".json"});
         words.push_back({"report", nullptr, "report", ".html"});
-        add(ExportKind::Needs::Edges, false);
-        add(ExportKind::Needs::Rocks, true);
-        add(ExportKind::Needs::Rocks, false);
+        add(exports::ExportKind::Needs::Edges, false);
+        add(exports::ExportKind::Needs::Rocks, true);
+        add(exports::ExportKind::Needs::Rocks, false);
         return words;
     }();
     return kWords;
@@ -123,20 +123,20 @@ bool addInputFiles(Json& row, const std::string& input, const InputClaims& claim
     row["bytes"] = files[0]["bytes"];
     row["sha256"] = files[0]["sha256"];
     row["files"] = files;
-    row["record_beside"] = isThere(sidecarPath(input));
+    row["record_beside"] = isThere(files::sidecarPath(input));
     row["times"]["modified"] = modified;
     return files[0]["bytes"] >= 0 && files[0]["sha256"].is_string();
 }
 
-Json changedSettings(const Settings& settings) {
-    const auto all = settingsToJson(settings);
+Json changedSettings(const edges::Settings& settings) {
+    const auto all = edges::settingsToJson(settings);
     Json changed{{"method", all["method"]}};
-    for (const std::string& key : changedFromDefault(settings)) changed[key] = all[key];
+    for (const std::string& key : edges::changedFromDefault(settings)) changed[key] = all[key];
     return changed;
 }
 
-void addDetection(Json& row, const Detection& detection) {
-    const Json report = detectReport(detection, 0);
+void addDetection(Json& row, const edges::Detection& detection) {
+    const Json report = exports::detectReport(detection, 0);
     const Scan& scan = *detection.scan;
     row["format"] = scan.format;
     row["scan_sha256"] = scan.sha256;
@@ -150,12 +150,12 @@ void addDetection(Json& row, const Detection& detection) {
     }
     row["warnings"] = report["warnings"];
     for (const std::string& warning : placeWarnings(scan)) row["warnings"].push_back(warning);
-    if (const auto sentence = leftOutSentence(scan)) row["warnings"].push_back(*sentence);
+    if (const auto sentence = files::leftOutSentence(scan)) row["warnings"].push_back(*sentence);
 }
 
 // The same keys as the JSON of `rocks`, without the list of rocks.
-void addRockStudy(Json& row, const RockStudy& study) {
-    Json report = rocksReport(study, CoordinateFrame::Scanner);
+void addRockStudy(Json& row, const rocks::Study& study) {
+    Json report = exports::rocksReport(study, CoordinateFrame::Scanner);
     row["rocks"] = Json::object();
     for (const char* key : {"rock_count", "size_curve", "fines", "not_rock", "outside_region", "labels_sha256", "note"})
         row["rocks"][key] = std::move(report[key]);
@@ -170,19 +170,20 @@ std::string reportCommand(const BatchWork& work, const Scan& scan) {
     return command;
 }
 
-Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Detection& detection,
-                      const std::shared_ptr<const RockStudy>& rocks, double loadMs, const fs::path& folder) {
-    ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
+Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edges::Detection& detection,
+                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder) {
+    exports::ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
     options.sidecar = work.sidecars;
     options.rocks = rocks;
     if (wanted.extension == ".html") {
-        const PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
-        return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
+        const exports::PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
+        return writeWholeFile(folder / (wanted.stem + wanted.extension),
+                              exports::scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
     }
     if (wanted.kind == nullptr)
-        return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", detectReport(detection, loadMs)));
-    const std::string name = exportFileName(*wanted.kind, wanted.extension, options.frame);
-    const auto written = exportWithProvenance(wanted.kind->content, detection, folder / name, options);
+        return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", exports::detectReport(detection, loadMs)));
+    const std::string name = exports::exportFileName(*wanted.kind, wanted.extension, options.frame);
+    const auto written = exports::exportWithProvenance(wanted.kind->content, detection, folder / name, options);
     if (!written) return written.error();
     return Done{};
 }
@@ -242,7 +243,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     claimInput(input);
     const auto start = Clock::now();
     ReadingOptions reading = work.read.options;
-    Result<Scan> opened = openAsAsked(input, reading);
+    Result<Scan> opened = files::openAsAsked(input, reading);
     const double loadMs = milliseconds(start);
     row["times"] = {{"load_ms", loadMs}};
     const bool readable = addInputFiles(row, input, *inputs.claims());
@@ -250,17 +251,17 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         refuse(row, readable ? "refused" : "failed", opened.error());
         return {};
     }
-    const auto enough = checkMemoryFor(work.withRocks ? Work::Rocks : Work::Detect, *opened);
-    const Result<Settings> settings = settingsFor(work.method, *opened);
+    const auto enough = edges::checkMemoryFor(work.withRocks ? edges::Work::Rocks : edges::Work::Detect, *opened);
+    const Result<edges::Settings> settings = settingsFor(work.method, *opened);
     if (!enough || !settings) {
         refuse(row, "refused", enough ? settings.error() : enough.error());
         return {};
     }
-    const auto detection =
-        detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, work.withRocks ? KeepFor::Rocks : KeepFor::Edges);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings,
+                                              work.withRocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
     addDetection(row, *detection);
-    std::shared_ptr<const RockStudy> rocks;
+    std::shared_ptr<const rocks::Study> rocks;
     if (work.withRocks) {
         const auto asked = presetOf(work.rocks, *detection->scan);
         if (!asked) {
@@ -268,7 +269,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
             return {};
         }
         const auto begun = Clock::now();
-        rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), *asked->settings));
+        rocks = std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(*detection), *asked->settings));
         row["times"]["rocks_ms"] = milliseconds(begun);
         addRockStudy(row, *rocks);
     }
@@ -279,7 +280,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
             return {};
         }
     }
-    return surveyPicture(*detection);
+    return exports::surveyPicture(*detection);
 }
 
 } // namespace
@@ -298,7 +299,7 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
             return Error{"this is no result", typed, "use " + wantedWords()};
         const std::string extension = hasExtension ? typed.substr(dot) : word->extension;
         if (hasExtension) {
-            if (auto can = checkExtension(*word->kind, "x" + extension, typed, " "); !can) return can.error();
+            if (auto can = exports::checkExtension(*word->kind, "x" + extension, typed, " "); !can) return can.error();
         }
         wanted.push_back({typed, word->kind, word->stem, extension});
     }
@@ -320,7 +321,7 @@ bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     const std::string outcome = row.value("outcome", "");
     const bool triedAgain = work.retry || work.memoryBytes > row["times"].value("memory_bytes", std::uint64_t{0});
     if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
-    if (isThere(sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
+    if (isThere(files::sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
     const Json& modified = row["times"]["modified"];
     for (std::size_t i = 0; i < row["files"].size(); ++i) {
         const Json& file = row["files"][i];

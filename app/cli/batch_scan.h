@@ -14,8 +14,8 @@ namespace edgescan::cli {
 /// A result that the user wants for every scan, as typed: "mask", "edges.ply".
 struct WantedFile {
     std::string typed;
-    const ExportKind* kind = nullptr; ///< null: JSON or the report
-    [[nodiscard]] bool isOfRocks() const { return kind != nullptr && kind->needs == ExportKind::Needs::Rocks; }
+    const exports::ExportKind* kind = nullptr; ///< null: JSON or the report
+    [[nodiscard]] bool isOfRocks() const { return kind != nullptr && kind->needs == exports::ExportKind::Needs::Rocks; }
     std::string stem, extension; ///< of the file's name; of a kind, its table gives the stem
 };
 
@@ -28,7 +28,7 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated);
 struct BatchWork {
     std::vector<std::string> inputs; ///< paths
     std::vector<std::string> names;  ///< the folder of each input's results, below results/scans
-    JournalRows before;              ///< the earlier rows of the inputs
+    batch::JournalRows before;       ///< the earlier rows of the inputs
     std::filesystem::path results, workFolder;
     ReadFlags read;
     MethodFlags method;

@@ -51,30 +51,30 @@ struct Outputs {
 
 Outputs outputsOf(const Detect& detect, const Scan& scan) {
     const CoordinateFrame frame = exportOptions(detect.write, usualFrame(scan)).frame;
-    Outputs out{detect.json, wantedExports(detect.out, ExportKind::Needs::Edges, scan.name, frame)};
+    Outputs out{detect.json, wantedExports(detect.out, exports::ExportKind::Needs::Edges, scan.name, frame)};
     if (out.json.empty() && !detect.out.folder.empty()) out.json = (fs::path(detect.out.folder) / scan.name).string() + "_edges.json";
     return out;
 }
 
-Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detection& detection, double loadMs) {
-    const ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
+Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
+    const exports::ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
     std::optional<Error> failure; // the other exports are still written
     for (const auto& [kind, path] : out.exports) {
-        const auto written = exportWithProvenance(kind->content, detection, path, options);
+        const auto written = exports::exportWithProvenance(kind->content, detection, path, options);
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
     const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
-    return writeDocument(out.json, document("detect", detectReport(detection, loadMs)), !lines);
+    return writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines);
 }
 
-std::string filledText(const Detection& detection) {
+std::string filledText(const edges::Detection& detection) {
     if (!detection.filled) return {};
     return ", " + std::to_string(detection.filled->cells.size()) + " cells filled in " + std::to_string(detection.filled->gaps) + " gaps";
 }
 
-std::string summary(const Detection& detection) {
+std::string summary(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
     return std::to_string(detection.edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams)" + filledText(detection) + ", " +
@@ -83,22 +83,22 @@ std::string summary(const Detection& detection) {
 
 Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Scan> opened = openAndTell(file, detect.read);
+    Result<Scan> opened = openAndWarn(file, detect.read);
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (auto enough = checkMemoryFor(Work::Detect, *opened); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(detect.method, *opened);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *opened); !enough) return enough.error();
+    const Result<edges::Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
     const std::string places = detect.out.folder.empty() ? placesText(out.paths()) : printable(detect.out.folder);
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
-        say(found);
+        printResult(found);
     else
-        tellWritten(found + "; written to " + places + ".", detect.read);
+        reportWritten(found + "; written to " + places + ".", detect.read);
     return Done{};
 }
 
@@ -119,7 +119,7 @@ Result<Done> checkUsage(const Detect& detect) {
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
-        const std::string stem = scanName(file);
+        const std::string stem = files::scanName(file);
         if (detect.out.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
@@ -130,14 +130,14 @@ int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
     const Result<Done> method = checkMethod(detect.method);
     if (!usage || !method) {
-        complain(usage ? method.error() : usage.error());
+        printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
     if (!detect.out.folder.empty()) {
         std::error_code failed;
         fs::create_directories(detect.out.folder, failed);
         if (failed) {
-            complain(
+            printError(
                 {"the folder cannot be made (" + failed.message() + ")", detect.out.folder, "give -o a folder that can be written to"});
             return kRefused;
         }
@@ -147,8 +147,8 @@ int run(const Detect& detect) {
         const auto one = [&] {
             const Result<Done> result = detectOne(detect, file);
             if (result) return kDone;
-            complain(result.error());
-            if (detect.json == "-") say(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
+            printError(result.error());
+            if (detect.json == "-") printResult(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
             return kRefused;
         };
         if (guarded(one, kRefused) != kDone) code = kRefused;
@@ -165,7 +165,7 @@ void addDetect(CLI::App& app, int& code) {
     const char* group = "Results";
     command.add_option("--json", detect->json, "Counts, settings, mask hash, times; - is stdout")->group(group);
     command.add_flag("--ndjson", detect->ndjson, "JSON on one line per scan; without --json on stdout")->group(group);
-    addExportFlags(command, ExportKind::Needs::Edges, detect->out, group);
+    addExportFlags(command, exports::ExportKind::Needs::Edges, detect->out, group);
     command.add_option("-o,--output", detect->out.folder, "Folder for all of these, under the scan's name")->group(group);
     addMethodFlags(command, detect->method);
     addReadFlags(command, detect->read);

@@ -14,48 +14,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string helpOf(const ExportKind& kind) {
+std::string helpOf(const exports::ExportKind& kind) {
     std::string help = kind.help;
-    if (const std::size_t at = help.find("%1"); at != std::string::npos) help.replace(at, 2, writtenExtensions(false));
+    if (const std::size_t at = help.find("%1"); at != std::string::npos) help.replace(at, 2, files::writtenExtensions(false));
     return help;
 }
 
 } // namespace
 
-std::vector<const ExportKind*> kindsOf(ExportKind::Needs needs) {
-    std::vector<const ExportKind*> kinds;
-    for (const ExportKind& kind : exportKinds()) {
+std::vector<const exports::ExportKind*> kindsOf(exports::ExportKind::Needs needs) {
+    std::vector<const exports::ExportKind*> kinds;
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.needs == needs && kind.flag != nullptr) kinds.push_back(&kind);
     }
-    std::ranges::stable_sort(kinds, {}, &ExportKind::holds);
+    std::ranges::stable_sort(kinds, {}, &exports::ExportKind::holds);
     return kinds;
 }
 
-void addExportFlags(CLI::App& command, ExportKind::Needs needs, ExportPaths& paths, const std::string& group) {
-    for (const ExportKind* kind : kindsOf(needs)) command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->group(group);
+void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group) {
+    for (const exports::ExportKind* kind : kindsOf(needs)) command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->group(group);
 }
 
 Result<Done> checkExtensions(const ExportPaths& paths) {
-    for (const ExportKind& kind : exportKinds()) {
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
         const std::string& path = paths.of(kind);
         if (path.empty()) continue;
-        if (auto can = checkExtension(kind, path, path, ","); !can) return can;
+        if (auto can = exports::checkExtension(kind, path, path, ","); !can) return can;
     }
     return Done{};
 }
 
-std::vector<WantedExport> wantedExports(const ExportPaths& paths, ExportKind::Needs needs, const std::string& scanName,
+std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs, const std::string& scanName,
                                         CoordinateFrame frame) {
     std::vector<WantedExport> wanted;
-    for (const ExportKind* kind : kindsOf(needs)) {
+    for (const exports::ExportKind* kind : kindsOf(needs)) {
         if (const std::string& path = paths.of(*kind); !path.empty()) {
             wanted.push_back({kind, path});
             continue;
         }
         if (paths.folder.empty()) continue;
-        for (const ExportFile& file : kind->files) {
+        for (const exports::ExportFile& file : kind->files) {
             if (file.inFolder)
-                wanted.push_back({kind, (fs::path(paths.folder) / scanName).string() + "_" + exportFileName(*kind, file.extension, frame)});
+                wanted.push_back(
+                    {kind, (fs::path(paths.folder) / scanName).string() + "_" + exports::exportFileName(*kind, file.extension, frame)});
         }
     }
     return wanted;
@@ -64,7 +65,7 @@ std::vector<WantedExport> wantedExports(const ExportPaths& paths, ExportKind::Ne
 std::string placesText(const std::vector<std::string>& paths) {
     std::string places;
     for (const std::string& path : paths) {
-        if (!path.empty()) places += (places.empty() ? "" : ", ") + (goesToNoFile(path) ? "standard output" : printable(path));
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + (isStreamOrDevice(path) ? "standard output" : printable(path));
     }
     return places;
 }

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // State of a cell before chains are linked.
@@ -179,7 +179,7 @@ std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int 
     return kept;
 }
 
-Grid<float> depthStrength(const DepthResponses& responses, const Settings& settings) {
+Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
     strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
     return strength;
@@ -193,7 +193,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
     const Wanted wanted(settings);
     const auto high = static_cast<float>(settings.sensitivity);
     const float low = high * static_cast<float>(settings.hysteresisPercent / 100.0);
-    inBands(lines, bands, [&](int first, int last) {
+    runInBands(lines, bands, [&](int first, int last) {
         const std::size_t from = result.mask.index(first, 0);
         markClasses(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from, wanted,
                     high, low, result.mask.cells.data() + from);
@@ -209,9 +209,9 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
             }
         });
     };
-    onThreads(bands, {link, [&] {
-                          if (wants(settings, kClassSilhouette)) outlines = longSilhouettes(responses, settings.minimumLength);
-                      }});
+    runParts(bands, {link, [&] {
+                         if (wants(settings, kClassSilhouette)) outlines = longSilhouettes(responses, settings.minimumLength);
+                     }});
     for (const std::uint32_t k : kept) result.mask[k] = 255;
     const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
         for (const std::uint32_t k : cells) {
@@ -225,4 +225,4 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -3,7 +3,7 @@
 
 #include "core/edges/settings/parameters.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 const char* edgeClassName(DepthEdge kind) {
     static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border", "silhouette"};
@@ -14,4 +14,4 @@ const char* edgeClassLabel(DepthEdge kind) {
     return kind == DepthEdge::None ? "none" : findParameter("classes")->choices[static_cast<std::size_t>(kind) - 1].label;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -13,7 +13,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -135,4 +135,4 @@ std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& 
     return Pipeline(keep).run(scan, settings);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
@@ -311,4 +311,4 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
     return settings;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Those that the kind has and the options ask for. Error: a column without values, or a format that has no room for it.
-Result<std::vector<CellColumn>> cellColumns(const ExportKind& kind, const Detection& detection, const std::filesystem::path& path,
-                                            const ExportOptions& options);
+Result<std::vector<files::CellColumn>> cellColumns(const ExportKind& kind, const edges::Detection& detection,
+                                                   const std::filesystem::path& path, const ExportOptions& options);
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Files = Result<std::vector<FileBytes>>;
@@ -28,19 +28,21 @@ Files one(const ExportInput& input, Result<std::string> bytes) {
     return files;
 }
 
-Files edgeCloud(const ExportInput& in) { return one(in, edgeBytes(in.scan, *in.detection.mask, in.path, in.save)); }
-Files fullCloud(const ExportInput& in) { return one(in, cloudBytes(in.scan, in.path, in.detection.mask.get(), in.save)); }
-Files edgeImage(const ExportInput& in) { return one(in, png8Bytes(*in.detection.mask, in.path.string(), in.record)); }
-Files grayImageFile(const ExportInput& in) { return one(in, png8Bytes(in.detection.gray->levels, in.path.string(), in.record)); }
-Files rangeImage(const ExportInput& in) { return one(in, png16Bytes(rangePicture(in.scan), in.path.string(), in.record)); }
-Files wholeScan(const ExportInput& in) { return scanFiles(in.scan, in.path, in.save); }
+Files edgeCloud(const ExportInput& in) { return one(in, files::edgeBytes(in.scan, *in.detection.mask, in.path, in.save)); }
+Files fullCloud(const ExportInput& in) { return one(in, files::cloudBytes(in.scan, in.path, in.detection.mask.get(), in.save)); }
+Files edgeImage(const ExportInput& in) { return one(in, containers::png8Bytes(*in.detection.mask, in.path.string(), in.record)); }
+Files grayImageFile(const ExportInput& in) {
+    return one(in, containers::png8Bytes(in.detection.gray->levels, in.path.string(), in.record));
+}
+Files rangeImage(const ExportInput& in) { return one(in, containers::png16Bytes(rangePicture(in.scan), in.path.string(), in.record)); }
+Files wholeScan(const ExportInput& in) { return files::scanFiles(in.scan, in.path, in.save); }
 
 Files rockReport(const ExportInput& in) { return one(in, reportBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files rockTable(const ExportInput& in) { return one(in, tableBytes(*in.options.rocks, in.options.frame, in.path)); }
 Files rockLabelPicture(const ExportInput& in) {
     const auto picture = labelPicture(*in.options.rocks, in.path.string());
     if (!picture) return picture.error();
-    return one(in, png16Bytes(*picture, in.path.string(), in.record));
+    return one(in, containers::png16Bytes(*picture, in.path.string(), in.record));
 }
 Files rockOutlines(const ExportInput& in) { return one(in, outlineBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
@@ -118,9 +120,9 @@ std::string exportFileName(const ExportKind& kind, std::string_view extension, C
 
 Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path& path, const std::string& where, const char* between) {
     if (kind.holds == Holds::Points) {
-        const Format* format = writtenFormat(path);
+        const files::Format* format = files::writtenFormat(path);
         if (format != nullptr && format->write != nullptr) return Done{};
-        return Error{"the extension names no format for points", where, "use " + writtenExtensions(false)};
+        return Error{"the extension names no format for points", where, "use " + files::writtenExtensions(false)};
     }
     if (kind.files.size() < 2) return Done{};
     std::string extensions;
@@ -131,4 +133,4 @@ Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path&
     return Error{"the extension names no format for this", where, "use " + extensions};
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

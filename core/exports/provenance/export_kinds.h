@@ -15,10 +15,14 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
+struct Study;
+} // namespace edgescan::rocks
+namespace edgescan::files {
+struct SaveOptions;
+} // namespace edgescan::files
 
-struct RockStudy;   // core/rocks/attributes/study.h
-struct SaveOptions; // core/files/open_save/save_scan.h
+namespace edgescan::exports {
 
 /// In the order of the table.
 enum class ExportContent : std::uint8_t {
@@ -43,20 +47,20 @@ struct ExportOptions {
     std::string operatorName{};                       ///< who exports; empty = not said
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
-    WritingChoices choices{};
-    std::shared_ptr<const RockStudy> rocks{};                      ///< of the detection's scan, for exports of rocks
+    files::WritingChoices choices{};
+    std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
     std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
     bool sidecar = true;                                           ///< the record also beside the export
 };
 
 /// What an export is made from.
 struct ExportInput {
-    const Detection& detection;
+    const edges::Detection& detection;
     const Scan& scan; ///< of a cloud: with the cells that were filled or selected
     const std::filesystem::path& path;
     const std::string& record;
     const ExportOptions& options;
-    const SaveOptions& save;
+    const files::SaveOptions& save;
 };
 
 /// A file that an export can be written to.
@@ -114,4 +118,4 @@ struct ExportKind {
 /// Error when `path` has an extension that this kind cannot be written to. `where` goes into it, and `between` between the extensions.
 Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path& path, const std::string& where, const char* between);
 
-} // namespace edgescan
+} // namespace edgescan::exports

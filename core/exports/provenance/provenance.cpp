@@ -24,7 +24,7 @@
 #include <span>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,10 +43,10 @@ struct Expected {
     const char* of = "points";
 };
 
-Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const ExportKind& kind = exportKind(content);
     if (kind.counts == ExportKind::Counts::Rocks) return Expected{options.rocks->rocks.size(), std::nullopt, countedThings(kind)};
-    const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && writtenFormat(path)->write != nullptr);
+    const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
     const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
@@ -60,10 +60,11 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 
 /// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
-    const Format* format = writtenFormat(path);
+    const files::Format* format = files::writtenFormat(path);
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
-    const bool inside = whole && format != nullptr && (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
-    return inside || !(isCloud(content) || whole) ? std::string() : descriptionText(scan, "", -1);
+    const bool inside =
+        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Beside && options.choices.comments));
+    return inside || !(isCloud(content) || whole) ? std::string() : files::descriptionText(scan, "", -1);
 }
 
 std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
@@ -80,7 +81,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
             about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
     }
     const auto parsed = parseOrderedJson(record, "");
-    Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
+    Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
     if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
@@ -132,24 +133,24 @@ Result<Done> readBack(const std::vector<FileContent>& contents) {
 
 } // namespace
 
-Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::Detection& detection, const fs::path& path,
                                            const std::string& record, const ExportOptions& options) {
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     const Scan& scan = *chosen;
     auto columns = cellColumns(exportKind(content), detection, path, options);
     if (!columns) return columns.error();
-    const SaveOptions save{options.ascii,   options.frame,      record, options.includeAttached, detection.classes.get(),
-                           options.choices, std::move(*columns)};
+    const files::SaveOptions save{options.ascii,   options.frame,      record, options.includeAttached, detection.classes.get(),
+                                  options.choices, std::move(*columns)};
     return exportKind(content).make({detection, scan, path, record, options, save});
 }
 
 std::string embeddedRecord(std::string_view bytes) {
-    if (std::string record = pngRecord(bytes); !record.empty()) return record;
+    if (std::string record = containers::pngRecord(bytes); !record.empty()) return record;
     const ReadingOptions options;
-    return formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
+    return files::formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
 }
 
-Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const fs::path& path,
+Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const fs::path& path,
                                          const ExportOptions& options) {
     const std::string record = exportRecord(content, detection, options);
     const auto files = exportFiles(content, detection, path, record, options);
@@ -167,10 +168,10 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const Detection&
     const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
     std::vector<FileContent> contents;
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
-    if (options.sidecar) contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
+    if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});
     if (auto written = writeWholeFiles(contents); !written) return written.error();
     if (auto same = readBack(contents); !same) return same.error();
     return expected.count;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

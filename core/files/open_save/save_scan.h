@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    std::string record{};                     ///< provenance JSON for the comment lines; empty = none
-    bool includeAttached = false;             ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
-    const Grid<DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
+    std::string record{};         ///< provenance JSON for the comment lines; empty = none
+    bool includeAttached = false; ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
+    const Grid<edges::DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
     WritingChoices choices{};
     std::vector<CellColumn> columns{}; ///< one more field each in clouds and edges
 };
@@ -49,4 +49,4 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
 /// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -19,7 +19,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
@@ -193,7 +193,7 @@ T valueAt(const Grid<T>& grid, const CellOfPoint& cell) {
 }
 
 void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* edgeMask,
-                const Grid<DepthEdge>* classes) {
+                const Grid<edges::DepthEdge>* classes) {
     if (classes != nullptr)
         addColumn<std::uint8_t>(cloud, "class", cells, [&](const CellOfPoint& cell) { return valueAt(*classes, cell); });
     const auto colour = [&](const CellOfPoint& cell) {
@@ -296,7 +296,7 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<DepthEdge>* classes, std::span<const CellColumn> given) {
+                         const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
@@ -307,7 +307,7 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<DepthEdge>* classes, std::span<const CellColumn> given) {
+                        const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
     addGiven(cloud, edges.cells, given);
@@ -367,4 +367,4 @@ std::string recordInComments(std::string_view bytes) {
     return record;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -15,9 +15,11 @@
 #include <variant>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
+enum class DepthEdge : std::uint8_t;
+} // namespace edgescan::edges
 
-enum class DepthEdge : std::uint8_t; // core/edges/edgescan_plus/edgescan_plus.h
+namespace edgescan::files {
 
 struct CloudColumn {
     std::string name; ///< "x", "range_mm" ...
@@ -66,13 +68,13 @@ void makeAll(CloudColumns& cloud);
 /// `edgeMask` may be null. With `withAttached` the points that are attached to these cells follow, marked in a column "attached".
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                       const Grid<DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
+                                       const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
 /// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, those given, class and colours as above; and what is attached
 /// to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                      const Grid<DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
+                                      const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
 [[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);
@@ -93,4 +95,4 @@ inline constexpr const char* kRecordMark = "edgescan-record ";
 /// The provenance in the comment lines of a file; empty when there is none.
 [[nodiscard]] std::string recordInComments(std::string_view bytes);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -3,19 +3,20 @@
 
 #include "core/edges/settings/method_traits.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-RockInputs rockInputs(const Detection& detection) {
-    RockInputs inputs{detection.scan, detection.surface, detection.responses, detection.cracks};
+Inputs rockInputs(const edges::Detection& detection) {
+    Inputs inputs{detection.scan, detection.surface, detection.responses, detection.cracks};
     if (inputs.surface && inputs.responses && inputs.cracks) return inputs;
-    Settings settings = detection.settings;
-    if (!reads(settings.method, kReadsSurface)) settings.method = Method::EdgeScanPlus;
+    edges::Settings settings = detection.settings;
+    if (!edges::reads(settings.method, edges::kReadsSurface)) settings.method = edges::Method::EdgeScanPlus;
     if (!inputs.surface)
-        inputs.surface = std::make_shared<const DepthSurface>(depthSurface(*inputs.scan, settings.straighten, 0, settings.noiseKind));
-    auto cracks = std::make_shared<DepthCracks>();
-    inputs.responses = std::make_shared<const DepthResponses>(depthResponses(*inputs.surface, settings, cracks.get()));
+        inputs.surface =
+            std::make_shared<const edges::DepthSurface>(edges::depthSurface(*inputs.scan, settings.straighten, 0, settings.noiseKind));
+    auto cracks = std::make_shared<edges::DepthCracks>();
+    inputs.responses = std::make_shared<const edges::DepthResponses>(edges::depthResponses(*inputs.surface, settings, cracks.get()));
     inputs.cracks = std::move(cracks);
     return inputs;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

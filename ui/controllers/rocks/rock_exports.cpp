@@ -19,20 +19,20 @@ namespace {
 
 // The extension determines the content of the file.
 struct RockFile {
-    const ExportKind* kind;
-    const ExportFile* file;
+    const exports::ExportKind* kind;
+    const exports::ExportFile* file;
 };
 
 // The table is first: it is the file that people use most.
 const std::vector<RockFile>& rockFiles() {
     static const std::vector<RockFile> kFiles = [] {
         std::vector<RockFile> files;
-        for (const ExportKind& kind : exportKinds()) {
-            for (const ExportFile& file : kind.files) {
+        for (const exports::ExportKind& kind : exports::exportKinds()) {
+            for (const exports::ExportFile& file : kind.files) {
                 if (file.title != nullptr) files.push_back({&kind, &file});
             }
         }
-        std::ranges::stable_partition(files, [](const RockFile& each) { return each.kind->content == ExportContent::RockTable; });
+        std::ranges::stable_partition(files, [](const RockFile& each) { return each.kind->content == exports::ExportContent::RockTable; });
         return files;
     }();
     return kFiles;
@@ -59,7 +59,7 @@ void Rocks::askExport() {
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
 }
@@ -76,9 +76,9 @@ void Rocks::exportTo(const QString& path) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
         return;
     }
-    ExportOptions options;
-    if (file->file->coordinates != ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
-    options.rocks = std::shared_ptr<const RockStudy>(picture_, &picture_->study);
+    exports::ExportOptions options;
+    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
+    options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
     engine_.save(file->kind->content, path, options);
 }
 

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 Settings randomlyTurned(Settings s, std::mt19937& random) {
@@ -248,4 +248,4 @@ TEST(Worker, StoppingNeverHangs) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 TEST(ExportKinds, EveryContentHasItsOwnRow) {
@@ -58,4 +58,4 @@ TEST(ExportKinds, AnExtensionThatNamesNoFormatIsRefused) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::exports
