@@ -41,22 +41,12 @@ py::array strengthOf(const ResultObject& result) {
     return gridArray(kept->map.highest, kept);
 }
 
-struct Content {
-    const char* name;
-    exports::ExportContent content;
-};
-constexpr std::array<Content, 6> kContents{{{"edges", exports::ExportContent::EdgeCloud},
-                                            {"cloud", exports::ExportContent::FullCloud},
-                                            {"mask", exports::ExportContent::EdgeImage},
-                                            {"gray", exports::ExportContent::GrayImage},
-                                            {"range", exports::ExportContent::RangeImage},
-                                            {"scan", exports::ExportContent::WholeScan}}};
-
 exports::ExportContent contentOf(const std::string& name) {
     std::string names;
-    for (const Content& content : kContents) {
-        if (name == content.name) return content.content;
-        names += (names.empty() ? "" : ", ") + std::string(content.name);
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.needs == exports::ExportKind::Needs::Rocks) continue;
+        if (name == kind.key) return kind.content;
+        names += (names.empty() ? "" : ", ") + std::string(kind.key);
     }
     throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
 }

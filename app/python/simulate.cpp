@@ -34,9 +34,9 @@ std::size_t wordOf(const std::string& key, const std::string& text, const std::v
 }
 
 void setNumber(sim::SimulationSettings& settings, const sim::SimulationNumber& number, double value) {
-    if (!number.limits.hold(value))
+    if (!number.limits().hold(value))
         throw Refused{{shortestText(value) + " is out of reason", number.key,
-                       "give " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)}};
+                       "give " + shortestText(number.minimum) + " to " + shortestText(number.maximum)}};
     number.set(settings, value);
     if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", number.key, "give a whole number"}};
 }

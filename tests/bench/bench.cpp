@@ -108,7 +108,7 @@ Scan enlarged(const Scan& scan, int scale) {
 }
 
 void runPlus(const Scan& scan, int threads) {
-    const edges::DepthEdgeSettings settings;
+    const edges::Settings settings;
     const edges::DepthEdges found = edges::decideDepthEdges(
         edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
     (void)edges::edgeCells(found.mask);
@@ -212,7 +212,7 @@ double bytesPerMs() {
 // Measures full runs, sliders and the gray path at one size.
 void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
-    const edges::DepthEdgeSettings plus;
+    const edges::Settings plus;
     const edges::DepthSurface surface = edges::depthSurface(scan, true);
     const edges::DepthResponses responses = edges::depthResponses(surface, plus);
     const Grid<std::uint8_t> blurred = edges::smooth(edges::grayImage(scan, thesis).levels, thesis);

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const Scan scan = scanOf(argc, argv);
     const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 15;
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
-    const edges::DepthEdgeSettings depth;
+    const edges::Settings depth;
     InverseRange inverse = inverseRange(scan);
     const edges::DepthSurface surface = edges::depthSurface(scan, true);
     const edges::DepthResponses responses = edges::depthResponses(surface, depth);

@@ -5,11 +5,11 @@
 
 namespace edgescan::test {
 
-inline edges::DepthResponses depthResponses(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+inline edges::DepthResponses depthResponses(const Scan& scan, const edges::Settings& settings) {
     return edgescan::edges::depthResponses(edges::depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
 }
 
-inline edges::DepthEdges depthEdges(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+inline edges::DepthEdges depthEdges(const Scan& scan, const edges::Settings& settings) {
     return edges::decideDepthEdges(depthResponses(scan, settings), settings);
 }
 

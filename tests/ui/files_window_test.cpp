@@ -171,6 +171,21 @@ private slots:
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
+    void everyKindOfExportIsReportedWhenItIsSaved() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        for (const exports::ExportKind& kind : exports::exportKinds()) {
+            if (kind.needs == exports::ExportKind::Needs::Rocks) continue; // rocks_window_test.cpp
+            QSignalSpy saved(&window.engine(), &Engine::saved);
+            const std::string name = std::string(kind.key) + (kind.files.empty() ? ".pcd" : kind.files.front().extension);
+            window.engine().save(kind.content, QString::fromStdString((folder_ / name).string()));
+            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.engine().working(); }, 10000));
+            const QString counted = QString("%1 %2").arg(saved.front()[2].toLongLong()).arg(exports::countedThings(kind));
+            QVERIFY2(window.notice().text().contains(counted), qPrintable(window.notice().text()));
+        }
+    }
+
     void aFailingSaveIsToldEvenWhileAScanOpens() {
         WindowFixture on;
         MainWindow& window = on.window;

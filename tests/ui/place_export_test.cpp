@@ -83,7 +83,7 @@ private slots:
         QVERIFY(choice(dialog, "mine").isChecked());
         QVERIFY(dialog.findChild<QLabel*>("reason") == nullptr);
         auto* count = dialog.findChild<QLabel*>("count");
-        const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"all", "a.csv"}, {"edgeImage", "i.png"}};
+        const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"cloud", "a.csv"}, {"mask", "i.png"}};
         for (const auto& [name, file] : contents) {
             choice(dialog, name).click();
             const auto written = exports::exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
@@ -91,7 +91,7 @@ private slots:
             QCOMPARE(dialog.count(), *written);
             QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
         }
-        choice(dialog, "all").click();
+        choice(dialog, "cloud").click();
         choice(dialog, "local").click();
         QCOMPARE(dialog.options().frame, CoordinateFrame::MineLocal);
     }
@@ -110,7 +110,7 @@ private slots:
         attached->setChecked(true);
         QCOMPARE(dialog.count(), alone + 2);
         QVERIFY(dialog.options().includeAttached);
-        choice(dialog, "grayImage").click();
+        choice(dialog, "gray").click();
         QVERIFY(!dialog.options().includeAttached);
     }
 

@@ -45,9 +45,12 @@ std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
 }
 
 Command fileMenu(MainWindow& w) {
-    const auto exported = [&w](const char* text, const char* keys, exports::ExportContent content) {
-        return command(text, keys, [&w, content] { w.exports().ask(content); });
-    };
+    std::vector<Command> exports;
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.window.menu == nullptr) continue;
+        exports.push_back(command(kind.window.menu, kind.window.keys, [&w, content = kind.content] { w.exports().ask(content); }));
+    }
+    exports.push_back(command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }));
     Command recent = submenu("Open &Recent", {});
     recent.fill = [&w](QMenu& menu) { w.files().fillRecent(menu); };
     Command menu = submenu("&File", {
@@ -58,15 +61,7 @@ Command fileMenu(MainWindow& w) {
                                         command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
                                         command("Re&load", "F5", [&w] { w.files().reload(); }),
                                         kLine,
-                                        submenu("&Export",
-                                                {
-                                                    exported("&Edge Cloud…", "Ctrl+E", exports::ExportContent::EdgeCloud),
-                                                    exported("&Full Cloud…", "", exports::ExportContent::FullCloud),
-                                                    exported("Edge &Image…", "", exports::ExportContent::EdgeImage),
-                                                    exported("&Gray Image…", "", exports::ExportContent::GrayImage),
-                                                    exported("&Range Image…", "", exports::ExportContent::RangeImage),
-                                                    command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
-                                                }),
+                                        submenu("&Export", exports),
                                         command("Re&port…", "", [&w] { w.report().ask(); }),
                                         command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
                                         command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),

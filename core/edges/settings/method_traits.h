@@ -38,7 +38,10 @@ struct MethodTraits {
 /// Whether the method reads all of these bits of Reads.
 [[nodiscard]] inline bool reads(Method method, unsigned what) { return (traitsOf(method).reads & what) == what; }
 
-/// True if an edge is a cell whose response to gray levels is larger than settings.lower.
+/// Whether edges of this class (EdgeClassBits) are asked for.
+[[nodiscard]] bool wants(const Settings& settings, int edgeClass);
+
+/// An edge is where the response to gray levels is larger than settings.lower.
 [[nodiscard]] inline bool hasOneThreshold(Method method) { return reads(method, kReadsGray) && !reads(method, kReadsTwoThresholds); }
 
 /// Automatic sigma of the Gaussian, cells: from the kernel size, or the default of a method without a kernel size.

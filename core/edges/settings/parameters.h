@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/table_row.h"
 #include "core/edges/settings/settings.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -48,23 +49,13 @@ struct Measured {
     double noiseMm = kAutomatic;                    ///< range noise sigma at 5 m
 };
 
-struct Parameter {
-    const char* key;   ///< flag name without "--", and key in presets and provenance
-    const char* label; ///< name at the slider
-    const char* unit;  ///< "" without a unit
-    const char* help;  ///< one sentence
-    double minimum;
-    double maximum;
-    double sliderMaximum; ///< end of the slider; larger values can be typed
-    double step;
-    int decimals;
-    double (*automatic)(const Settings&, const Measured&); ///< the value of "auto"; null: "auto" is not allowed
-    bool advanced;                                         ///< shown under "Advanced"
+struct Parameter : TableRow<Settings> {
+    double sliderMaximum;                                  ///< where the slider ends; larger values are typed
+    double (*automatic)(const Settings&, const Measured&); ///< what "auto" came out as; null: "auto" is no value
+    bool advanced;                                         ///< shown in the fold "Advanced"
     std::vector<Choice> choices;                           ///< empty: any number between minimum and maximum
-    bool several; ///< the value is a set: the sum of choices (powers of two), written "jump,convex"
-    double (*get)(const Settings&);
-    void (*set)(Settings&, double);
-    bool (*usedBy)(const Settings&); ///< false: the chosen method does not use it
+    bool several;                    ///< the value is a set: the sum of choices (powers of two), written "jump,convex"
+    bool (*usedBy)(const Settings&); ///< false: the method chosen takes no notice of it
     Feeds feeds;
 };
 

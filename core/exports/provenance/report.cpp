@@ -5,7 +5,7 @@
 #include "core/base/order_statistic.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
 #include "core/files/point_tables/acquisition_json.h"
 #include "core/scan/georef/placement_json.h"

@@ -181,11 +181,6 @@ std::string objHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& p
 
 } // namespace
 
-bool namesFrame(ExportContent content, const std::filesystem::path& path) {
-    const bool inSpace = content == ExportContent::RockOutlines && files::Source::lowerCase(path.extension()) != ".geojson";
-    return isCloud(content) || inSpace || content == ExportContent::RockTable || content == ExportContent::RockHulls;
-}
-
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where) {
     if (study.map.rocks > UINT16_MAX)
         return Error{"there are " + std::to_string(study.map.rocks) + " rocks and a picture of 16 bits numbers 65535", where,

@@ -130,10 +130,10 @@ void compareResults(const Json& record, const edges::Detection& detection, Verif
     if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
 }
 
-/// The scan and its edges; without edges if only the scan was exported.
-Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, ExportContent content,
+/// The scan and, unless it alone was exported, its edges.
+Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
                                                             const std::optional<fs::path>& scansFolder, Verification& v) {
-    const bool method = content != ExportContent::WholeScan;
+    const bool method = kind.needs != ExportKind::Needs::Scan;
     const auto settings =
         method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
                : Result<edges::Settings>(edges::Settings{});
@@ -145,7 +145,8 @@ Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, 
         bare->scan = *scan;
         return std::shared_ptr<const edges::Detection>(bare);
     }
-    auto detection = edges::detectEdges(*scan, *settings, isOfRocks(content) ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
+    auto detection =
+        edges::detectEdges(*scan, *settings, kind.needs == ExportKind::Needs::Rocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     compareResults(record, *detection, v);
     return detection;
 }
@@ -255,8 +256,8 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     v.foundSha256 = sha256Of(found);
     const auto record = recordOf(found, v);
     if (!record) return record.error();
-    const auto content = exportContentNamed(wordAt(*record, "/content"));
-    if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
+    const ExportKind* kind = exportKindNamed(wordAt(*record, "/content"));
+    if (wordAt(*record, "/format") != kRecordFormat || kind == nullptr) return notUnderstood(v, "format");
     ExportOptions options;
     for (const Json& key : at(*record, "/choices")) {
         const auto choice =
@@ -271,17 +272,17 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
-    const auto detection = detectionOf(*record, *content, scansFolder, v);
+    const auto detection = detectionOf(*record, *kind, scansFolder, v);
     if (!detection) return detection.error();
     if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
-    if (isOfRocks(*content)) {
+    if (kind->needs == ExportKind::Needs::Rocks) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();
         options.rocks = *rocks;
     }
-    const auto again = exportFiles(*content, **detection, exported, sealed(*record), options);
+    const auto again = exportFiles(kind->content, **detection, exported, sealed(*record), options);
     if (!again) return again.error();
-    compareRecord(*record, parsed(exportRecord(*content, **detection, options)), v);
+    compareRecord(*record, parsed(exportRecord(kind->content, **detection, options)), v);
     compareFiles(found, *again, *record, v);
     v.identical = v.findings.empty();
     if (!v.identical) compareProgram(*record, v);

@@ -1,7 +1,7 @@
 // Why a cell is an edge or not, as JSON.
 #include "core/exports/provenance/why_report.h"
 
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 

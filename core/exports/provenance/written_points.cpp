@@ -101,7 +101,7 @@ PointBounds boundsOf(const files::CloudColumns& cloud) {
 } // namespace
 
 PointBounds pointsToWrite(ExportContent content, const edges::Detection& detection, const ExportOptions& options) {
-    const bool edges = content == ExportContent::EdgeCloud;
+    const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
     const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
     const bool attached = options.includeAttached && !scan->attached.empty();
     if (!edges && !attached && options.frame == CoordinateFrame::Scanner) {

@@ -114,9 +114,8 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.rocks, options.filledSdMm,
-                               options.confidence),
-                   *format, path, options);
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.columns), *format, path,
+                   options);
 }
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
@@ -125,9 +124,8 @@ Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMa
     if (format == nullptr) return unknownFormat(path, false);
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(
-        edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.filledSdMm, options.confidence),
-        *format, path, options);
+    return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.columns), *format, path,
+                   options);
 }
 
 } // namespace edgescan::files

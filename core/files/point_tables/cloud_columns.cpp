@@ -205,14 +205,13 @@ void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, cons
     addColumn<std::uint8_t>(cloud, "blue", cells, [&](const CellOfPoint& cell) { return colour(cell).blue; });
 }
 
-void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<float>* sdMm) {
-    if (sdMm == nullptr) return;
-    addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
-}
-
-void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* percent) {
-    if (percent == nullptr) return;
-    addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
+void addGiven(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, std::span<const CellColumn> given) {
+    for (const CellColumn& column : given) {
+        const auto add = [&]<class T>(const Grid<T>& values) {
+            addColumn<T>(cloud, column.name, cells, [&](const CellOfPoint& cell) { return valueAt(values, cell); });
+        };
+        std::visit(add, column.values);
+    }
 }
 
 constexpr std::size_t kAtOnce = 8; // cells
@@ -297,26 +296,21 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<edges::DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm,
-                         const Grid<std::uint8_t>* confidence) {
+                         const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
-    if (rocks != nullptr)
-        addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](const CellOfPoint& cell) { return valueAt(*rocks, cell); });
-    addFilled(cloud, valid.cells, filledSdMm);
-    addConfidence(cloud, valid.cells, confidence);
+    addGiven(cloud, valid.cells, given);
     addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<edges::DepthEdge>* classes, const Grid<float>* filledSdMm, const Grid<std::uint8_t>* confidence) {
+                        const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
-    addFilled(cloud, edges.cells, filledSdMm);
-    addConfidence(cloud, edges.cells, confidence);
+    addGiven(cloud, edges.cells, given);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
 }

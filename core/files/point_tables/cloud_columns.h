@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +24,13 @@ namespace edgescan::files {
 struct CloudColumn {
     std::string name; ///< "x", "range_mm" ...
     std::variant<std::vector<float>, std::vector<double>, std::vector<std::uint32_t>, std::vector<std::uint8_t>> values;
+};
+
+/// One value per cell of a scan, lines x beams.
+using CellValues = std::variant<Grid<float>, Grid<std::uint32_t>, Grid<std::uint8_t>>;
+struct CellColumn {
+    const char* name; ///< of the field
+    CellValues values;
 };
 
 struct CloudColumns {
@@ -56,19 +64,17 @@ void makeAll(CloudColumns& cloud);
 /// The same, where possible with columns that are made as they are written (linesLater). The scan must outlive it.
 [[nodiscard]] CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, class where `classes` is given, rock where `rocks` is,
-/// filled_sd_mm where `filledSdMm` is (0 = measured), confidence where it is given, and red green blue. `edgeMask` may be null. With
-/// `withAttached` the points that are attached to these cells follow, and a column tells them.
+/// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, those given, class where `classes` is given, and red green blue.
+/// `edgeMask` may be null. With `withAttached` the points that are attached to these cells follow, marked in a column "attached".
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                       const Grid<edges::DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr,
-                                       const Grid<float>* filledSdMm = nullptr, const Grid<std::uint8_t>* confidence = nullptr);
+                                       const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, class and colours as above; and what is attached to them.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, those given, class and colours as above; and what is attached
+/// to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                      const Grid<edges::DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr,
-                                      const Grid<std::uint8_t>* confidence = nullptr);
+                                      const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
 [[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);

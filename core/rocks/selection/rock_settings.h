@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/table_row.h"
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -32,18 +33,7 @@ struct RockSettings {
     bool operator==(const RockSettings&) const = default;
 };
 
-struct RockParameter {
-    const char* key; ///< flag without "--", key in records
-    const char* label;
-    const char* unit;
-    const char* help; ///< one sentence
-    double minimum;
-    double maximum;
-    double step;
-    int decimals;
-    double (*get)(const RockSettings&);
-    void (*set)(RockSettings&, double);
-};
+using RockParameter = TableRow<RockSettings>;
 
 /// All settings except the region, in the order in which they are shown.
 [[nodiscard]] std::span<const RockParameter> rockParameters();

@@ -26,37 +26,19 @@
 #include <QStandardPaths>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace edgescan::ui {
 namespace {
 
-struct ContentNames {
-    exports::ExportContent content;
-    const char* tail;   // of the file's name
-    const char* things; // what is counted
-};
-constexpr std::array<ContentNames, 10> kNames{{{exports::ExportContent::EdgeCloud, "edges", "edge points"},
-                                               {exports::ExportContent::FullCloud, "cloud", "points"},
-                                               {exports::ExportContent::EdgeImage, "edge-map", "cells"},
-                                               {exports::ExportContent::GrayImage, "gray", "cells"},
-                                               {exports::ExportContent::RangeImage, "range", "cells"},
-                                               {exports::ExportContent::RockLabels, "rocks", "cells"},
-                                               {exports::ExportContent::RockTable, "rocks", "rocks"},
-                                               {exports::ExportContent::RockReport, "rocks", "rocks"},
-                                               {exports::ExportContent::RockOutlines, "rocks", "rocks"},
-                                               {exports::ExportContent::RockHulls, "hulls", "rocks"}}};
-
-const ContentNames& namesOf(exports::ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
-
 // "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
 QString exportName(const edges::Detection& detection, exports::ExportContent content, CoordinateFrame frame) {
-    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
+    const exports::ExportKind::InWindow& names = exports::exportKind(content).window;
+    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), names.tail};
     const edges::Settings& settings = detection.settings;
     const edges::Parameter& swept = edges::sweptParameter(settings.method);
-    const bool ofEdges = content != exports::ExportContent::RangeImage && content != exports::ExportContent::GrayImage;
-    if (ofEdges) parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
+    if (names.namesMethod)
+        parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
     return parts.join('_') + (exports::isCloud(content) ? frameTail(frame) : "");
 }
@@ -117,7 +99,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count) {
     memory_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
     if (exports::isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.showSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
+    notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))));
 }
 
 void Exports::askScreenshot(const QImage& image) {

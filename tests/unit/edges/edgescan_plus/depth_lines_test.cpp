@@ -252,8 +252,8 @@ TEST(DepthLines, StagesLineByLineSayWhatTheySayOfTheWholeSweep) {
 TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
     constexpr int kFar = 48;
     const Scan scan = test::boxesScan(130, 140, 5, 0.03);
-    DepthEdgeSettings settings;
-    settings.noiseAt5mMm = 6.75;
+    Settings settings;
+    settings.noiseMm = 6.75;
     settings.straighten = false;
     const DepthResponses whole = test::depthResponses(scan, settings);
     for (const auto& [lines, beams] : {std::array{1, 0}, std::array{0, 1}, std::array{7, 13}, std::array{33, 9}}) {

@@ -37,8 +37,8 @@ bool besideFilled(const InverseRange& inverse, int line, int beam) {
     return false;
 }
 
-// Every reported part must agree with the responses of the whole scan; strengths to the last bit.
-void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int cells) {
+// Every part of what is told must agree with the responses of the whole scan, to the last bit where it is a strength.
+void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
     const DepthResponses whole = test::depthResponses(scan, settings);
     const InverseRange inverse = inverseRange(scan);
     std::mt19937 random(7);
@@ -65,7 +65,7 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
         ASSERT_PRED2(same, probe.jump.after, whole.jump[k]) << line << " " << beam;
         ASSERT_PRED2(same, probe.crease.after, whole.crease[k]) << line << " " << beam;
         exact += probe.jump.after == whole.jump[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
-        EXPECT_EQ(probe.noiseAt5mMm, whole.noise.at(5.0));
+        EXPECT_EQ(probe.noiseMm, whole.noise.at(5.0));
         double jump = 0;
         for (const DepthStepAtCell& step : probe.steps) {
             EXPECT_NEAR(step.stepMm / step.limitMm(), step.strength, 1e-3 * step.strength);
@@ -89,8 +89,8 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
 TEST(DepthProbe, StrengthsAreThoseOfTheWholeScan) {
     expectSameAsWhole(smallBell(), {}, 250);
     expectSameAsWhole(smallBell(0.6), {}, 60); // beams interlaced
-    DepthEdgeSettings noisy;
-    noisy.noiseAt5mMm = 20; // three cells, two passes
+    Settings noisy;
+    noisy.noiseMm = 20; // three cells, two passes
     noisy.grazing = 0.7;
     expectSameAsWhole(smallBell(), noisy, 60);
 }
@@ -106,8 +106,8 @@ TEST(DepthProbe, StrengthsAreThoseOfARealSweep) {
 // A box half a metre in front of a wall, and a corner of 90 degrees towards the scanner.
 TEST(DepthProbe, AStepAndACornerHaveTheirSizes) {
     const Scan step = test::makeScan(60, 60, [](int, int j) { return j < 30 ? 4000.0F : 4500.0F; });
-    DepthEdgeSettings settings;
-    settings.noiseAt5mMm = 1;
+    Settings settings;
+    settings.noiseMm = 1;
     const DepthProbe edge = probeDepth(step, settings, 30, 29);
     ASSERT_FALSE(edge.steps.empty());
     EXPECT_NEAR(edge.steps[0].stepMm, 500, 1);

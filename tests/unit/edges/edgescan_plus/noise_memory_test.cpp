@@ -135,7 +135,7 @@ TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
         return made;
     };
     const auto folds = [&](const Scan& of, NoiseKind kind, int from, int to) {
-        DepthEdgeSettings settings;
+        Settings settings;
         settings.noiseKind = kind;
         const DepthEdges edges = test::depthEdges(of, settings);
         std::size_t count = 0;

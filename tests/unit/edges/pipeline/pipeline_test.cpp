@@ -1,6 +1,5 @@
 // Repeating only the changed stages gives the result of a full run, and the newest request always wins.
 #include "core/base/worker.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
@@ -184,20 +183,6 @@ TEST(Pipeline, ChangingTheDecisionRepeatsNoMeasurement) {
     EXPECT_EQ(std::ranges::count(third->timings, "surface", &StageTime::stage), 0);
     settings.straighten = !settings.straighten;
     EXPECT_EQ(std::ranges::count(pipeline.run(scan, settings)->timings, "surface", &StageTime::stage), 1);
-}
-
-TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
-    const DepthEdgeSettings sliders = depthEdgeSettings(Settings{});
-    const DepthEdgeSettings method;
-    EXPECT_EQ(sliders.jumpMm, method.jumpMm);
-    EXPECT_EQ(sliders.jumpGrowth, method.jumpGrowth);
-    EXPECT_EQ(sliders.creaseDeg, method.creaseDeg);
-    EXPECT_EQ(sliders.sensitivity, method.sensitivity);
-    EXPECT_EQ(sliders.hysteresisLow, method.hysteresisLow);
-    EXPECT_EQ(sliders.minimumLength, method.minimumLength);
-    EXPECT_EQ(sliders.grazing, method.grazing);
-    EXPECT_EQ(sliders.noiseAt5mMm, method.noiseAt5mMm);
-    EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
 }
 
 using EdgeWorker = Worker<Settings, std::shared_ptr<const Detection>>;

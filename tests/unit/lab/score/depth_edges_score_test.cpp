@@ -125,12 +125,12 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
 
 TEST(DepthEdges, DecidingAgainGivesTheResultOfMeasuringAgain) {
     const sim::Simulation bell = simulated("pile", 23, 120, 150);
-    edges::DepthEdgeSettings settings;
+    edges::Settings settings;
     const edges::DepthResponses responses = test::depthResponses(bell.scan, settings);
     settings.sensitivity = 1.4;
-    settings.hysteresisLow = 0.5;
+    settings.hysteresisPercent = 50;
     settings.minimumLength = 7;
-    settings.convex = false;
+    settings.classes &= ~edges::kClassConvex;
     const edges::DepthEdges decided = edges::decideDepthEdges(responses, settings);
     const edges::DepthEdges whole = test::depthEdges(bell.scan, settings);
     EXPECT_EQ(decided.mask, whole.mask);
