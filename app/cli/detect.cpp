@@ -11,7 +11,6 @@
 #include "core/exports/provenance/provenance.h"
 #include "core/exports/provenance/report.h"
 #include "core/files/formats/formats.h"
-#include "core/files/point_tables/point_table.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <array>

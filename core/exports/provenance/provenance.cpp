@@ -63,7 +63,7 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
     const Format* format = writtenFormat(path);
     const bool inside = content == ExportContent::WholeScan && format != nullptr &&
-                        (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
+                        (format->keepsPlace || (format->keeps == Keeps::Sidecar && options.choices.comments));
     return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : descriptionText(scan, "", -1);
 }
 

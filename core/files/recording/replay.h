@@ -14,7 +14,7 @@ class SweepFeed {
 public:
     explicit SweepFeed(const SweepSettings& settings) : assembler_(settings) {}
 
-    /// One received frame; bytes that are no scan telegram are ignored. True when it brought a line.
+    /// One received frame; bytes that are not a scan telegram are ignored. True when it brought a line.
     bool frame(const ColaFrame& frame, std::int64_t hostNs);
     bool message(const RecordedMessage& message);
 
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const SweepAssembler& assembler() const { return assembler_; }
     /// Scan telegrams that could not be decoded.
     [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
-    /// Messages of a recording with bytes that are no whole frame.
+    /// Messages of a recording with bytes that are not a whole frame.
     [[nodiscard]] std::int64_t torn() const { return torn_; }
     /// What was wrong with the first of them.
     [[nodiscard]] const std::string& whyUndecodable() const { return whyUndecodable_; }
@@ -46,7 +46,7 @@ public:
     /// Lines played so far.
     [[nodiscard]] int position() const { return position_; }
     [[nodiscard]] bool atEnd() const { return next_ == recording_->messages().size(); }
-    /// When line `line` was received; recordings say so even where nothing else tells the time.
+    /// When line `line` was received; recordings hold it even where nothing else gives the time.
     [[nodiscard]] std::int64_t timeNs(int line) const;
 
     /// The next line with all that belongs to it. False at the end.
@@ -73,7 +73,7 @@ private:
 };
 
 /// A sweep of this recording, whole or growing, as it is shown and measured: with the grid, the scanner and the place that the recording
-/// names beside its telegrams. `where` goes into errors.
+/// names in addition to its telegrams. `where` goes into errors.
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
 
 /// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost

@@ -1,6 +1,6 @@
 // Files that a version of 20 November 2026 took wrongly (../shared/data/hostile): each is refused or taken with a word. Their kinds are
 // made in tests/unit/files/formats/promises_test.cpp too, for clones without ../shared.
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/scan/grid/scan.h"
 #include "tests/support/seed_files.h"
 
