@@ -14,7 +14,7 @@
 #include <charconv>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 260;
@@ -127,4 +127,4 @@ Format dxfFormat() {
         .title = "Drawing with edge lines", .writes = {".dxf"}, .read = readingOf<dxfPoints>, .write = dxfBytes, .keeps = Keeps::Points};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

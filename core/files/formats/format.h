@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// What of a scan's cells comes back from a file.
 enum class Keeps : std::uint8_t {
@@ -38,4 +38,4 @@ struct Format {
     bool placesItself = false;   ///< pose and calibration are taken into account by `read`
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -16,7 +16,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kHeaderLines = 10;
@@ -284,4 +284,4 @@ Format ptxFormat() {
             .keepsIntensity = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -1,7 +1,7 @@
 // The points of a reading in the frame of its file.
 #include "core/files/formats/reading.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 std::vector<Eigen::Vector3d> pointsAsWritten(Reading reading) {
     auto* table = std::get_if<PointTable>(&reading.content);
@@ -13,4 +13,4 @@ std::vector<Eigen::Vector3d> pointsAsWritten(Reading reading) {
     return std::move(table->points);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// The scanner's place by the file's own header: p_file = turn p + place, in the numbers of the file.
 struct WrittenPlace {
@@ -42,4 +42,4 @@ Result<Reading> readingOf(const Source& source) {
     return Reading(std::move(*content));
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -13,7 +13,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kNumbers = 4; ///< string number, northing, easting, elevation
@@ -123,4 +123,4 @@ Format surpacFormat() {
     return {.title = "Surpac strings", .reads = {".str"}, .recognises = looksLikeSurpac, .read = readingOf<readSurpacPoints>};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,11 +5,11 @@
 #include "core/scan/georef/poses.h"
 #include "core/scan/grid/given_angles.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
     const ReadingOptions& options = *source.options;
-    useGivenAngles(scan, options);
+    applyGivenAngles(scan, options);
     if (placesItself || (options.pose.empty() && options.calibration.empty())) return Done{};
     if (options.calibration.empty()) return source.refused("a pose needs the robot's calibration", "give --calibration ROBOT.json too");
     if (options.pose.empty()) return source.refused("a calibration alone gives no place", "give --pose POSE.json too");
@@ -29,4 +29,4 @@ Scan straightenedAsAsked(Scan scan, const ReadingOptions& options) {
     return straight;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

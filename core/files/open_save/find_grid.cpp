@@ -5,7 +5,7 @@
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/table_numbers.h"
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Progress from one half on: the first half is reading.
@@ -83,4 +83,4 @@ FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector
     return found;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct FoundGrid {
     Result<RecoveredGrid> grid;
@@ -21,4 +21,4 @@ struct FoundGrid {
 /// `table` and of `behind` are exchanged.
 [[nodiscard]] FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind);
 
-} // namespace edgescan
+} // namespace edgescan::files

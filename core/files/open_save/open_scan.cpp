@@ -15,7 +15,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& 
     return withinMemory(path, [&] { return scanOfBytes({path, bytes, &options, true}); });
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 class Replay;
 
@@ -30,4 +30,4 @@ Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& 
 /// The name of a scan of this file: "wall" for wall.pcd and wall.pcd.gz, "stdin" for "-".
 [[nodiscard]] std::string scanName(const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::files

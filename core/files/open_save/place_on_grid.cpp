@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Cells that an export of ours had filled were never measured: they become no returns, and a remark says so.
@@ -52,4 +52,4 @@ Result<Scan> placeOnGrid(Reading reading, const Source& source) {
     return std::move(scan);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

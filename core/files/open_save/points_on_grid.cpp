@@ -19,7 +19,7 @@
 #include <limits>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
@@ -257,4 +257,4 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

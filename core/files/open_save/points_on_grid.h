@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// An organised cloud: its grid. Any other list: the grid that is recovered, or else the one onto which the points are projected. Error:
 /// neither is possible, with the numbers that show why.
@@ -15,4 +15,4 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source);
 /// How many points of the file did not end in a cell of their own; empty when all did.
 [[nodiscard]] std::optional<std::string> leftOutSentence(const Scan& scan);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -23,7 +23,7 @@
 #include <numbers>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -213,4 +213,4 @@ std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<Written
     return std::move(scan);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 
@@ -18,4 +18,4 @@ inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 /// another file, or when its grid has no angles or does not fit the points; a remark says why. `place`: as in Reading.
 [[nodiscard]] std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<WrittenPlace>& place, const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

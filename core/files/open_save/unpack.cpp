@@ -3,7 +3,7 @@
 
 #include "core/containers/compression/gunzip.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 Error UnpackedSource::refused(const Error& error) const {
     const std::string path = source.path.string();
@@ -13,8 +13,8 @@ Error UnpackedSource::refused(const Error& error) const {
 
 Result<UnpackedSource> unpack(const Source& packed) {
     UnpackedSource plain{packed, nullptr};
-    if (isGzip(packed.bytes)) {
-        auto bytes = gunzip(packed.bytes, packed.path.string(), [&](double done) { return packed.goOn("unpacking", done); });
+    if (containers::isGzip(packed.bytes)) {
+        auto bytes = containers::gunzip(packed.bytes, packed.path.string(), [&](double done) { return packed.goOn("unpacking", done); });
         if (!bytes) return bytes.error();
         plain.bytes = std::make_shared<const std::vector<std::byte>>(std::move(*bytes));
         plain.source.bytes = *plain.bytes;
@@ -23,4 +23,4 @@ Result<UnpackedSource> unpack(const Source& packed) {
     return plain;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

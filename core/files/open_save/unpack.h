@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// A source, and the memory of its bytes where they were packed.
 struct UnpackedSource {
@@ -21,4 +21,4 @@ struct UnpackedSource {
 /// Recognises gzip by content. Error: damaged, too large for the memory, cancelled, or nothing is in it.
 Result<UnpackedSource> unpack(const Source& packed);
 
-} // namespace edgescan
+} // namespace edgescan::files

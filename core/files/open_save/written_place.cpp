@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 namespace {
 
@@ -58,4 +58,4 @@ void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& sourc
     scan.placement = std::move(placement);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -3,10 +3,10 @@
 
 #include "core/files/formats/reading.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Gives the scan that place, in metres unless --unit says otherwise. Does nothing when the scan has a place already, or when this one
 /// neither moves nor turns; a warning says why where the numbers are not a rotation and a place on earth.
 void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -1,7 +1,7 @@
 // What every reader of points needs of the table it fills.
 #include "core/files/point_tables/point_table.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 bool addToDescription(std::string_view comment, std::string& description) {
     while (comment.starts_with(' ')) comment.remove_prefix(1);
@@ -14,4 +14,4 @@ bool addToDescription(std::string_view comment, std::string& description) {
     return true;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files
