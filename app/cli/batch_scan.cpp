@@ -18,6 +18,8 @@
 #include "core/exports/html/survey_picture.h"
 #include "core/exports/provenance/report.h"
 #include "core/exports/provenance/rock_report.h"
+#include "core/files/formats/formats.h"
+#include "core/files/open_save/points_on_grid.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"

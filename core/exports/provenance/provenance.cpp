@@ -63,7 +63,7 @@ std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& 
     const files::Format* format = files::writtenFormat(path);
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
     const bool inside =
-        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Beside && options.choices.comments));
+        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Sidecar && options.choices.comments));
     return inside || !(isCloud(content) || whole) ? std::string() : files::descriptionText(scan, "", -1);
 }
 

@@ -14,7 +14,7 @@
 #include "core/exports/provenance/find_scan.h"
 #include "core/exports/provenance/record_parts.h"
 #include "core/exports/provenance/report.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/placement_json.h"

@@ -57,7 +57,7 @@ struct CloudColumns {
 void makeAll(CloudColumns& cloud);
 
 /// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, intensity where the scan has it, state, and the
-/// description. A frame other than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as
+/// description. A frame other than Scanner needs the scan's placement; points that were read are then in scanner_x scanner_y scanner_z as
 /// well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
@@ -83,13 +83,13 @@ void makeAll(CloudColumns& cloud);
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name));
 [[nodiscard]] inline bool isColour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
 
-/// What a header tells people of frame, unit, axis order and origin: one line of ASCII.
+/// What a header says of frame, unit, axis order and origin: one line of ASCII.
 [[nodiscard]] std::string frameText(const CloudColumns& cloud);
 
 /// JSON cut into lines short enough for every reader, each behind `mark`: "edgescan {...".
 [[nodiscard]] std::vector<std::string> commentLines(const std::string& json, const std::string& mark = "edgescan ");
 
-/// What stands before provenance in comment lines.
+/// The mark before provenance in comment lines.
 inline constexpr const char* kRecordMark = "edgescan-record ";
 
 /// The provenance in the comment lines of a file; empty when there is none.

@@ -81,7 +81,7 @@ void Replay::seek(int line) {
         next_ = 0;
         position_ = 0;
     }
-    // What stands between this line and the next one (the stepper's report of it) belongs to this line.
+    // The messages between this line and the next one (the stepper's report of it) belong to this line.
     const auto behind = static_cast<std::size_t>(std::max(line, 0));
     const std::size_t end = behind < lineAt_.size() ? lineAt_[behind] : recording_->messages().size();
     while (next_ < end) playOne();

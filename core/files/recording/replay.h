@@ -24,7 +24,7 @@ public:
     /// Lines played so far.
     [[nodiscard]] int position() const { return position_; }
     [[nodiscard]] bool atEnd() const { return next_ == recording_->messages().size(); }
-    /// When line `line` was received; recordings say so even where nothing else tells the time.
+    /// When line `line` was received; recordings hold it even where nothing else gives the time.
     [[nodiscard]] std::int64_t timeNs(int line) const;
 
     /// The next line with all that belongs to it. False at the end.
@@ -51,7 +51,7 @@ private:
 };
 
 /// A sweep of this recording, whole or growing, as it is shown and measured: with the grid, the scanner and the place that the recording
-/// names beside its telegrams. `where` goes into errors.
+/// names in addition to its telegrams. `where` goes into errors.
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
 
 /// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost

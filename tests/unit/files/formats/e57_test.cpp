@@ -380,8 +380,8 @@ TEST(E57, FilesOfOtherPrograms) {
         const std::string bytes = sharedE57(name);
         const ReadingOptions options;
         const Source source{name, std::as_bytes(std::span(bytes)), &options, true};
-        auto table = formatOfContent(source).points(source);
-        return table ? table->points : std::vector<Eigen::Vector3d>{};
+        auto reading = formatOfContent(source).read(source);
+        return reading ? pointsAsWritten(std::move(*reading)) : std::vector<Eigen::Vector3d>{};
     };
     const auto doubles = pointsOf("bunnyDouble.e57");
     const auto wholes = pointsOf("bunnyInt32.e57");

@@ -1,6 +1,6 @@
 // Files that a version of 20 November 2026 handled wrongly (../shared/data/hostile): each is refused, or opened with a warning.
 // tests/unit/files/formats/promises_test.cpp makes files of these kinds, too, for clones without ../shared.
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/scan/grid/scan.h"
 #include "tests/support/seed_files.h"
 

@@ -179,7 +179,7 @@ TEST(MineExport, FormatsOfSurveyAndCadHoldAMillimetreToo) {
                 ASSERT_TRUE(bytes) << bytes.error().sentence();
                 const ReadingOptions options;
                 const Source source{name, std::as_bytes(std::span(*bytes)), &options};
-                const std::vector<Eigen::Vector3d> found = writtenFormat(name)->points(source)->points;
+                const std::vector<Eigen::Vector3d> found = pointsAsWritten(*writtenFormat(name)->read(source));
                 ASSERT_EQ(found.size(), expected.size());
                 for (std::size_t n = 0; n < found.size(); ++n) EXPECT_LT((found[n] - expected[n]).cwiseAbs().maxCoeff(), 0.00051) << n;
             }

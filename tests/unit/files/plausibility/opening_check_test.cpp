@@ -1,7 +1,7 @@
 // Evidence against a reading: rooms seen with wrong mounting, angles and units, and a room read correctly.
 #include "core/files/plausibility/opening_check.h"
 
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/grid/cartesian.h"
 

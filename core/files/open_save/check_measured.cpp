@@ -1,5 +1,5 @@
-// The last look at a scan that was read.
-#include "core/files/open_save/measured_scan.h"
+// Whether the numbers of a scan can have been measured.
+#include "core/files/open_save/check_measured.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -11,7 +11,7 @@
 namespace edgescan::files {
 namespace {
 
-constexpr double kFinestStepDeg = 1e-6; // a thousandth of what any scanner tells apart
+constexpr double kFinestStepDeg = 1e-6; // a thousandth of what any scanner distinguishes
 
 bool isOutside(float rangeMm, CellState state) {
     constexpr auto kLeast = static_cast<float>(physical::kRangeMm.limits.least);
@@ -44,7 +44,7 @@ Result<Done> checkPolar(const PolarGeometry& polar, const std::string& where) {
     if (auto known = checkAngles(polar.beamDeg, physical::kBeamDeg, "beam", where); !known) return known;
     if (auto known = checkAngles(polar.lineDeg, physical::kLineDeg, "line", where); !known) return known;
     if (auto known = checkAngles(polar.lineSkewDeg, physical::kLineDeg, "the skew of beam", where); !known) return known;
-    if (polar.beamDeg.size() < 2) return Done{}; // all lines at one angle: a stepper that stood still
+    if (polar.beamDeg.size() < 2) return Done{}; // all lines at one angle: a stepper at rest
     const auto [least, most] = std::ranges::minmax(polar.beamDeg);
     if (most - least >= kFinestStepDeg * static_cast<double>(polar.beamDeg.size() - 1)) return Done{};
     return Error{"all " + std::to_string(polar.beamDeg.size()) + " beams look the same way", where, "give the step from beam to beam"};

@@ -1,5 +1,5 @@
-// Ranges, states and intensities of cells by the points that stand in them.
-#include "core/files/point_tables/cells_of_points.h"
+// Ranges, states and intensities of cells by the points in them.
+#include "core/files/open_save/cells_of_points.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -14,7 +14,7 @@ namespace {
 
 std::string sizeOfReach() { return significantText(physical::kRangeMm.limits.most * 1e-6, 6) + " km"; }
 
-/// NaN where a cell has no point; none at all where no point has one.
+/// NaN where a cell has no point; empty where no point has an intensity.
 void takeIntensity(Scan& scan, const std::vector<float>& intensity, const Grid<std::uint32_t>& pointOf) {
     if (std::ranges::none_of(intensity, [](float value) { return std::isfinite(value); })) return;
     scan.intensity = Grid<float>(pointOf.lines, pointOf.beams, std::numeric_limits<float>::quiet_NaN());
@@ -33,7 +33,7 @@ void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& r
     scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
     std::size_t tooFar = 0;
     for (std::size_t k = 0; k < pointOf.size(); ++k) {
-        if (pointOf[k] == RecognisedGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
+        if (pointOf[k] == RecoveredGrid::kNoPoint || !(ranges[pointOf[k]] > 0)) continue;
         const double mm = given.empty() ? ranges[pointOf[k]] * unit.mmPerUnit : static_cast<double>(given[pointOf[k]]);
         if (!physical::kRangeMm.hold(mm)) { // no scanner reaches as far: as good as no return
             ++tooFar;
@@ -52,7 +52,7 @@ void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& r
 void takeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {
     if (table.state.empty()) return;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::NoReturn || pointOf[k] == RecognisedGrid::kNoPoint) continue;
+        if (scan.state[k] != CellState::NoReturn || pointOf[k] == RecoveredGrid::kNoPoint) continue;
         const std::uint8_t state = table.state[pointOf[k]];
         if (state >= kCellStates || state == static_cast<std::uint8_t>(CellState::Valid)) continue;
         scan.state[k] = static_cast<CellState>(state);
@@ -65,7 +65,7 @@ PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& 
     const Eigen::Vector3d missing = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     PointGeometry geometry{Grid<Eigen::Vector3d>(pointOf.lines, pointOf.beams, missing), table.sensor * metres};
     for (std::size_t k = 0; k < pointOf.size(); ++k) {
-        if (pointOf[k] == RecognisedGrid::kNoPoint || !isReturn(table.points[pointOf[k]])) continue;
+        if (pointOf[k] == RecoveredGrid::kNoPoint || !isReturn(table.points[pointOf[k]])) continue;
         geometry.pointsM[k] = metres == 1.0 ? table.points[pointOf[k]] : Eigen::Vector3d(table.points[pointOf[k]] * metres);
     }
     return geometry;

@@ -1,10 +1,10 @@
 // What the numbers of a table of points mean: their unit, how they were rounded, where the sensor is among them.
-#include "core/files/point_tables/table_numbers.h"
+#include "core/files/open_save/table_numbers.h"
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
-#include "core/files/point_tables/cells_of_points.h"
+#include "core/files/open_save/cells_of_points.h"
 
 #include <Eigen/Geometry>
 
@@ -76,7 +76,7 @@ RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, con
     std::vector<double> returns;
     std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(returns), [](double r) { return r > 0; });
     const std::optional<double> known = source.options->unitMm ? source.options->unitMm : table.unitMm;
-    return recogniseUnit(returns, table.precision, known);
+    return findUnit(returns, table.precision, known);
 }
 
 std::string withCoarseStep(std::string what, const PointTable& table) {
@@ -97,8 +97,6 @@ Precision precisionAboutSensor(const PointTable& table) {
     return precision;
 }
 
-/// An organised cloud whose points all lie one way was not taken from there: coordinates of a mine, and nobody says where the scanner
-/// stood.
 std::optional<Error> seenFromAfar(const PointTable& table, const Source& source) {
     constexpr double kNarrowRad = 0.0175, kNarrowCellRad = 3.5e-5; // a degree, and two thousandths of one
     if (source.options->sensorM || !table.sensor.isZero(0.0)) return std::nullopt;

@@ -15,7 +15,7 @@ namespace edgescan::files {
 /// Of every point about the table's sensor, in the numbers of the file; 0 where it is no return.
 [[nodiscard]] std::vector<double> rangesOf(const PointTable& table);
 
-/// The unit that the user gave, that the file says, or that the numbers tell, in this order.
+/// The unit that the user gave, that the file says, or that the numbers show, in this order.
 [[nodiscard]] RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, const Source& source);
 
 /// How coarse the numbers are, in words, where they are so large that 4-byte floats hold them only in steps; else empty.
@@ -31,8 +31,8 @@ namespace edgescan::files {
 /// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
 void takeGivenSensor(PointTable& table, const Source& source);
 
-/// An organised cloud whose points all lie one way from the origin was not taken from there: coordinates of a mine, and nobody says where
-/// the scanner stood. Empty: nothing speaks against the origin, or a sensor's place is known.
+/// An organised cloud whose points all lie one way from the origin was not taken from there: coordinates of a mine, and it is unknown where
+/// the scanner was. Empty: nothing speaks against the origin, or a sensor's place is known.
 [[nodiscard]] std::optional<Error> seenFromAfar(const PointTable& table, const Source& source);
 
 } // namespace edgescan::files

@@ -1,4 +1,4 @@
-// What the cells of a grid hold, by the points of a list that stand in them.
+// What the cells of a grid hold, by the points of a list in them.
 #pragma once
 
 #include "core/files/grid_recovery/unit.h"
@@ -9,8 +9,8 @@ namespace edgescan::files {
 inline constexpr double kMetresPerMm = 0.001;
 
 /// Ranges, states and intensities. `ranges`: by point, in the file's own unit. `pointOf`: lines x beams, the point of each cell or
-/// RecognisedGrid::kNoPoint. With `takeGiven` the ranges in mm that the file holds beside its points count, where it has them. Points
-/// farther than any scanner reaches are no return, and a warning says how many.
+/// RecoveredGrid::kNoPoint. With `takeGiven` the ranges in mm that the file holds with its points count, where it has them. Points
+/// farther than any scanner reaches become missing returns, and a warning says how many.
 void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& ranges, const RangeUnit& unit,
                const Grid<std::uint32_t>& pointOf, bool takeGiven);
 

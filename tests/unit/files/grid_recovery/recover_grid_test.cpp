@@ -273,11 +273,11 @@ TEST(RecogniseGrid, CloudsWithoutGridAreRefusedWithNumbers) {
     for (const std::size_t count : {13U, 60U, 1000U, 6000U}) {
         std::vector<Eigen::Vector3d> points;
         for (std::size_t k = 0; k < count; ++k) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-        const auto found = recogniseGrid({points, {0.0, 1e-7}, 0, {}, {}});
+        const auto found = recoverGrid({points, {0.0, 1e-7}, 0, {}, {}});
         ASSERT_FALSE(found) << count;
         EXPECT_NE(found.error().what.find(std::to_string(count) + " points"), std::string::npos) << found.error().sentence();
     }
-    EXPECT_FALSE(recogniseGrid({}));
+    EXPECT_FALSE(recoverGrid({}));
 }
 
 TEST(RecogniseGrid, RasterOnAPlaneIsNoScannerGrid) {
@@ -285,7 +285,7 @@ TEST(RecogniseGrid, RasterOnAPlaneIsNoScannerGrid) {
     for (int i = 0; i < 60; ++i) {
         for (int j = 0; j < 60; ++j) points.emplace_back(0.1 * j - 2.93, 0.1 * i - 2.87, 4.03);
     }
-    EXPECT_FALSE(recogniseGrid({points, {0.0005, 0}, 0, {}, {}}));
+    EXPECT_FALSE(recoverGrid({points, {0.0005, 0}, 0, {}, {}}));
 }
 
 TEST(RecogniseGrid, CorridorFilesEqualTheirRawGrids) {

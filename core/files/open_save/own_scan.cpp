@@ -1,5 +1,5 @@
 // Every cell in order with range and state, as the description says.
-#include "core/files/point_tables/own_scan.h"
+#include "core/files/open_save/own_scan.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/physical_limits.h"
@@ -24,13 +24,7 @@ Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& s
 
 } // namespace
 
-bool takesRangesOnly(const std::string& description) {
-    if (description.empty()) return false;
-    const auto grid = parseDescription(description, "");
-    return grid && !grid->sensorM && grid->beamDeg && grid->lineDeg && grid->axis;
-}
-
-Result<Scan> ownScan(PointTable& table, const Source& source) {
+Result<Scan> ownScan(PointTable table, const Source& source) {
     const auto grid = parseDescription(table.description, source.path.string());
     if (!grid) return grid.error();
     const std::size_t cells = std::max(table.points.size(), table.rangeMm.size());
@@ -57,6 +51,7 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
             return source.refused("a valid cell has a range that is no range", "save the scan again");
     }
     takeDescription(scan, *grid);
+    scan.warnings = std::move(table.remarks);
     if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
     std::optional<PolarGeometry> polar = polarOf(*grid);
     if (grid->sensorM) {

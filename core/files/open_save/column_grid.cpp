@@ -1,5 +1,5 @@
 // From columns line and beam to rows and columns of a cloud.
-#include "core/files/point_tables/column_grid.h"
+#include "core/files/open_save/column_grid.h"
 
 #include <Eigen/Dense>
 
@@ -10,7 +10,7 @@
 namespace edgescan::files {
 namespace {
 
-constexpr double kMostCellsPerPoint = 64; // fewer points are no grid but cells picked from one
+constexpr double kMostCellsPerPoint = 64; // fewer points are cells picked from a grid
 constexpr double kFewCells = 4e6;         // of which any number may be empty
 constexpr std::size_t kFewestRanges = 12;
 constexpr double kShareThatFits = 0.99;
@@ -55,18 +55,18 @@ std::optional<Shape> shapeOf(const PointTable& table) {
 
 /// Where so many ranges meet: |p - s|^2 = r^2 is linear in s and |s|^2. Numbers of the file; `unitMm` of the ranges.
 std::optional<Eigen::Vector3d> placeOfRanges(const PointTable& table, double unitMm) {
-    std::vector<std::size_t> told;
+    std::vector<std::size_t> withRange;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (std::size_t n = 0; n < table.points.size(); ++n) {
         if (!table.points[n].allFinite() || !(table.rangeMm[n] > 0)) continue;
-        told.push_back(n);
+        withRange.push_back(n);
         middle += table.points[n];
     }
-    if (told.size() < kFewestRanges) return std::nullopt;
-    middle /= static_cast<double>(told.size());
+    if (withRange.size() < kFewestRanges) return std::nullopt;
+    middle /= static_cast<double>(withRange.size());
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (const std::size_t n : told) {
+    for (const std::size_t n : withRange) {
         const Eigen::Vector3d p = table.points[n] - middle;
         const double range = static_cast<double>(table.rangeMm[n]) / unitMm;
         const Eigen::Vector4d row(2 * p.x(), 2 * p.y(), 2 * p.z(), 1.0);
@@ -79,19 +79,19 @@ std::optional<Eigen::Vector3d> placeOfRanges(const PointTable& table, double uni
 }
 
 bool fits(const PointTable& table, const Eigen::Vector3d& sensor, double unitMm) {
-    std::size_t told = 0;
+    std::size_t withRange = 0;
     std::size_t good = 0;
     for (std::size_t n = 0; n < table.points.size(); ++n) {
         if (!table.points[n].allFinite() || !(table.rangeMm[n] > 0)) continue;
         const double range = static_cast<double>(table.rangeMm[n]) / unitMm;
         const double rounding = 3 * (table.precision.absolute + table.precision.relative * table.points[n].norm());
-        ++told;
+        ++withRange;
         good += std::abs((table.points[n] - sensor).norm() - range) <= rounding + 0.002 * range + 1.0 / unitMm ? 1 : 0;
     }
-    return told >= kFewestRanges && static_cast<double>(good) >= kShareThatFits * static_cast<double>(told);
+    return withRange >= kFewestRanges && static_cast<double>(good) >= kShareThatFits * static_cast<double>(withRange);
 }
 
-/// Ranges of the file tell unit and sensor; ranges that fit no place are not used.
+/// Ranges of the file show unit and sensor; ranges that fit no place are not used.
 void takeSensorOfRanges(PointTable& table, bool sensorGiven) {
     if (table.rangeMm.size() != table.points.size()) return table.rangeMm.clear();
     for (const double unitMm : {1000.0, 1.0, 10.0}) {
