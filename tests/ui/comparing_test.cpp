@@ -28,12 +28,10 @@ class ComparingTest : public QObject {
     std::string before_, after_, placed_, other_;
 
     static bool known(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor(
-                                   [&] {
-                                       const Comparing& comparing = on.window.comparing();
-                                       return comparing.settled() && (!comparing.kept() || comparing.comparison() != nullptr);
-                                   },
-                                   30000);
+        return on.settled() && eventually([&] {
+                   const Comparing& comparing = on.window.comparing();
+                   return comparing.settled() && (!comparing.kept() || comparing.comparison() != nullptr);
+               });
     }
     static bool showWith(WindowFixture& on, const std::string& path) {
         on.window.resize(1280, 800);
@@ -113,7 +111,7 @@ private slots:
         // A row of the legend is a switch.
         QTest::mouseClick(legend.row(ChangeRow::Kept), Qt::LeftButton, Qt::NoModifier,
                           QPoint(8, legend.row(ChangeRow::Kept)->height() / 2));
-        QVERIFY(QTest::qWaitFor([&] { return painted(on.window.views().edges(), changeColour(ChangeRow::Kept)) == 0; }, 10000));
+        QVERIFY(eventually([&] { return painted(on.window.views().edges(), changeColour(ChangeRow::Kept)) == 0; }));
         QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // Back at the settings of A nothing is left to tell; without A the picture is as ever.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
@@ -225,7 +223,7 @@ private slots:
         const auto* covered = legend.findChild<QLabel*>("change-covered");
         QVERIFY(covered->isHidden());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QTRY_VERIFY_WITH_TIMEOUT(covered->isVisible(), 30000);
+        QTRY_VERIFY(covered->isVisible());
         QTest::keyClick(&on.window, Qt::Key_K);
         QTRY_VERIFY(covered->isHidden());
     }
@@ -239,15 +237,15 @@ private slots:
         QVERIFY(QString::fromStdString(on.picture().detection->scan->path).endsWith("after.json"));
         // Only one has a place: refused, and nothing is compared.
         on.window.comparing().compareWith(QString::fromStdString(placed_));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }, 30000));
+        QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));
         QVERIFY2(on.window.notice().text().contains("has none"), qPrintable(on.window.notice().text()));
         QVERIFY(!on.window.views().edgesInstead());
         // Another place altogether, and a file that is not there.
         on.window.comparing().compareWith(QString::fromStdString(other_));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }, 30000));
+        QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));
         QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
         on.window.comparing().compareWith("/nowhere/at/all.json");
-        QVERIFY(QTest::qWaitFor([&] { return on.window.comparing().settled(); }, 30000));
+        QVERIFY(eventually([&] { return on.window.comparing().settled(); }));
         QVERIFY2(on.window.notice().text().contains("nowhere"), qPrintable(on.window.notice().text()));
     }
 
@@ -289,7 +287,7 @@ private slots:
                 press ? QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash)
                       : QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
                 QCOMPARE(on.window.views().flipped(), press);
-                QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
+                QVERIFY(eventually([&] { return cloud.framesDrawn() > frames; }));
                 if (n == 0) continue; // the first one sends a cloud
                 times.push_back(threadCpuMilliseconds() - before);
                 waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);

@@ -60,7 +60,7 @@ private slots:
         }
         QSignalSpy failures(&window.session(), &Session::failed);
         window.files().open({path});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.notice().isVisible());
         QCOMPARE(window.notice().kind(), NoticeBar::Kind::Error);
         QVERIFY2(window.notice().text().contains(name.section('.', 0, 0)), qPrintable(window.notice().text()));
@@ -93,16 +93,16 @@ private slots:
         QVERIFY(offered != nullptr && offered->isVisible());
         QTest::mouseClick(offered, Qt::LeftButton);
         QVERIFY(on.settled());
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         QVERIFY(straighten->isChecked());
         QVERIFY2(window.notice().text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.notice().text()));
         // ... and the menu takes it back.
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
+        QVERIFY(eventually([&] { return !tilted(); }));
         QVERIFY(on.settled());
         QVERIFY(!straighten->isChecked());
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         // Another file starts as it was recorded.
         QVERIFY(on.open(real_));
         QVERIFY(!straighten->isChecked());
@@ -122,7 +122,7 @@ private slots:
             QSignalSpy saved(&window.session(), &Session::saved);
             const std::string path = (folder_ / name).string();
             window.session().save(what, QString::fromStdString(path));
-            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.session().working(); }, 10000));
+            QVERIFY(eventually([&] { return saved.count() == 1 && !window.session().working(); }));
             const std::string other = (folder_ / (std::string("cli-") + name)).string();
             QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
@@ -131,7 +131,7 @@ private slots:
         // A failed export names the path and leaves nothing behind.
         QSignalSpy failures(&window.session(), &Session::failed);
         window.session().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
     }
 
@@ -147,7 +147,7 @@ private slots:
         emit window.views().gray().clicked(1499, 1499);
         QVERIFY(!window.statusLine().probeShown().isEmpty());
         window.files().open({QString::fromStdString(small)});
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 4; }, 20000));
+        QVERIFY(eventually([&] { return window.session().picture()->detection->scan->lines() == 4; }));
         QVERIFY(window.statusLine().probeShown().isEmpty());
     }
 
@@ -165,9 +165,9 @@ private slots:
         QVERIFY(on.activate());
         QSignalSpy failures(&window.session(), &Session::failed);
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.session().working(); }));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture()->detection->scan->lines() == 30; }, 10000));
+        QVERIFY(eventually([&] { return window.session().picture()->detection->scan->lines() == 30; }));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
@@ -178,7 +178,7 @@ private slots:
         QSignalSpy failures(&window.session(), &Session::failed);
         window.session().save(ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.session().working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.session().working(); }));
     }
 
     void aDroppedFileIsOpened() {
@@ -207,12 +207,12 @@ private slots:
         QTRY_VERIFY(progress.count() > 0);
         QVERIFY(window.session().working());
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return !window.session().working(); }, 10000));
+        QVERIFY(eventually([&] { return !window.session().working(); }));
         QCOMPARE(window.session().picture(), before);
         // Two in a row: the second one is shown.
         window.files().openDemo();
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return window.session().picture() != before && !window.session().working(); }, 20000));
+        QVERIFY(eventually([&] { return window.session().picture() != before && !window.session().working(); }));
         QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 };

@@ -232,7 +232,7 @@ private slots:
         viewer.setProcessEnvironment(environment);
         viewer.start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan",
                      {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
-        QVERIFY(viewer.waitForFinished(30000));
+        QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);
         QVERIFY(Memory(config + "/edgescan/viewer.ini").settings(own) == own);
     }
@@ -265,8 +265,8 @@ private slots:
         const std::string large = (folder_ / "complete.json").string();
         QVERIFY(saveScan(test::boxesScan(800, 900, 1), large));
         QVERIFY(on.open(large));
-        QVERIFY(QTest::qWaitFor([&] { return window.views().cloud().drawnFraction() < 1.0; }, 15000)); // coarse first
-        QVERIFY(QTest::qWaitFor([&] { return window.views().cloud().drawnFraction() >= 1.0; }, 15000));
+        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() < 1.0; })); // coarse first
+        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() >= 1.0; }));
         // Part after part on top of each other gives the picture that one single frame gives.
         const QImage grown = window.views().cloud().grabFrame();
         const QImage whole = window.views().cloud().grabFrame(CloudView::Points::All);

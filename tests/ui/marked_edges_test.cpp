@@ -103,10 +103,10 @@ private slots:
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
         QVERIFY(!card->isVisible() && card->list()->count() == 0);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(on.window.session().settings() == loose);
         // Adopted it is one step of undo.
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled() && card->isVisible(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled() && card->isVisible(); }));
         QVERIFY(choose(0));
         const Settings previewed = on.window.session().settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
@@ -186,8 +186,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 3);
         click(on.window.views().gray(), line, last + 3);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }));
         const KeptMeasure& throat = on.window.targets().notebook().measures.front();
         QVERIFY(throat.kind == MeasureKind::Throat);
         const auto told = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
@@ -198,8 +197,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 60);
         click(on.window.views().gray(), line, first - 10);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }));
         QVERIFY(on.window.targets().notebook().measures.back().kind == MeasureKind::Path);
         // Between two cells of the plain wall there is no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);

@@ -65,7 +65,7 @@ class OpeningWindowTest : public QObject {
         return true;
     }
     static bool checked(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.opening().points().has_value(); }, 20000);
+        return on.settled() && eventually([&] { return on.window.opening().points().has_value(); });
     }
 
 private slots:
@@ -87,27 +87,27 @@ private slots:
         QVERIFY2(offer->isVisible(), qPrintable(on.window.notice().text()));
         QTest::mouseClick(offer, Qt::LeftButton);
         OpeningCard* card = on.window.opening().card();
-        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card));
+        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card, kPatienceMs));
         QVERIFY(!card->isModal());
         // Looked at: the scan is ten times larger, and no step of undo was made.
         QVERIFY(choose(*card, "centimetres"));
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QVERIFY(!on.window.undoStack().canUndo());
         // Closed: as it was.
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.window.files().options().unitMm);
         // Adopted: it stays, is one step, and undo brings back what was there.
         QVERIFY(checked(on));
         on.window.opening().show();
         QVERIFY(choose(*card, "centimetres"));
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && on.window.undoStack().count() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && on.window.undoStack().count() == 1; }));
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QCOMPARE(on.window.files().options().unitMm.value_or(0.0), 10.0);
         on.window.undoStack().undo();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.window.files().options().unitMm);
     }
 
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
-        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card()));
+        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card(), kPatienceMs));
         on.window.opening().card()->reject();
         // Closed is read.
         QVERIFY(on.activate());
@@ -184,7 +184,7 @@ private slots:
             QVERIFY(checked(on));
             on.window.opening().show();
             OpeningCard* card = on.window.opening().card();
-            QVERIFY(QTest::qWaitForWindowExposed(card));
+            QVERIFY(QTest::qWaitForWindowExposed(card, kPatienceMs));
             QTreeWidget* list = card->list();
             const OpeningPoint& unit = on.window.opening().points()->front();
             const QString said = list->topLevelItem(0)->text(1);

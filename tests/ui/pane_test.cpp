@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(cloud.note(), counted(valid) + " points");
         // Another number of edges with the settings; what fewer settings find is left out of the confidence picture and told.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000));
+        QVERIFY(eventually([&] { return on.window.confidence().made() != nullptr; }));
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
         on.window.confidence().setLeast(95);
         QTRY_COMPARE(on.window.confidence().made()->leastPercent, 95);

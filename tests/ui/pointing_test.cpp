@@ -262,14 +262,14 @@ private slots:
             return !skew.empty() && std::abs(skew[1] - skew[0]) > 0.2;
         };
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return !straight(); }, 20000));
+        QVERIFY(eventually([&] { return !straight(); }));
         QVERIFY(!straighten->isChecked());
         QCOMPARE(window_->session().settings().creaseDeg, 41.0);
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(straighten->isChecked());
         // Of a file that is gone nothing is taken back: the step before it is.
         QVERIFY(on_->open(boxes_));

@@ -35,7 +35,7 @@ class RocksWindowTest : public QObject {
     std::string bell_;
 
     static bool settled(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000);
+        return on.settled() && eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); });
     }
     // With the scan in it and rocks shown, by their key.
     bool showRocks(WindowFixture& on) {
@@ -182,7 +182,7 @@ private slots:
         const Rock rock = *picture(on).rock(3);
         const QPoint at = pixelOn(on, views.gray(), 3);
         QTest::mouseMove(&views.gray(), at);
-        QVERIFY(QTest::qWaitFor([&] { return !views.gray().tip().isEmpty(); }, 5000));
+        QVERIFY(eventually([&] { return !views.gray().tip().isEmpty(); }));
         QCOMPARE(views.gray().tip(), rockTip(rock));
         QVERIFY(views.gray().tip().contains(QString::number(rock.longM, 'f', 2)));
         QVERIFY(views.edges().tip().isEmpty());
@@ -409,7 +409,7 @@ private slots:
         const std::uint32_t cells = picture(on).rockAt(cell)->cells;
         QTest::keyClick(&on.window, Qt::Key_S);
         QTest::mouseMove(&view, at);
-        QVERIFY(QTest::qWaitFor([&] { return view.tip().contains("wheel"); }, 5000));
+        QVERIFY(eventually([&] { return view.tip().contains("wheel"); }));
         const double scale = view.viewPort()->cellSize().width();
         QString tip = view.tip();
         for (int n = 0; n < 20 && !tip.contains("larger than the rock"); ++n) {
@@ -538,7 +538,7 @@ private slots:
             QSignalSpy saved(&on.window.session(), &Session::saved);
             const std::string path = place("window.") + ending;
             on.window.rocks().exportTo(QString::fromStdString(path));
-            QVERIFY2(saved.wait(20000), qPrintable(on.window.notice().text()));
+            QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.window.notice().text()));
             QVERIFY2(on.window.notice().text().contains(QString::fromStdString(path)), qPrintable(on.window.notice().text()));
             QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
         }
@@ -565,7 +565,7 @@ private slots:
         QSignalSpy ended(&on.window.report(), &ScanReport::ended);
         on.window.report().writeTo(QString::fromStdString(page));
         QVERIFY(on.window.report().working());
-        QVERIFY(ended.wait(30000));
+        QVERIFY(ended.wait(kPatienceMs));
         QVERIFY2(on.window.notice().kind() == NoticeBar::Kind::Done, qPrintable(on.window.notice().text()));
         const QString text = QString::fromStdString(test::fileText(page));
         QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
@@ -573,7 +573,7 @@ private slots:
         const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
-        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rockPresetPath(bell_)); }, 5000));
+        QVERIFY(eventually([&] { return std::filesystem::exists(rockPresetPath(bell_)); }));
         const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
         QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
         const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");

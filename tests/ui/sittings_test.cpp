@@ -38,13 +38,11 @@ class SittingsTest : public QObject {
 
     [[nodiscard]] QString inFolder(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
     static bool atRest(WindowFixture& on) {
-        return QTest::qWaitFor(
-            [&] {
-                MainWindow& w = on.window;
-                return w.session().picture() != nullptr && !w.session().behind() && !w.session().working() && !w.rocks().behind() &&
-                       w.comparing().settled() && w.targets().settled() && w.sittings().settled();
-            },
-            30000);
+        return eventually([&] {
+            MainWindow& w = on.window;
+            return w.session().picture() != nullptr && !w.session().behind() && !w.session().working() && !w.rocks().behind() &&
+                   w.comparing().settled() && w.targets().settled() && w.sittings().settled();
+        });
     }
     static void drop(MainWindow& window, const QString& path) {
         QMimeData data;
@@ -141,7 +139,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sittings().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sittings().path() == file; }));
         QVERIFY(atRest(on));
         QTRY_VERIFY(on.window.comparing().kept() != nullptr);
         QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // read once
@@ -184,7 +182,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         on.window.sittings().openSession(file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sittings().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sittings().path() == file; }));
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
         QVERIFY(!on.window.views().cloud().isVisible() && on.window.views().edges().isVisible());
@@ -288,12 +286,12 @@ private slots:
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {QString::fromStdString(boxes_), "--method", "canny", "--lower", "7", "--pin", "20,30", "--pin", "60,80",
                                    "--compare", QString::fromStdString(other_), "--unit", "mm"});
-            QVERIFY(viewer.waitForStarted());
-            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
+            QVERIFY(viewer.waitForStarted(kPatienceMs));
+            QVERIFY(eventually([&] { return isWhole(saved(viewer)); }));
             QTest::qWait(1500); // the last frame is drawn
             before = textOfAll(*saved(viewer));
             QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), SIGKILL), 0);
-            QVERIFY(viewer.waitForFinished());
+            QVERIFY(viewer.waitForFinished(kPatienceMs));
         }
         // The pins are in the session, not only where the viewer keeps those of scans.
         QDir(home + "/config/edgescan/targets").removeRecursively();
@@ -301,12 +299,12 @@ private slots:
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {"--continue"});
-            QVERIFY(viewer.waitForStarted());
-            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
+            QVERIFY(viewer.waitForStarted(kPatienceMs));
+            QVERIFY(eventually([&] { return isWhole(saved(viewer)); }));
             QTest::qWait(1500);
             QCOMPARE(QString::fromStdString(textOfAll(*saved(viewer))), QString::fromStdString(before));
             ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
-            QVERIFY(viewer.waitForFinished());
+            QVERIFY(viewer.waitForFinished(kPatienceMs));
         }
         // A window says so, and goes on by its button.
         WindowFixture on(home + "/config/edgescan/viewer.ini");

@@ -4,6 +4,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
+#include "tests/ui/patience.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/parameter_row.h"
@@ -27,17 +28,17 @@ struct WindowFixture {
 
     [[nodiscard]] bool show() {
         window.show();
-        return QTest::qWaitForWindowExposed(&window);
+        return QTest::qWaitForWindowExposed(&window, kPatienceMs);
     }
     /// Keys go to it.
     [[nodiscard]] bool activate() {
         window.activateWindow();
-        return QTest::qWaitForWindowActive(&window);
+        return QTest::qWaitForWindowActive(&window, kPatienceMs);
     }
     /// Until what is shown belongs to the settings and the scan wanted last.
     [[nodiscard]] bool settled() {
-        return QTest::qWaitFor(
-            [this] { return window.session().picture() != nullptr && !window.session().behind() && !window.session().working(); }, 20000);
+        return eventually(
+            [this] { return window.session().picture() != nullptr && !window.session().behind() && !window.session().working(); });
     }
     [[nodiscard]] bool open(const std::string& path) {
         window.files().open({QString::fromStdString(path)});

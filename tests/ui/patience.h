@@ -1,0 +1,25 @@
+// How long a test of the window waits for a condition, and the words for it.
+#pragma once
+
+#include <QtTest>
+
+namespace edgescan::ui {
+
+/// No test passes or fails by the time that something takes: this only ends a test that waits for what never comes.
+constexpr int kPatienceMs = 120000;
+
+/// The window works until `done` holds; false if it never does.
+template <class Condition>
+[[nodiscard]] bool eventually(Condition done) {
+    return QTest::qWaitFor(done, kPatienceMs);
+}
+
+} // namespace edgescan::ui
+
+// Qt's own give up after five seconds, which a busy machine needs now and then.
+#undef QTRY_VERIFY
+#undef QTRY_VERIFY2
+#undef QTRY_COMPARE
+#define QTRY_VERIFY(holds) QTRY_VERIFY_WITH_TIMEOUT((holds), edgescan::ui::kPatienceMs)
+#define QTRY_VERIFY2(holds, words) QTRY_VERIFY2_WITH_TIMEOUT((holds), (words), edgescan::ui::kPatienceMs)
+#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT((actual), (expected), edgescan::ui::kPatienceMs)
