@@ -40,15 +40,15 @@ void openWanted(ui::MainWindow& window, ui::Memory& memory, const Wanted& wanted
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
     if (!wanted.session.empty())
-        window.sittings().openSession(QString::fromStdString(wanted.session));
+        window.sessions().openSession(QString::fromStdString(wanted.session));
     else if (wanted.goOn)
-        window.sittings().goOn();
+        window.sessions().goOn();
     else if (!files.isEmpty())
-        window.sittings().open(files, cli::readingOptions(wanted.read));
+        window.sessions().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.files().openDemo();
     else if (!understood.scanner) {
-        window.sittings().offerToGoOn();
+        window.sessions().offerToGoOn();
         ui::showStart(window, memory);
     }
     if (const auto& scanner = understood.scanner)

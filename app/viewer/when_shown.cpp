@@ -16,7 +16,7 @@ void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places
     *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, places, once] {
         QObject::disconnect(*once);
         for (const PinnedPlace& place : places) {
-            const Scan& scan = *window.session().picture()->detection->scan;
+            const Scan& scan = *window.engine().picture()->detection->scan;
             if (scan.rangeMm.contains(place.line, place.beam))
                 window.views().pin(window.views().cellAt(place.line, place.beam));
             else
@@ -47,7 +47,7 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
         QApplication::exit(written && compared ? 0 : 1);
     };
     QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, wanted] {
-        const int shown = window.session().picture()->detection->scan->lines();
+        const int shown = window.engine().picture()->detection->scan->lines();
         if (shown >= wanted.lines) {
             QTimer::singleShot(kRestMs, &window, write);
         } else if (!wanted.live) { // it will have no more
@@ -56,7 +56,7 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
             QApplication::exit(1);
         }
     });
-    QObject::connect(&window.session(), &ui::Session::failed, &window, [](const QString& sentence) {
+    QObject::connect(&window.engine(), &ui::Engine::failed, &window, [](const QString& sentence) {
         cli::complain(sentence.toStdString());
         QApplication::exit(1);
     });

@@ -371,8 +371,8 @@ inline std::vector<CostlyKind> costlyKinds() {
              return R"({"format":"edgescan-pose/1","inclinometer":[{"tilt_x_deg":1})" + repeated(R"(,{"tilt_x_deg":1})", b) + "]}";
          }},
         {"place", "", "nested lists", [](std::size_t b) { return "{\"a\":" + std::string(b, '[') + "}"; }},
-        {"sitting", "", "runs", [](std::size_t b) { return R"({"format":"edgescan-session/1","selected":[)" + repeated("1,", b) + "1]}"; }},
-        {"sitting", "", "nested lists", [](std::size_t b) { return "{\"layout\":" + std::string(b, '[') + "}"; }},
+        {"session", "", "runs", [](std::size_t b) { return R"({"format":"edgescan-session/1","selected":[)" + repeated("1,", b) + "1]}"; }},
+        {"session", "", "nested lists", [](std::size_t b) { return "{\"layout\":" + std::string(b, '[') + "}"; }},
         {"cola_stream", "", "false starts",
          [](std::size_t b) { return std::string("\2\377") + repeated(std::string("\2\2\2\2\0\0\xff\0", 8), b); }},
         {"scan_telegram", "", "channels", [](std::size_t b) { return std::string("\0", 1) + repeated("ffff ", b); }},

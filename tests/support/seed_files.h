@@ -8,12 +8,12 @@
 #include "core/scan/grid/range_picture.h"
 #include "tests/support/bytes.h"
 #include "tests/support/e57_writer.h"
+#include "tests/support/example_session.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/packed_files.h"
 #include "tests/support/packet_writer.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
-#include "tests/support/sittings.h"
 
 #include <array>
 #include <string>
@@ -188,7 +188,7 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     poses.inclinometer = {{1.7e9, 14.25, -3.4}, {1.7e9 + 1, 14.3, -3.4}};
     poses.talin = {{1.7e9, {498765.432, 5150123.456, 287.654}, 217.4, true, 5.75, -2.1}};
     seeds.push_back({"place", "", posesText(poses)});
-    seeds.push_back({"sitting", "", sittingText(exampleSitting("/scans/bell.json"), "/sessions", "2026-11-21T08:00:00Z")});
+    seeds.push_back({"session", "", sessionText(exampleSession("/scans/bell.json"), "/sessions", "2026-11-21T08:00:00Z")});
     return seeds;
 }
 

@@ -49,9 +49,9 @@ private slots:
             Settings settings;
             settings.sensitivity = 1.5;
             QVERIFY(on.use(settings));
-            QSignalSpy saved(&on.window.session(), &Session::saved);
-            on.window.session().save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
-            QVERIFY(saved.wait(kPatienceMs));
+            QSignalSpy saved(&on.window.engine(), &Engine::saved);
+            on.window.engine().save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
+            QVERIFY(saved.wait(10000));
             QSignalSpy reported(&on.window.report(), &ScanReport::ended);
             on.window.report().writeTo(QString::fromStdString((place / "report.html").string()));
             QVERIFY(reported.wait(kPatienceMs));

@@ -333,26 +333,26 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         Stepper* stepper = on.window.cab().frame().side().mainStepper();
-        const Settings before = on.window.session().settings();
+        const Settings before = on.window.engine().settings();
         QTest::mouseClick(stepper->more(), Qt::LeftButton);
-        QVERIFY(on.window.session().settings().sensitivity > before.sensitivity);
+        QVERIFY(on.window.engine().settings().sensitivity > before.sensitivity);
         QCOMPARE(on.window.undoStack().count(), 1);
-        const double one = on.window.session().settings().sensitivity;
+        const double one = on.window.engine().settings().sensitivity;
         QTest::mousePress(stepper->less(), Qt::LeftButton);
-        QTRY_VERIFY(on.window.session().settings().sensitivity < one - 3.5 * (one - before.sensitivity));
+        QTRY_VERIFY(on.window.engine().settings().sensitivity < one - 3.5 * (one - before.sensitivity));
         QTest::mouseRelease(stepper->less(), Qt::LeftButton);
         QCOMPARE(on.window.undoStack().count(), 2);
         QVERIFY(on.settled());
-        QTRY_COMPARE(stepper->value(), QString::number(on.window.session().settings().sensitivity, 'f', 2) + " x");
+        QTRY_COMPARE(stepper->value(), QString::number(on.window.engine().settings().sensitivity, 'f', 2) + " x");
         press(on.window, "cab-undo");
-        QCOMPARE(on.window.session().settings().sensitivity, one);
+        QCOMPARE(on.window.engine().settings().sensitivity, one);
         // Choices and automatic values have steps as well.
         press(on.window, "cab-tune");
         Stepper* method = on.window.cab().frame().side().stepper("method");
         QVERIFY(method != nullptr && method->isVisible());
         const QString was = method->value();
         QTest::mouseClick(method->more(), Qt::LeftButton);
-        if (on.window.session().settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
+        if (on.window.engine().settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
         QTRY_VERIFY(method->value() != was);
     }
 

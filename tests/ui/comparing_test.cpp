@@ -45,7 +45,7 @@ class ComparingTest : public QObject {
     }
     static bool keepByKey(WindowFixture& on) {
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        return on.window.comparing().kept() == on.window.session().picture();
+        return on.window.comparing().kept() == on.window.engine().picture();
     }
     // Pixels of the edge map by colour.
     static std::size_t painted(const ImageView& view, const QColor& colour) {
@@ -80,7 +80,7 @@ private slots:
         QVERIFY(keepByKey(on));
         QVERIFY(on.window.changeLegend().isVisible());
         QVERIFY(!on.window.views().edgesInstead());
-        Settings other = on.window.session().settings();
+        Settings other = on.window.engine().settings();
         other.method = Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
@@ -129,10 +129,10 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, before_));
         QVERIFY(keepByKey(on));
-        const std::shared_ptr<const Picture> a = on.window.session().picture();
+        const std::shared_ptr<const Picture> a = on.window.engine().picture();
         QVERIFY(on.open(after_));
         QVERIFY(known(on));
-        const std::shared_ptr<const Picture> b = on.window.session().picture();
+        const std::shared_ptr<const Picture> b = on.window.engine().picture();
         LinkedViews& views = on.window.views();
         CloudView& cloud = views.cloud();
         // The operator looks at a place, with some cells hidden and some selected.
@@ -163,11 +163,11 @@ private slots:
         QVERIFY(!views.flipped());
         QTest::keyRelease(box, Qt::Key_Backslash);
         views.gray().setFocus();
-        QVERIFY2(on.window.session().picture() == b, "flipping opens nothing");
+        QVERIFY2(on.window.engine().picture() == b, "flipping opens nothing");
         // A new picture ends a flip that the key was not let go of.
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
-        Settings other = on.window.session().settings();
+        Settings other = on.window.engine().settings();
         other.method = Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(!views.flipped() && known(on));
@@ -207,7 +207,7 @@ private slots:
         QVERIFY2(legend.regionText().startsWith("region 2 of "), qPrintable(legend.regionText()));
         // At this size both fit, and the picture of a slider keeps what is known of the surfaces.
         QTRY_VERIFY(on.window.views().cloud().rect().contains(on.window.changeLegend().geometry()));
-        Settings other = on.window.session().settings();
+        Settings other = on.window.engine().settings();
         other.method = Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));

@@ -104,13 +104,13 @@ private slots:
         QVERIFY(showByKey(on));
         const auto first = on.window.confidence().made();
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        Settings other = on.window.session().settings();
+        Settings other = on.window.engine().settings();
         other.method = Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY2(on.window.confidence().made() != first, "what was known of the picture before is still shown");
         QVERIFY(eventually([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }));
         QVERIFY(known(on));
-        QVERIFY(on.window.confidence().made()->of == on.window.session().picture());
+        QVERIFY(on.window.confidence().made()->of == on.window.engine().picture());
         QVERIFY(on.window.changeLegend().isVisible() && !on.window.confidenceLegend().isVisible());
         QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
         // The difference put away: confidence again; and back.

@@ -32,7 +32,7 @@ private slots:
         const std::vector<QToolButton*> pictures = sheets->card()->pictures();
         QVERIFY(pictures.size() >= 6);
         QCOMPARE(sheets->entries().size(), pictures.size());
-        const double before = on.window.session().settings().sensitivity;
+        const double before = on.window.engine().settings().sensitivity;
         int inUse = 0, steady = 0;
         for (std::size_t n = 0; n < pictures.size(); ++n) {
             inUse += pictures[n]->text().contains("now") ? 1 : 0;
@@ -44,11 +44,11 @@ private slots:
         // What is shown at a value is what the window shows once it is taken.
         const std::size_t last = pictures.size() - 1;
         QTest::mouseClick(pictures[last], Qt::LeftButton);
-        QCOMPARE(on.window.session().settings().sensitivity, sheets->entries()[last].value);
+        QCOMPARE(on.window.engine().settings().sensitivity, sheets->entries()[last].value);
         QVERIFY(on.settled());
         QCOMPARE(on.picture().detection->edges->size(), sheets->entries()[last].edges);
         on.window.undoStack().undo();
-        QCOMPARE(on.window.session().settings().sensitivity, before);
+        QCOMPARE(on.window.engine().settings().sensitivity, before);
     }
 
     void theSliderThatWasTurnedLastIsTheOneOfTheSheet() {
@@ -61,7 +61,7 @@ private slots:
         sheets->show();
         QTRY_VERIFY(!sheets->card()->working());
         QTest::mouseClick(sheets->card()->pictures().front(), Qt::LeftButton);
-        QVERIFY(on.window.session().settings().creaseDeg < 40);
+        QVERIFY(on.window.engine().settings().creaseDeg < 40);
     }
 
     // On a screen of 1280 x 720, as 1920 x 1080 is at 150 %, it stays whole.

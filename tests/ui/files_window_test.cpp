@@ -51,21 +51,21 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        const auto before = window.session().picture();
+        const auto before = window.engine().picture();
         const QString path = QString::fromStdString(folder_.path().string()) + "/" + name;
         if (!content.startsWith('\x01')) {
             QFile file(path);
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(content);
         }
-        QSignalSpy failures(&window.session(), &Session::failed);
+        QSignalSpy failures(&window.engine(), &Engine::failed);
         window.files().open({path});
         QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.notice().isVisible());
         QCOMPARE(window.notice().kind(), NoticeBar::Kind::Error);
         QVERIFY2(window.notice().text().contains(name.section('.', 0, 0)), qPrintable(window.notice().text()));
         QVERIFY(on.settled());
-        QCOMPARE(window.session().picture(), before);
+        QCOMPARE(window.engine().picture(), before);
         QCOMPARE(window.views().edges().image(), before->edges);
         QCOMPARE(window.windowTitle(), QString::fromStdString(before->detection->scan->name) + " - EdgeScan");
     }
@@ -85,7 +85,7 @@ private slots:
         QVERIFY2(window.notice().text().contains("degrees ahead of even ones"), qPrintable(window.notice().text()));
         auto* straighten = window.findChild<QAction*>("straighten-beams");
         QVERIFY(straighten != nullptr && !straighten->isChecked());
-        const auto skew = [&] { return std::get<PolarGeometry>(window.session().picture()->detection->scan->geometry).lineSkewDeg; };
+        const auto skew = [&] { return std::get<PolarGeometry>(window.engine().picture()->detection->scan->geometry).lineSkewDeg; };
         const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
         QVERIFY(!tilted());
         // The button in the note does it ...
@@ -119,19 +119,19 @@ private slots:
             {Export::EdgeImage, "mask.png", "--mask"},   {Export::GrayImage, "gray.png", "--gray"},
             {Export::RangeImage, "range.png", "--range"}};
         for (const auto& [what, name, flag] : exports) {
-            QSignalSpy saved(&window.session(), &Session::saved);
+            QSignalSpy saved(&window.engine(), &Engine::saved);
             const std::string path = (folder_ / name).string();
-            window.session().save(what, QString::fromStdString(path));
-            QVERIFY(eventually([&] { return saved.count() == 1 && !window.session().working(); }));
+            window.engine().save(what, QString::fromStdString(path));
+            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.engine().working(); }, 10000));
             const std::string other = (folder_ / (std::string("cli-") + name)).string();
             QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
             QVERIFY(!test::fileText(path).empty());
         }
         // A failed export names the path and leaves nothing behind.
-        QSignalSpy failures(&window.session(), &Session::failed);
-        window.session().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
-        QVERIFY(eventually([&] { return failures.count() == 1; }));
+        QSignalSpy failures(&window.engine(), &Engine::failed);
+        window.engine().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
         QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
     }
 
@@ -147,7 +147,7 @@ private slots:
         emit window.views().gray().clicked(1499, 1499);
         QVERIFY(!window.statusLine().probeShown().isEmpty());
         window.files().open({QString::fromStdString(small)});
-        QVERIFY(eventually([&] { return window.session().picture()->detection->scan->lines() == 4; }));
+        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->lines() == 4; }, 20000));
         QVERIFY(window.statusLine().probeShown().isEmpty());
     }
 
@@ -163,11 +163,11 @@ private slots:
         QVERIFY(on.settled());
         QVERIFY(window.windowTitle().contains("(1 of 3)"));
         QVERIFY(on.activate());
-        QSignalSpy failures(&window.session(), &Session::failed);
+        QSignalSpy failures(&window.engine(), &Engine::failed);
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(eventually([&] { return failures.count() == 1 && !window.session().working(); }));
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.engine().working(); }, 10000));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(eventually([&] { return window.session().picture()->detection->scan->lines() == 30; }));
+        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->lines() == 30; }, 10000));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
@@ -175,10 +175,10 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        QSignalSpy failures(&window.session(), &Session::failed);
-        window.session().save(ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
+        QSignalSpy failures(&window.engine(), &Engine::failed);
+        window.engine().save(ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(eventually([&] { return failures.count() == 1 && !window.session().working(); }));
+        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.engine().working(); }, 10000));
     }
 
     void aDroppedFileIsOpened() {
@@ -193,27 +193,27 @@ private slots:
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&window, &drop);
         QVERIFY(on.settled());
-        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
+        QCOMPARE(QString::fromStdString(window.engine().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 
     void openingCanBeCancelledAndTheNewestWins() {
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        const auto before = window.session().picture();
+        const auto before = window.engine().picture();
         qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // no demo in the cache: it must be made
-        QSignalSpy progress(&window.session(), &Session::workProgressed);
+        QSignalSpy progress(&window.engine(), &Engine::workProgressed);
         window.files().openDemo();
         QTRY_VERIFY(progress.count() > 0);
-        QVERIFY(window.session().working());
+        QVERIFY(window.engine().working());
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(eventually([&] { return !window.session().working(); }));
-        QCOMPARE(window.session().picture(), before);
+        QVERIFY(QTest::qWaitFor([&] { return !window.engine().working(); }, 10000));
+        QCOMPARE(window.engine().picture(), before);
         // Two in a row: the second one is shown.
         window.files().openDemo();
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(eventually([&] { return window.session().picture() != before && !window.session().working(); }));
-        QCOMPARE(QString::fromStdString(window.session().picture()->detection->scan->path), QString::fromStdString(real_));
+        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture() != before && !window.engine().working(); }, 20000));
+        QCOMPARE(QString::fromStdString(window.engine().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 };
 

@@ -98,7 +98,7 @@ bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.confidence().setOn(true);
     on.window.views().pin(on.window.views().cellAt(20, 30));
     on.window.live().panel().show();
-    Settings other = on.window.session().settings();
+    Settings other = on.window.engine().settings();
     other.sensitivity = 1.4;
     return on.use(other) && eventually([&] {
                return on.window.targets().settled() && on.window.rocks().picture() != nullptr && on.window.confidence().made() != nullptr &&

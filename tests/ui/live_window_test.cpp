@@ -55,7 +55,7 @@ class LiveWindowTest : public QObject {
     }
 
     static int linesShown(MainWindow& window) {
-        const auto& picture = window.session().picture();
+        const auto& picture = window.engine().picture();
         return picture ? picture->detection->scan->lines() : 0;
     }
     static bool waitForLines(MainWindow& window, int lines) {
@@ -64,7 +64,7 @@ class LiveWindowTest : public QObject {
     static bool waitForBadge(MainWindow& window, StateBadge::Sign sign) {
         return eventually([&] { return window.live().panel().strip().badge().sign() == sign; });
     }
-    static std::string shownMask(MainWindow& window) { return maskSha256(*window.session().picture()->detection->mask); }
+    static std::string shownMask(MainWindow& window) { return maskSha256(*window.engine().picture()->detection->mask); }
     [[nodiscard]] static std::string maskOf(const std::string& file) {
         const auto run = test::runCli("detect " + file + " --json -");
         return run.code == 0 ? nlohmann::json::parse(run.out)["edge_mask_sha256"].get<std::string>() : run.err;
@@ -137,7 +137,7 @@ private slots:
         std::set<std::pair<double, double>> windows;
         std::set<std::string> growingSizes;
         connect(&window, &MainWindow::pictureShown, this, [&] {
-            const Picture& picture = *window.session().picture();
+            const Picture& picture = *window.engine().picture();
             lines.insert(picture.detection->scan->lines());
             if (!picture.source.growth.growing) return;
             windows.insert({picture.detection->settings.nearMm, picture.detection->settings.farMm});
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(window.live().panel().findChild<QLabel*>("live-lines")->text().endsWith("/160 lines"));
 
         // Every picture belongs together and equals the whole method with the settings that it names.
-        const auto growing = window.session().picture();
+        const auto growing = window.engine().picture();
         QVERIFY(growing->source.growth.growing);
         QCOMPARE(*growing->detection->mask, *detectEdges(growing->detection->scan, growing->detection->settings)->mask);
         QCOMPARE(static_cast<int>(window.views().cloud().geometryOfCloud()->cells()),
@@ -166,16 +166,16 @@ private slots:
         const int before = linesShown(window);
         QSlider* slider = on.slider("lower");
         slider->setValue(slider->value() + 7);
-        const double wanted = window.session().settings().lower;
-        QVERIFY(eventually([&] { return window.session().picture()->detection->settings.lower == wanted; }));
-        QVERIFY2(window.session().picture()->source.growth.growing, "the slider works while the sweep grows");
+        const double wanted = window.engine().settings().lower;
+        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->settings.lower == wanted; }, 5000));
+        QVERIFY2(window.engine().picture()->source.growth.growing, "the slider works while the sweep grows");
         QVERIFY(waitForLines(window, before + 30));
         QVERIFY(window.views().cloud().camera() == pose);
         QCOMPARE(window.views().gray().viewPort()->zoom(), zoom);
         slider->setValue(slider->value() - 7);
 
-        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.session().picture()->source.growth.growing; }));
-        QVERIFY(eventually([&] { return !window.session().behind(); }));
+        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return !window.engine().behind(); }, 5000));
         QCOMPARE(shownMask(window), maskOf(bell_));
         QVERIFY2(lines.size() > 8, "line by line, not all at once");
         QVERIFY2(windows.size() <= 6, "the range window stays while the sweep grows");
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(!window.live().scanner().following());
         QVERIFY(window.views().gray().note().startsWith("Held: sweep 1"));
         press(window, "live-follow");
-        QVERIFY(eventually([&] { return window.session().picture()->source.growth.growing; }));
+        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->source.growth.growing; }, 5000));
         QVERIFY(window.views().cloud().camera() == pose);
     }
 
@@ -270,7 +270,7 @@ private slots:
         window.live().connectTo("127.0.0.1", 9, sweep());
         QVERIFY(waitForBadge(window, StateBadge::Sign::Failed));
         QVERIFY(QString::fromStdString(window.live().scanner().health().sentence).contains("127.0.0.1:9"));
-        QVERIFY(!window.session().picture());
+        QVERIFY(!window.engine().picture());
         press(window, "live-connect");
         QVERIFY(!window.live().scanner().connected());
     }
@@ -285,8 +285,8 @@ private slots:
         window.live().connectTo("127.0.0.1", served.port(), sweep());
         press(window, "live-record"); // before the first line comes
         QVERIFY(window.live().scanner().recording());
-        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.session().picture()->source.growth.growing; }));
-        QVERIFY(eventually([&] { return !window.session().behind(); }));
+        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return !window.engine().behind(); }, 5000));
         const std::string live = shownMask(window);
         press(window, "live-keep");
         QVERIFY(eventually([&] { return QDir(folder).entryList({"last-minute_*.mcap"}).size() == 1; }));
@@ -302,7 +302,7 @@ private slots:
 
         window.files().open({path});
         Timeline& timeline = window.live().timeline();
-        QVERIFY(eventually([&] { return timeline.active() && !window.session().behind(); }));
+        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.engine().behind(); }, 10000));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
@@ -314,7 +314,7 @@ private slots:
         QVERIFY(at(kLines - 10));
         QTest::keyClick(&window, Qt::Key_Left);
         QVERIFY(at(kLines - 11));
-        const Picture& part = *window.session().picture();
+        const Picture& part = *window.engine().picture();
         QCOMPARE(*part.detection->mask, *detectEdges(part.detection->scan, part.detection->settings)->mask);
         QTest::keyClick(&window, Qt::Key_Right);
         QVERIFY(at(kLines - 10));
@@ -335,9 +335,9 @@ private slots:
         QVERIFY(!timeline.playing());
         timeline.setSpeed(10.0);
         QTest::keyClick(&window, Qt::Key_Space);
-        QVERIFY(eventually([&] { return !timeline.playing() && !window.session().behind() && linesShown(window) == kLines; }));
+        QVERIFY(QTest::qWaitFor([&] { return !timeline.playing() && !window.engine().behind() && linesShown(window) == kLines; }, 20000));
         QCOMPARE(shownMask(window), live);
-        QCOMPARE(window.session().picture()->detection->scan->path, path.toStdString());
+        QCOMPARE(window.engine().picture()->detection->scan->path, path.toStdString());
         window.files().open({QString::fromStdString(bell_)});
         QVERIFY(eventually([&] { return !timeline.active() && !timeline.isVisible(); }));
     }
@@ -356,7 +356,7 @@ private slots:
         QVERIFY(on.show());
         window.files().open({QString::fromStdString(path)});
         Timeline& timeline = window.live().timeline();
-        QVERIFY(eventually([&] { return timeline.active() && !window.session().behind(); }));
+        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.engine().behind(); }, 10000));
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
         const std::string opened = shownMask(window);
@@ -369,12 +369,13 @@ private slots:
             Replay fresh(*recording);
             fresh.seek(line);
             const auto expected = fresh.snapshot();
-            QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.session().behind(); }));
-            QVERIFY(window.session().picture()->detection->scan->rangeMm == expected->rangeMm);
-            QVERIFY(window.session().picture()->detection->scan->state == expected->state);
+            QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.engine().behind(); }, 5000));
+            QVERIFY(window.engine().picture()->detection->scan->rangeMm == expected->rangeMm);
+            QVERIFY(window.engine().picture()->detection->scan->state == expected->state);
         }
         timeline.goTo(timeline.home());
-        QVERIFY(eventually([&] { return window.session().picture()->detection->scan->path == path && !window.session().behind(); }));
+        QVERIFY(
+            QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->path == path && !window.engine().behind(); }, 5000));
         QCOMPARE(shownMask(window), opened);
     }
 };

@@ -46,7 +46,7 @@ QPoint sliderHandle(QSlider* slider) {
 void compareWithCommandLine(WindowFixture& on) {
     MainWindow& window = on.window;
     const Detection& detection = *on.picture().detection;
-    QCOMPARE(window.views().edges().image(), window.session().picture()->edges);
+    QCOMPARE(window.views().edges().image(), window.engine().picture()->edges);
     QCOMPARE(countPixels(*window.views().edges().image(), [](QRgb p) { return p == qRgb(255, 255, 255); }),
              static_cast<int>(detection.edges->size()));
     QVERIFY(window.statusLine().countsShown().contains(
@@ -98,8 +98,8 @@ private slots:
         QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(60, 0));
         QVERIFY(on.settled());
         QVERIFY2(pictures.count() > 5, "the views follow while the slider moves, not only at the end");
-        QVERIFY(window.session().settings().lower > 20.0);
-        QCOMPARE(window.session().picture()->detection->settings.lower, window.panel().row("lower")->number()->value());
+        QVERIFY(window.engine().settings().lower > 20.0);
+        QCOMPARE(window.engine().picture()->detection->settings.lower, window.panel().row("lower")->number()->value());
         QVERIFY(*window.views().edges().image() != edgesBefore);
         QVERIFY(greenPixels(window.views().cloud().grabFrame(CloudView::Points::All)) < greenBefore);
         QVERIFY(window.statusLine().countsShown() != countsBefore);
@@ -127,8 +127,8 @@ private slots:
         }
         const double last = sliderValue(window.panel().row("lower")->parameter(), slider->value());
         QVERIFY(on.settled());
-        QCOMPARE(window.session().settings().lower, last);
-        QCOMPARE(window.session().picture()->detection->settings.lower, last);
+        QCOMPARE(window.engine().settings().lower, last);
+        QCOMPARE(window.engine().picture()->detection->settings.lower, last);
         QCOMPARE(window.panel().row("lower")->number()->value(), last);
         compareWithCommandLine(on);
     }
@@ -188,7 +188,7 @@ private slots:
 
         WindowFixture again(killed);
         QVERIFY(again.show());
-        const Settings& settings = again.window.session().settings();
+        const Settings& settings = again.window.engine().settings();
         QCOMPARE(settings.lower, 42.0);
         QCOMPARE(settings.kernel, 5);
         QCOMPARE(settings.ratio, 2.5);
@@ -210,18 +210,18 @@ private slots:
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
-            QVERIFY(window.session().settings() == own);
+            QVERIFY(window.engine().settings() == own);
             Settings asked = thesis.settings;
             asked.lower = 33;
             window.tuning().startWith(thesis, asked);
-            QVERIFY(window.session().settings() == asked);
+            QVERIFY(window.engine().settings() == asked);
             QCOMPARE(QString::fromStdString(window.panel().preset().name), QString("thesis"));
             window.close();
         }
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
-            QVERIFY(window.session().settings() == own);
+            QVERIFY(window.engine().settings() == own);
             QVERIFY(window.panel().preset().name != "thesis");
         }
         // From the program itself, too.
@@ -248,14 +248,14 @@ private slots:
         slider->setValue(300);
         slider->setValue(400);
         slider->setSliderDown(false);
-        QVERIFY(window.session().settings().lower > 20);
-        QCOMPARE(window.session().settings().kernel, 7);
+        QVERIFY(window.engine().settings().lower > 20);
+        QCOMPARE(window.engine().settings().kernel, 7);
         QUndoStack& undo = window.tuning().undoStack();
         undo.undo();
-        QCOMPARE(window.session().settings().lower, Settings{}.lower);
-        QCOMPARE(window.session().settings().kernel, 7);
+        QCOMPARE(window.engine().settings().lower, Settings{}.lower);
+        QCOMPARE(window.engine().settings().kernel, 7);
         undo.undo();
-        QCOMPARE(window.session().settings().kernel, Settings{}.kernel);
+        QCOMPARE(window.engine().settings().kernel, Settings{}.kernel);
     }
 
     void theCloudIsCompleteOnceItRests() {
@@ -291,14 +291,14 @@ private slots:
         presets->setCurrentText("thesis");
         emit presets->activated(presets->currentIndex());
         QVERIFY(on.settled());
-        QVERIFY(window.session().picture()->detection->settings == findPreset("thesis")->settings);
+        QVERIFY(window.engine().picture()->detection->settings == findPreset("thesis")->settings);
         QVERIFY(!window.panel().modified());
         compareWithCommandLine(on);
         window.panel().row("lower")->number()->setValue(33);
         QVERIFY(window.panel().modified());
         // A double-click on the slider goes back to the preset's value.
         QTest::mouseDClick(on.slider("lower"), Qt::LeftButton);
-        QCOMPARE(window.session().settings().lower, 10.0);
+        QCOMPARE(window.engine().settings().lower, 10.0);
         QVERIFY(!window.panel().modified());
     }
 };

@@ -123,7 +123,7 @@ private slots:
     void whatFailsIsToldInPlainAndShortWords() {
         WindowFixture on;
         QVERIFY(on.show());
-        QSignalSpy failed(&on.window.session(), &Session::failed);
+        QSignalSpy failed(&on.window.engine(), &Engine::failed);
         on.window.files().open({exactText((folder_ / ("none\x1b[31m" + std::string(150, 'x'))).string())});
         QVERIFY(failed.wait(kPatienceMs));
         QVERIFY(plain(on.window.notice().text()));
@@ -150,11 +150,11 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
         for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz", "e.las", "e.dxf", "e.obj", "e.ptx"}) {
-            QSignalSpy saved(&on.window.session(), &Session::saved);
+            QSignalSpy saved(&on.window.engine(), &Engine::saved);
             const std::string path = (folder_ / name).string();
-            on.window.session().save(ExportContent::EdgeCloud, exactText(path),
-                                     ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
-            QVERIFY2(saved.wait(kPatienceMs), name);
+            on.window.engine().save(ExportContent::EdgeCloud, exactText(path),
+                                    ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
+            QVERIFY2(saved.wait(20000), name);
             const auto verified = verifyExport(path);
             QVERIFY2(bool(verified), name);
             QVERIFY2(verified->identical, verificationText(*verified).c_str());
@@ -249,9 +249,9 @@ private slots:
         QCOMPARE(on.window.statusLine().settingsShown(), usual + ", 2 changed");
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(on.window.statusLine().settingsShown(), usual);
-        QVERIFY(on.window.session().settings() == Settings{});
+        QVERIFY(on.window.engine().settings() == Settings{});
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(on.window.session().settings() == turned);
+        QVERIFY(on.window.engine().settings() == turned);
     }
 };
 

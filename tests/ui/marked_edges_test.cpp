@@ -65,7 +65,7 @@ private slots:
     void marksBecomeSettingsThatAgree() {
         WindowFixture on;
         QVERIFY(showWith(on, bell_));
-        Settings loose = on.window.session().settings();
+        Settings loose = on.window.engine().settings();
         loose.sensitivity = 0.4;
         const Grid<std::uint8_t> usual = *on.picture().detection->mask;
         QVERIFY(on.use(loose));
@@ -117,22 +117,22 @@ private slots:
             return on.settled();
         };
         QVERIFY(choose(0));
-        QVERIFY(!(on.window.session().settings() == loose));
+        QVERIFY(!(on.window.engine().settings() == loose));
         for (const std::size_t k : wanted) QVERIFY(near(*on.picture().detection->mask, k));
         for (const std::size_t k : unwanted) QVERIFY(!near(*on.picture().detection->mask, k));
         QVERIFY(choose(1));
         QTest::keyClick(card, Qt::Key_Escape);
         QVERIFY(on.settled());
-        QVERIFY(on.window.session().settings() == loose);
+        QVERIFY(on.window.engine().settings() == loose);
         // Adopted it is one step of undo.
         action(on, "Settings for These Marks…")->trigger();
         QVERIFY(eventually([&] { return on.window.markedEdges().settled() && card->isVisible(); }));
         QVERIFY(choose(0));
-        const Settings previewed = on.window.session().settings();
+        const Settings previewed = on.window.engine().settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(on.settled() && on.window.session().settings() == previewed && !card->isVisible());
+        QVERIFY(on.settled() && on.window.engine().settings() == previewed && !card->isVisible());
         on.window.undoStack().undo();
-        QVERIFY(on.settled() && on.window.session().settings() == loose);
+        QVERIFY(on.settled() && on.window.engine().settings() == loose);
         // Cells of another scan are none of this one.
         QVERIFY(on.open(slot_));
         QVERIFY(on.window.markedEdges().marks().empty());

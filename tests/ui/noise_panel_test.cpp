@@ -37,7 +37,7 @@ private slots:
             QVERIFY2(told->text().contains(mm(laser->noise, at)), qPrintable(told->text()));
         QVERIFY(!told->text().contains("Folds"));
 
-        Settings camera = on.window.session().settings();
+        Settings camera = on.window.engine().settings();
         camera.noiseKind = NoiseKind::Camera;
         QVERIFY(on.use(camera));
         QTRY_VERIFY(told->text().contains("neighbours err alike"));

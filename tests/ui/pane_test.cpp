@@ -104,7 +104,7 @@ private slots:
         QTRY_COMPARE(on.window.confidence().made()->leastPercent, 95);
         QCOMPARE(edges.note(), counted(on.window.confidence().made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        Settings fewer = on.window.session().settings();
+        Settings fewer = on.window.engine().settings();
         fewer.method = Method::Canny;
         QVERIFY(on.use(fewer));
         QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");

@@ -124,7 +124,7 @@ private slots:
                 dialog->reject();
             }
         });
-        QSignalSpy saved(&window.session(), &Session::saved);
+        QSignalSpy saved(&window.engine(), &Engine::saved);
         const auto actions = window.actions();
         const auto command =
             std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->shortcut() == QKeySequence("Ctrl+E"); });
@@ -132,12 +132,12 @@ private slots:
         (*command)->trigger();
         QTRY_VERIFY(asked);
         QCOMPARE(saved.count(), 0);
-        QVERIFY(!window.session().working());
+        QVERIFY(!window.engine().working());
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
         ExportOptions options;
         options.frame = CoordinateFrame::Mine;
-        window.session().save(ExportContent::EdgeCloud, path, options);
-        QTRY_COMPARE(saved.count(), 1);
+        window.engine().save(ExportContent::EdgeCloud, path, options);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
     }
 };

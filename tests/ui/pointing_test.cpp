@@ -230,24 +230,24 @@ private slots:
                  {"Laplacian of Gaussian", "Marr-Hildreth", "Roberts", "Kirsch", "EdgeScan+", "Laplacian of Gaussian"})
                 choose(visited);
             choose("Canny (thesis)");
-            QCOMPARE(window_->session().settings().lower, lower);
+            QCOMPARE(window_->engine().settings().lower, lower);
             // Also where another setting was turned there, and where it is undone and done again.
             choose("Laplacian of Gaussian");
             window_->panel().row("kernel")->choice()->setCurrentIndex(2);
             choose("Canny (thesis)");
-            QCOMPARE(window_->session().settings().lower, lower);
+            QCOMPARE(window_->engine().settings().lower, lower);
             window_->undoStack().undo();
             window_->undoStack().undo();
             window_->undoStack().undo();
             window_->undoStack().redo();
             choose("Canny (thesis)");
-            QCOMPARE(window_->session().settings().lower, lower);
+            QCOMPARE(window_->engine().settings().lower, lower);
         }
         // A threshold that was chosen there counts.
         choose("Laplacian of Gaussian");
         window_->panel().row("lower")->number()->setValue(40);
         choose("Canny (thesis)");
-        QVERIFY(window_->session().settings().lower != 33.0);
+        QVERIFY(window_->engine().settings().lower != 33.0);
     }
 
     void straighteningIsAStepOfUndo() {
@@ -267,14 +267,14 @@ private slots:
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(eventually([&] { return !straight(); }));
         QVERIFY(!straighten->isChecked());
-        QCOMPARE(window_->session().settings().creaseDeg, 41.0);
+        QCOMPARE(window_->engine().settings().creaseDeg, 41.0);
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
         QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(straighten->isChecked());
         // Of a file that is gone nothing is taken back: the step before it is.
         QVERIFY(on_->open(boxes_));
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
-        QTRY_COMPARE(window_->session().settings().creaseDeg, 30.0);
+        QTRY_COMPARE(window_->engine().settings().creaseDeg, 30.0);
         QCOMPARE(on_->picture().detection->scan->path, boxes_);
     }
 

@@ -131,7 +131,7 @@ private slots:
         settings.degPerLine = 0.18;
         settings.firstLineDeg = -90;
         settings.axis = Axis::Sweep;
-        const auto lines = [&] { return window.session().picture() ? on.picture().detection->scan->lines() : 0; };
+        const auto lines = [&] { return window.engine().picture() ? on.picture().detection->scan->lines() : 0; };
         window.live().connectTo("127.0.0.1", served.port(), settings);
         QVERIFY(eventually([&] { return lines() >= 10; }));
         auto& application = *static_cast<TimedApplication*>(QCoreApplication::instance());

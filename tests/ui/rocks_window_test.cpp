@@ -535,7 +535,7 @@ private slots:
                                       place("cli.png") + "' --csv '" + place("cli.csv") + "'");
         QVERIFY2(run.code == 0, run.err.c_str());
         for (const char* ending : {"csv", "json", "png", "dxf", "geojson", "ply", "obj"}) {
-            QSignalSpy saved(&on.window.session(), &Session::saved);
+            QSignalSpy saved(&on.window.engine(), &Engine::saved);
             const std::string path = place("window.") + ending;
             on.window.rocks().exportTo(QString::fromStdString(path));
             QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.window.notice().text()));
@@ -609,12 +609,11 @@ private slots:
         on.window.resize(1600, 950);
         QVERIFY(on.show());
         on.window.rocks().setShown(true);
-        const std::uint64_t stream = Session::newStream();
+        const std::uint64_t stream = Engine::newStream();
         std::vector<int> lines;
         QObject::connect(&on.window.rocks(), &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
         for (int count = 200; count <= scan_.lines(); count += 40) {
-            on.window.session().follow(std::make_shared<const Scan>(firstLines(count)),
-                                       {stream, {0, count < scan_.lines(), scan_.lines()}});
+            on.window.engine().follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
             QTest::qWait(100);
             QVERIFY(on.settled());
             if (!on.window.rocks().picture()) continue;

@@ -151,14 +151,14 @@ private slots:
                 on.window.views().pin(on.window.views().cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-                QVERIFY(eventually([&] { return QFile::exists(file) && on.window.sittings().settled(); }));
+                QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sessions().settled(); }, 20000));
                 QVERIFY(hand.asked.isEmpty());
             }
             WindowFixture on;
             QVERIFY(on.show());
-            on.window.sittings().open({file});
-            QVERIFY(eventually([&] { return on.window.targets().notebook().targets.size() == 1; }));
-            QCOMPARE(on.window.sittings().path(), file);
+            on.window.sessions().open({file});
+            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 1; }, 20000));
+            QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
     }
@@ -182,7 +182,7 @@ private slots:
         QCOMPARE(ask({"no"}), QStringList("replace-question"));
         QVERIFY(text("e.pcd.provenance.json") == "precious");
         QVERIFY(!QFile::exists(path("e.pcd")));
-        QSignalSpy saved(&on.window.session(), &Session::saved);
+        QSignalSpy saved(&on.window.engine(), &Engine::saved);
         QCOMPARE(ask({"replace"}), QStringList("replace-question"));
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(QFile::exists(path("e.pcd")));
@@ -248,7 +248,7 @@ private slots:
         QVERIFY(beside != QDir::current().canonicalPath());
         QCOMPARE(begins([&] { on.window.files().ask(); }), beside);
         QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
-        QCOMPARE(begins([&] { on.window.sittings().ask(); }), beside);
+        QCOMPARE(begins([&] { on.window.sessions().ask(); }), beside);
         QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
         // What was saved elsewhere is looked for there, until that folder is gone.
         const QString elsewhere = path("elsewhere");

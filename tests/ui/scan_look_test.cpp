@@ -221,7 +221,7 @@ private slots:
                 const double level = std::clamp((static_cast<double>(scan.rangeMm[k]) / 1000.0 - low) / (high - low) * 255.0, 0.0, 255.0);
                 QVERIFY(std::abs(grayAt(on, k) - level) <= 1.0);
             }
-            QVERIFY(!on.window.undoStack().canUndo() && on.window.session().settings() == Settings{});
+            QVERIFY(!on.window.undoStack().canUndo() && on.window.engine().settings() == Settings{});
             // Keys move the ends as well.
             handles.setFocus();
             QTest::keyClick(&handles, Qt::Key_Right);

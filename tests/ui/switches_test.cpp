@@ -113,13 +113,13 @@ private slots:
             QVERIFY2(!widget->hasFocus(), qPrintable(widget->objectName()));
         }
         QVERIFY2(tried > 8, qPrintable(QString::number(tried)));
-        QVERIFY(window.session().settings() == cannySettings());
+        QVERIFY(window.engine().settings() == cannySettings());
         // With the focus it does.
         QDoubleSpinBox* number = window.panel().row("lower")->number();
         number->setFocus();
         QTRY_VERIFY(number->hasFocus());
         wheelOver(*number, 1);
-        QVERIFY(window.session().settings().lower > cannySettings().lower);
+        QVERIFY(window.engine().settings().lower > cannySettings().lower);
     }
 
     void theLegendTellsAndSwitches() {
@@ -130,7 +130,7 @@ private slots:
         const auto press = [&](QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2}); };
         press(legend.classSwitch(1));
         QVERIFY(on.settled());
-        QCOMPARE(on.window.session().settings().classes, static_cast<int>(kClassJump | kClassConcave | kClassSilhouette));
+        QCOMPARE(on.window.engine().settings().classes, static_cast<int>(kClassJump | kClassConcave | kClassSilhouette));
         QVERIFY(!legend.classSwitch(1)->isChecked());
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);

@@ -526,8 +526,8 @@ private slots:
         QCOMPARE(dialog.count(), valid);
         QVERIFY(dialog.options().selection != nullptr);
         const std::string path = (folder_ / "selected.pcd").string();
-        QSignalSpy saved(&on.window.session(), &Session::saved);
-        on.window.session().save(dialog.content(), QString::fromStdString(path), dialog.options());
+        QSignalSpy saved(&on.window.engine(), &Engine::saved);
+        on.window.engine().save(dialog.content(), QString::fromStdString(path), dialog.options());
         QTRY_COMPARE(saved.count(), 1);
         QCOMPARE(saved.front().at(2).toLongLong(), static_cast<qint64>(valid));
         const auto verified = verifyExport(path);

@@ -66,11 +66,11 @@ private slots:
 
     void theMeaningFollowsThresholdKernelAndWindow() {
         use(findPreset("window")->settings);
-        const GrayScale scale = window_->session().picture()->detection->gray->scale;
-        QCOMPARE(meaning(), QString::fromStdString(thresholdText(window_->session().settings(), scale)));
+        const GrayScale scale = window_->engine().picture()->detection->gray->scale;
+        QCOMPARE(meaning(), QString::fromStdString(thresholdText(window_->engine().settings(), scale)));
         QVERIFY(meaning().startsWith("weak edge from a step of "));
         const QString before = meaning();
-        Settings wider = window_->session().settings();
+        Settings wider = window_->engine().settings();
         wider.kernel = 7;
         use(wider);
         QVERIFY(meaning() != before);
@@ -89,15 +89,15 @@ private slots:
         QTest::keyClicks(box, "0.5 m");
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(on_->settled());
-        QCOMPARE(window_->session().settings().lower, 15.0);
+        QCOMPARE(window_->engine().settings().lower, 15.0);
         box->selectAll();
         QTest::keyClicks(box, "22");
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->session().settings().lower, 22.0);
+        QCOMPARE(window_->engine().settings().lower, 22.0);
         box->selectAll();
         QTest::keyClicks(box, "5 %"); // has no one threshold in linear levels: nothing changes
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->session().settings().lower, 22.0);
+        QCOMPARE(window_->engine().settings().lower, 22.0);
     }
 
     void whatCannotBeReadIsToldAndTheValueStays() {
@@ -130,7 +130,7 @@ private slots:
         box->selectAll();
         QTest::keyClicks(box, "44 degrees");
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->session().settings().creaseDeg, 44.0);
+        QCOMPARE(window_->engine().settings().creaseDeg, 44.0);
         QVERIFY(!window_->notice().isVisible());
     }
 
@@ -145,13 +145,13 @@ private slots:
         window_->files().open({QString::fromStdString(path)});
         QVERIFY(on_->settled());
         QDoubleSpinBox* box = window_->panel().row("noise")->number();
-        const double measured = window_->session().picture()->detection->responses->noise.at(5.0);
+        const double measured = window_->engine().picture()->detection->responses->noise.at(5.0);
         QVERIFY(measured > 35); // beyond what can be typed
         QVERIFY(std::abs(box->value() - measured) < 0.006);
-        QVERIFY(std::isnan(window_->session().settings().noiseMm));
+        QVERIFY(std::isnan(window_->engine().settings().noiseMm));
         auto* automatic = window_->panel().findChild<QCheckBox*>("auto-noise");
         automatic->setChecked(false); // what can be typed ends at 30
-        QCOMPARE(window_->session().settings().noiseMm, 30.0);
+        QCOMPARE(window_->engine().settings().noiseMm, 30.0);
         QCOMPARE(box->value(), 30.0);
     }
 
@@ -163,11 +163,11 @@ private slots:
             QVERIFY(on_->settled());
         };
         choose("Kirsch");
-        const Settings kirsch = window_->session().settings();
+        const Settings kirsch = window_->engine().settings();
         QVERIFY(std::abs(kirsch.lower / stepGain(kirsch).straight - 4.0) < 0.1); // in the middle between 2 and 6
         choose("EdgeScan+");
         choose("Canny (thesis)");
-        QVERIFY(std::abs(window_->session().settings().lower - 6.0) < 0.11);
+        QVERIFY(std::abs(window_->engine().settings().lower - 6.0) < 0.11);
     }
 
     void theCurveCountsWhatTheThresholdWouldGive() {
@@ -178,13 +178,13 @@ private slots:
         QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const EdgeCountCurve counts = *curve->curve();
         for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
-            Settings at = window_->session().settings();
+            Settings at = window_->engine().settings();
             at.lower = counts.thresholds[n];
             use(at);
-            QCOMPARE(window_->session().picture()->detection->edges->size(), counts.edges[n]);
+            QCOMPARE(window_->engine().picture()->detection->edges->size(), counts.edges[n]);
             QVERIFY(curve->curve().has_value()); // another threshold of the same curve
         }
-        Settings other = window_->session().settings();
+        Settings other = window_->engine().settings();
         other.kernel = 5;
         use(other);
         QVERIFY(!curve->curve().has_value());
@@ -197,8 +197,8 @@ private slots:
         between.lower = 58.5;
         use(between);
         CountCurve* curve = window_->panel().curve("lower");
-        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
-        const auto edges = static_cast<qulonglong>(window_->session().picture()->detection->edges->size());
+        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        const auto edges = static_cast<qulonglong>(window_->engine().picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
         Settings share = cannySettings();
@@ -210,7 +210,7 @@ private slots:
 
     void whyAnswersForTheCellClicked() {
         use(cannySettings());
-        const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
+        const std::uint32_t cell = window_->engine().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
         const QString text = window_->explanation().card()->text();
@@ -221,7 +221,7 @@ private slots:
     // On the card: the verdict, the points of both sides of a jump with their lines, the numbers, from above.
     void theVerdictComesFirstThenThePictureOfBothSides() {
         use(Settings{});
-        const Detection& detection = *window_->session().picture()->detection;
+        const Detection& detection = *window_->engine().picture()->detection;
         const std::uint32_t cell = edgeWithNeighbours(detection);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
@@ -246,7 +246,7 @@ private slots:
     // Whoever clicks a cell beside the edge that was meant comes to it by one more click.
     void theEdgeBesideTheCellIsAButtonAway() {
         use(Settings{});
-        const Detection& detection = *window_->session().picture()->detection;
+        const Detection& detection = *window_->engine().picture()->detection;
         const auto& mask = detection.mask->cells;
         std::size_t beside = 1;
         while (beside < mask.size() && (mask[beside] != 0 || mask[beside - 1] == 0 || beside % 160 == 0)) ++beside;
@@ -263,7 +263,7 @@ private slots:
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {
         use(Settings{});
-        const std::uint32_t cell = window_->session().picture()->detection->edges->at(5);
+        const std::uint32_t cell = window_->engine().picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
         const QString text = window_->explanation().card()->text();

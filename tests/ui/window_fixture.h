@@ -37,8 +37,8 @@ struct WindowFixture {
     }
     /// Until what is shown belongs to the settings and the scan wanted last.
     [[nodiscard]] bool settled() {
-        return eventually(
-            [this] { return window.session().picture() != nullptr && !window.session().behind() && !window.session().working(); });
+        return QTest::qWaitFor(
+            [this] { return window.engine().picture() != nullptr && !window.engine().behind() && !window.engine().working(); }, 20000);
     }
     [[nodiscard]] bool open(const std::string& path) {
         window.files().open({QString::fromStdString(path)});
@@ -51,7 +51,7 @@ struct WindowFixture {
         return settled();
     }
 
-    [[nodiscard]] const Picture& picture() { return *window.session().picture(); }
+    [[nodiscard]] const Picture& picture() { return *window.engine().picture(); }
     [[nodiscard]] QSlider* slider(const char* key) { return window.panel().row(key)->slider(); }
 
     Memory memory;

@@ -16,15 +16,15 @@ namespace edgescan::ui {
 
 using Json = nlohmann::ordered_json;
 
-AuditTrail::AuditTrail(const QString& folder, const Session& session, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice)
-    : session_(session), views_(views), notice_(notice) {
+AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice)
+    : engine_(engine), views_(views), notice_(notice) {
     if (folder.isEmpty()) return;
     log_.emplace(std::filesystem::path(folder.toStdString()) / "audit.jsonl");
-    connect(&session, &Session::streamChanged, this, [this] {
+    connect(&engine, &Engine::streamChanged, this, [this] {
         pinned_.reset();
         note("opened", scanShown());
     });
-    connect(&session, &Session::saved, this,
+    connect(&engine, &Engine::saved, this,
             [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportContentName(what), path, count); });
     connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {
@@ -72,8 +72,8 @@ void AuditTrail::noteWarnings(const QStringList& warnings) {
 
 void AuditTrail::notePin() {
     const std::optional<std::size_t> pinned = views_.pinned();
-    if (std::exchange(pinned_, pinned) == pinned || !pinned || !session_.picture()) return;
-    const Detection& detection = *session_.picture()->detection;
+    if (std::exchange(pinned_, pinned) == pinned || !pinned || !engine_.picture()) return;
+    const Detection& detection = *engine_.picture()->detection;
     if (*pinned >= detection.scan->cells()) return;
     const Probe probe = probeCell(detection, *pinned);
     Json details = scanShown();
@@ -86,8 +86,8 @@ void AuditTrail::notePin() {
 
 // Which scan it was about, and with which settings its edges were found.
 Json AuditTrail::scanShown() const {
-    if (!session_.picture()) return Json::object();
-    const Detection& detection = *session_.picture()->detection;
+    if (!engine_.picture()) return Json::object();
+    const Detection& detection = *engine_.picture()->detection;
     const Json all = settingsToJson(detection.settings);
     Json settings{{"method", all["method"]}};
     for (const std::string& key : changedFromDefault(detection.settings)) settings[key] = all[key];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/audit_log/audit_log.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
 #include <QStringList>
@@ -24,7 +24,7 @@ class AuditTrail : public QObject {
     Q_OBJECT
 public:
     /// `folder`: where audit.jsonl stands; empty: nothing is noted.
-    AuditTrail(const QString& folder, const Session& session, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice);
+    AuditTrail(const QString& folder, const Engine& engine, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice);
     ~AuditTrail() override;
 
     void note(const std::string& event, const nlohmann::ordered_json& details);
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] nlohmann::ordered_json scanShown() const;
 
     std::optional<AuditLog> log_;
-    const Session& session_;
+    const Engine& engine_;
     const LinkedViews& views_;
     NoticeBar& notice_;
     Lines lines_; // not written yet

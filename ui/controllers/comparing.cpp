@@ -7,8 +7,8 @@
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
-#include "ui/engine/worker_bridge/session.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -85,9 +85,9 @@ private:
     State before_, after_;
 };
 
-Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
+Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
                      Memory& memory, QUndoStack& undo)
-    : session_(session), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
+    : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
           this,
           [](const Reading& reading) {
@@ -118,7 +118,7 @@ Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeL
               showLegend();
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
-    connect(&session_, &Session::pictureReady, this, &Comparing::follow);
+    connect(&engine_, &Engine::pictureReady, this, &Comparing::follow);
     connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
@@ -132,11 +132,11 @@ Comparing::Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeL
 void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
 
 void Comparing::keep() {
-    if (session_.picture() == nullptr) {
+    if (engine_.picture() == nullptr) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    undo_.push(new KeptChange(stepName("Keep as A"), *this, session_.picture(), fromShown()));
+    undo_.push(new KeptChange(stepName("Keep as A"), *this, engine_.picture(), fromShown()));
 }
 
 void Comparing::forget() {
@@ -145,7 +145,7 @@ void Comparing::forget() {
 
 std::optional<KeptFrom> Comparing::fromShown() const {
     if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
-    const Detection& detection = *session_.picture()->detection;
+    const Detection& detection = *engine_.picture()->detection;
     return KeptFrom{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
 }
 
@@ -162,24 +162,24 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom>
 }
 
 void Comparing::compareWith(const QString& path) {
-    if (session_.picture() == nullptr) {
+    if (engine_.picture() == nullptr) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to compare with it yet: open the later scan first."));
         return;
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
     reading.scanIndex = 0; // of the file on the screen
-    read({path, std::nullopt, reading, session_.settings(), {}, {}}, true);
+    read({path, std::nullopt, reading, engine_.settings(), {}, {}}, true);
 }
 
 void Comparing::restore(const KeptFrom& from) { read(from, false); }
 
 void Comparing::read(const KeptFrom& from, bool asStep) {
     reading_ = true;
-    const std::optional<KeptFrom> shown = session_.picture() ? fromShown() : std::nullopt;
+    const std::optional<KeptFrom> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
                       shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
-    reader_.post({from, same ? session_.picture()->detection->scan : nullptr, asStep});
+    reader_.post({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
 void Comparing::askScan() {
@@ -207,7 +207,7 @@ void Comparing::takeRead(const Read& read) {
 }
 
 bool Comparing::comparable() const {
-    const std::shared_ptr<const Picture>& now = session_.picture();
+    const std::shared_ptr<const Picture>& now = engine_.picture();
     return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
 }
 
@@ -216,7 +216,7 @@ void Comparing::follow() {
     emit flipped(false);
     legend_.showFlipped(false);
     if (!kept_) return;
-    const auto& now = session_.picture();
+    const auto& now = engine_.picture();
     if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
     if (!comparable()) comparison_ = nullptr;
     show();
@@ -227,13 +227,12 @@ void Comparing::follow() {
 void Comparing::ask() {
     working_ = comparable();
     if (!working_) return;
-    comparer_.post({kept_, session_.picture(), rows_});
+    comparer_.post({kept_, engine_.picture(), rows_});
 }
 
 void Comparing::take(const Answer& answer) {
     if (!answer.asked.before) return;
-    const bool wanted =
-        comparable() && answer.asked.before == kept_ && answer.asked.now == session_.picture() && answer.asked.rows == rows_;
+    const bool wanted = comparable() && answer.asked.before == kept_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
     if (!wanted) return; // a newer question is under way, or there is nothing left to ask
     working_ = false;
     if (!answer.made) {

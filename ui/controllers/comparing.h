@@ -20,7 +20,7 @@ class LinkedViews;
 class Memory;
 class NoticeBar;
 class Rocks;
-class Session;
+class Engine;
 struct EdgesInstead;
 
 /// What A can be made of again.
@@ -37,8 +37,8 @@ struct KeptFrom {
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Session& session, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-              Memory& memory, QUndoStack& undo);
+    Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+              QUndoStack& undo);
 
     /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten. Each of these is one step of undo; a step
     /// holds no picture, it is made again.
@@ -102,7 +102,7 @@ private:
     void showLegend();
     [[nodiscard]] bool comparable() const;
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
     Rocks& rocks_;

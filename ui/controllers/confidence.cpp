@@ -3,8 +3,8 @@
 
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
-#include "ui/engine/worker_bridge/session.h"
 #include "ui/panels/confidence/confidence_legend.h"
 
 #include <utility>
@@ -19,8 +19,8 @@ constexpr const char* kLeast = "view/confidence-least";
 
 } // namespace
 
-Confidence::Confidence(Session& session, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory)
-    : session_(session), views_(views), targets_(targets), legend_(legend), memory_(memory),
+Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory)
+    : engine_(engine), views_(views), targets_(targets), legend_(legend), memory_(memory),
       worker_(
           this, [this](const Asked& asked) { return workOut(asked); }, [this](const Answer& answer) { take(answer); },
           [this](const QString& what) { failed(what); }) {
@@ -32,7 +32,7 @@ Confidence::Confidence(Session& session, LinkedViews& views, Targets& targets, C
         if (made_) ask(); // the images alone
         emit changed();
     });
-    connect(&session_, &Session::pictureReady, this, &Confidence::follow);
+    connect(&engine_, &Engine::pictureReady, this, &Confidence::follow);
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
         legend_.setColours(bandColours(views_.edgeColours() != kUsualColours));
@@ -65,10 +65,10 @@ std::optional<int> Confidence::at(std::size_t cell) const {
     return percent > 0 ? std::optional(percent) : std::nullopt;
 }
 
-bool Confidence::possible() const { return session_.picture() != nullptr && !session_.picture()->source.growth.growing; }
+bool Confidence::possible() const { return engine_.picture() != nullptr && !engine_.picture()->source.growth.growing; }
 
 bool Confidence::needed() const {
-    return on_ || (forCard_ && session_.picture() && session_.picture()->detection->mask->size() <= kMostForCard);
+    return on_ || (forCard_ && engine_.picture() && engine_.picture()->detection->mask->size() <= kMostForCard);
 }
 
 /// What was known is of another picture: until the new one is worked out its edges are shown as ever.
@@ -86,7 +86,7 @@ void Confidence::follow() {
 /// The card is of another cell, or its cell has an edge now.
 void Confidence::followCard() {
     const PinnedTarget* target = targets_.active();
-    const Picture* picture = session_.picture().get();
+    const Picture* picture = engine_.picture().get();
     const bool before =
         std::exchange(forCard_, target != nullptr && picture != nullptr && target->cell < picture->detection->mask->size() &&
                                     (*picture->detection->mask)[target->cell] != 0);
@@ -95,8 +95,8 @@ void Confidence::followCard() {
 
 /// What is needed is begun a moment after the last change; what nobody needs any more is given up.
 void Confidence::begin() {
-    if (on_ && !session_.picture()) legend_.showNone(tr("open a scan first"));
-    if (on_ && session_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
+    if (on_ && !engine_.picture()) legend_.showNone(tr("open a scan first"));
+    if (on_ && engine_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
     if (!needed() || !possible()) {
         quiet_.stop();
         if (underWay_) ++wanted_;
@@ -115,7 +115,7 @@ void Confidence::ask() {
     if (!needed() || !possible()) return;
     underWay_ = true;
     failed_ = false;
-    worker_.post({++wanted_, session_.picture(), known_, on_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
+    worker_.post({++wanted_, engine_.picture(), known_, on_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
 }
 
 Confidence::Answer Confidence::workOut(const Asked& asked) {
@@ -158,7 +158,7 @@ void Confidence::failed(const QString& what) {
 void Confidence::tellCards() {
     using State = ToldConfidence::State;
     KnownConfidence told;
-    told.of = session_.picture();
+    told.of = engine_.picture();
     told.made = known_;
     if (forCard_ && !known_ && !failed_) told.otherwise = !possible() ? State::Growing : needed() ? State::Coming : State::Large;
     targets_.setConfidence(told);

@@ -16,7 +16,7 @@ namespace edgescan::ui {
 class ConfidenceLegend;
 class LinkedViews;
 class Memory;
-class Session;
+class Engine;
 class Targets;
 struct EdgesInstead;
 
@@ -24,7 +24,7 @@ struct EdgesInstead;
 class Confidence : public QObject {
     Q_OBJECT
 public:
-    Confidence(Session& session, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
+    Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
     ~Confidence() override;
 
     void setOn(bool on);
@@ -69,7 +69,7 @@ private:
     [[nodiscard]] bool possible() const;
     [[nodiscard]] bool needed() const;
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     Targets& targets_;
     ConfidenceLegend& legend_;

@@ -5,7 +5,7 @@
 #include "core/edges/settings/parameters.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/tuning.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/contact_card.h"
 
 #include <QLocale>
@@ -35,14 +35,14 @@ QImage smallMap(const Detection& detection) {
 
 } // namespace
 
-ContactSheets::ContactSheets(Session& session, Tuning& tuning, NoticeBar& notice, QObject* parent)
-    : QObject(parent), session_(session), tuning_(tuning), notice_(notice),
+ContactSheets::ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent)
+    : QObject(parent), engine_(engine), tuning_(tuning), notice_(notice),
       worker_(
           this, [this](const Question& question) { return run(question); }, [](const Answer& /*answer*/) {},
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, what); }) {}
 
 void ContactSheets::show() {
-    const auto picture = session_.picture();
+    const auto picture = engine_.picture();
     if (picture == nullptr) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
     if (card_ == nullptr) {
         card_ = new ContactCard(notice_.window());
@@ -51,7 +51,7 @@ void ContactSheets::show() {
                 [this](int place) { tuning_.turn(asked_.parameter->key, asked_.values[static_cast<std::size_t>(place)]); });
     }
     const Parameter& parameter = tuning_.lastTurned();
-    const Settings& settings = session_.settings();
+    const Settings& settings = engine_.settings();
     asked_ = {++sheets_, picture->detection->scan, settings, &parameter, {}};
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr)

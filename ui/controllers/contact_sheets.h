@@ -15,14 +15,14 @@ namespace edgescan::ui {
 
 class ContactCard;
 class NoticeBar;
-class Session;
+class Engine;
 class Tuning;
 
 /// GUI thread only. What it is given must outlive it.
 class ContactSheets : public QObject {
     Q_OBJECT
 public:
-    ContactSheets(Session& session, Tuning& tuning, NoticeBar& notice, QObject* parent);
+    ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent);
     ~ContactSheets() override { wanted_ = 0; }
 
     /// Of the setting that was turned last, else of the one that the method is mostly turned by.
@@ -47,7 +47,7 @@ private:
     void add(std::uint64_t number, const SheetEntry& entry, const QImage& picture);
     void take(const Answer& answer);
 
-    Session& session_;
+    Engine& engine_;
     Tuning& tuning_;
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;

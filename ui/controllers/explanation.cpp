@@ -58,7 +58,7 @@ std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t ce
 
 } // namespace
 
-Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& notice)
+Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
       worker_(
           this,
@@ -76,7 +76,7 @@ Explanation::Explanation(const Session& session, LinkedViews& views, NoticeBar& 
         menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
     });
     // The chain belongs to the picture that it was asked of.
-    connect(&session, &Session::pictureReady, this, &Explanation::forgetTrail);
+    connect(&engine, &Engine::pictureReady, this, &Explanation::forgetTrail);
 }
 
 void Explanation::explain(std::size_t cell) {

@@ -35,18 +35,18 @@ SweepSettings rememberedSweep(const Memory& memory) {
 
 } // namespace
 
-Live::Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory)
-    : session_(session), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), memory_(memory),
-      scanner_(session) {
+Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory)
+    : engine_(engine), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), memory_(memory),
+      scanner_(engine) {
     panel_.setSweep(rememberedSweep(memory_));
     panel_.setAddress(memory_.text("live/host"), memory_.text("live/port", "2112").toInt());
     panel_.hide();
     recordingFolder_ = memory_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
     connectPanel();
     connectScanner();
-    connect(&session_, &Session::opened, this, &Live::loadTimeline);
-    connect(&session_, &Session::pictureReady, this, &Live::tellSweepEnded);
-    connect(&session_, &Session::streamChanged, this, [this] {
+    connect(&engine_, &Engine::opened, this, &Live::loadTimeline);
+    connect(&engine_, &Engine::pictureReady, this, &Live::tellSweepEnded);
+    connect(&engine_, &Engine::streamChanged, this, [this] {
         if (scanner_.connected()) showHealth();
     });
     connect(&timeline_, &Timeline::arrived, this, &Live::showReplayed);
@@ -111,7 +111,7 @@ void Live::useSweep() {
 
 void Live::showHealth() {
     // LIVE beside a picture that stands still, or comes from elsewhere, would be misleading.
-    const auto& shown = session_.picture();
+    const auto& shown = engine_.picture();
     const bool own = !shown || shown->source.stream == scanner_.stream();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
     panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
@@ -125,7 +125,7 @@ void Live::showHealth() {
 }
 
 void Live::tellSweepEnded() {
-    const Picture& picture = *session_.picture();
+    const Picture& picture = *engine_.picture();
     const std::uint64_t stream = picture.source.stream;
     const bool growing = picture.source.growth.growing;
     const bool grew = std::exchange(growingStream_, growing ? stream : 0) == stream;
@@ -150,15 +150,15 @@ void Live::loadTimeline(const QString& path) {
 
 /// At the end of the sweep that the file opens with, it is the file's own scan again: it knows where it came from.
 void Live::showReplayed(const ReplayedSweep& at) {
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     if (!picture || !at.sweep.scan) return;
     if (!fileScan_ && picture->source.growth.sweep < 0) fileScan_ = picture->detection->scan;
     const std::uint64_t stream = picture->source.stream;
     const SweepProgress& progress = at.sweep.progress;
     if (fileScan_ && at.position == timeline_.home())
-        session_.follow(fileScan_, {stream, {}});
+        engine_.follow(fileScan_, {stream, {}});
     else
-        session_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
+        engine_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
 }
 
 void Live::record(bool on) {

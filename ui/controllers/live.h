@@ -19,7 +19,7 @@ struct ReplayedSweep;
 class Live : public QObject {
     Q_OBJECT
 public:
-    Live(Session& session, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
+    Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
 
     /// Connects to a live scanner; reads and a subscription are all that is sent to it.
     void connectTo(const QString& host, int port, const SweepSettings& sweep);
@@ -48,7 +48,7 @@ private:
     void tellSweepEnded();
     [[nodiscard]] QString newRecordingPath(const char* kind) const;
 
-    Session& session_;
+    Engine& engine_;
     LivePanel& panel_;
     Timeline& timeline_;
     LinkedViews& views_;

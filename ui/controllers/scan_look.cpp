@@ -16,8 +16,8 @@ constexpr const char* kColourBy = "view/colour-by";
 
 } // namespace
 
-ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory)
-    : session_(session), views_(views), plate_(plate), window_(window), memory_(memory),
+ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory)
+    : engine_(engine), views_(views), plate_(plate), window_(window), memory_(memory),
       worker_(
           this,
           [](const Asked& asked) {
@@ -51,7 +51,7 @@ ScanLook::ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, Rang
         showWindow();
         remember();
     });
-    connect(&session_, &Session::pictureReady, this, &ScanLook::follow);
+    connect(&engine_, &Engine::pictureReady, this, &ScanLook::follow);
 }
 
 void ScanLook::setColourBy(ColourBy by) {
@@ -72,7 +72,7 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
 
 void ScanLook::follow() {
     showWindow();
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     if (!picture || picture->cloud == asked_) return;
     asked_ = picture->cloud;
     worker_.post({++posted_, picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});

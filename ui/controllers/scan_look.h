@@ -1,8 +1,8 @@
 // How the scan itself looks: the points of the cloud by range, height or line, and the window of the range image.
 #pragma once
 
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/newest.h"
-#include "ui/engine/worker_bridge/session.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_colours.h"
 
@@ -21,7 +21,7 @@ class ScalePlate;
 class ScanLook : public QObject {
     Q_OBJECT
 public:
-    ScanLook(Session& session, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
+    ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
 
     /// Kept in the memory.
     void setColourBy(ColourBy by);
@@ -56,7 +56,7 @@ private:
     void take(const Answer& answer);
     void showWindow();
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     ScalePlate& plate_;
     RangeWindow& window_;

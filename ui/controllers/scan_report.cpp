@@ -21,19 +21,19 @@
 
 namespace edgescan::ui {
 
-ScanReport::ScanReport(Session& session, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
+ScanReport::ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
                        NoticeBar& notice, Memory& memory)
-    : session_(session), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), memory_(memory) {}
+    : engine_(engine), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), memory_(memory) {}
 
 void ScanReport::ask() {
-    if (!session_.picture()) {
+    if (!engine_.picture()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to report yet: open a scan first."));
         return;
     }
     SaveQuestion question;
     question.title = tr("Report");
     question.extension = ".html";
-    const QString name = shownName(exactText(session_.picture()->detection->scan->name), 80).replace(' ', '-').replace('/', '-');
+    const QString name = shownName(exactText(engine_.picture()->detection->scan->name), 80).replace(' ', '-').replace('/', '-');
     question.place = QDir(memory_.folder("exports")).filePath(name + "_report.html");
     question.filters << tr("Page for any browser (*.html)");
     const QString path = askWhereToSave(notice_.window(), question);
@@ -67,15 +67,15 @@ std::string ScanReport::commandFor(const Detection& detection, const QString& pa
 }
 
 void ScanReport::writeTo(const QString& path) {
-    if (!session_.picture()) return;
+    if (!engine_.picture()) return;
     if (rocks_.behind()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
         return;
     }
     const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
-    const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : session_.picture()->detection;
+    const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
-    if (compared && compared->asked.now != session_.picture()) compared = nullptr; // of the picture before
+    if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the picture before
     const PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
     memory_.keepFolder("exports", path);
     ++working_;

@@ -1,7 +1,7 @@
 // File > Report: one page about what is on the screen, for any browser.
 #pragma once
 
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
 #include <QString>
@@ -19,7 +19,7 @@ class Targets;
 class ScanReport : public QObject {
     Q_OBJECT
 public:
-    ScanReport(Session& session, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
+    ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
                NoticeBar& notice, Memory& memory);
 
     /// Asks where to.
@@ -38,7 +38,7 @@ private:
     /// The command line that makes the page again.
     [[nodiscard]] std::string commandFor(const Detection& detection, const QString& path) const;
 
-    Session& session_;
+    Engine& engine_;
     const Files& files_;
     const Rocks& rocks_;
     const Targets& targets_;

@@ -37,11 +37,11 @@ QString describe(const Settings& before, const Settings& after) {
 // Changes with the same number of a drag become one step of undo; 0 never does.
 class SettingsChange : public QUndoCommand {
 public:
-    SettingsChange(Session& session, const Settings& after, int drag)
-        : QUndoCommand(describe(session.settings(), after)), session_(session), before_(session.settings()), after_(after), drag_(drag) {}
+    SettingsChange(Engine& engine, const Settings& after, int drag)
+        : QUndoCommand(describe(engine.settings(), after)), engine_(engine), before_(engine.settings()), after_(after), drag_(drag) {}
 
-    void undo() override { session_.setSettings(before_); }
-    void redo() override { session_.setSettings(after_); }
+    void undo() override { engine_.setSettings(before_); }
+    void redo() override { engine_.setSettings(after_); }
     [[nodiscard]] int id() const override { return drag_ == 0 ? -1 : drag_; }
     bool mergeWith(const QUndoCommand* later) override {
         if (later->id() != id()) return false;
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    Session& session_;
+    Engine& engine_;
     Settings before_;
     Settings after_;
     int drag_;
@@ -59,8 +59,8 @@ private:
 
 } // namespace
 
-Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : session_(session), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
+Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : engine_(engine), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
     connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
@@ -70,8 +70,8 @@ Tuning::Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& m
     connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
     connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
     connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
-    connect(&session_, &Session::settingsChanged, this, &Tuning::noteChange);
-    connect(&session_, &Session::pictureReady, this, &Tuning::showResult);
+    connect(&engine_, &Engine::settingsChanged, this, &Tuning::noteChange);
+    connect(&engine_, &Engine::pictureReady, this, &Tuning::showResult);
     recall();
 }
 
@@ -79,22 +79,22 @@ void Tuning::recall() {
     const QString preset = memory_.text("edges/preset");
     if (const auto found = findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
     if (!memory_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
-    useSettings(memory_.settings(session_.settings()));
+    useSettings(memory_.settings(engine_.settings()));
 }
 
 void Tuning::noteChange() {
     sinceChange_.start();
-    panel_.show(session_.settings());
-    panel_.setBehind(session_.behind());
-    if (!starting_) memory_.keepSettings(session_.settings());
+    panel_.show(engine_.settings());
+    panel_.setBehind(engine_.behind());
+    if (!starting_) memory_.keepSettings(engine_.settings());
 }
 
 void Tuning::showResult() {
-    const Picture& picture = *session_.picture();
+    const Picture& picture = *engine_.picture();
     const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
     updateMs_ = sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : picture.detection->totalMs;
     panel_.showResult(*picture.detection);
-    panel_.setBehind(session_.behind());
+    panel_.setBehind(engine_.behind());
     if (picture.source.growth.growing)
         panel_.forgetCounts();
     else
@@ -102,17 +102,17 @@ void Tuning::showResult() {
 }
 
 void Tuning::change(const Settings& settings, bool dragging) {
-    if (settings == session_.settings()) return;
+    if (settings == engine_.settings()) return;
     std::vector<const Parameter*> differs;
     for (const Parameter& p : parameters()) {
-        if (formatValue(p, p.get(settings)) != formatValue(p, p.get(session_.settings()))) differs.push_back(&p);
+        if (formatValue(p, p.get(settings)) != formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
     if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
-    undo_.push(new SettingsChange(session_, settings, dragging ? drag_ : 0));
+    undo_.push(new SettingsChange(engine_, settings, dragging ? drag_ : 0));
 }
 
 const Parameter& Tuning::lastTurned() const {
-    const Settings& settings = session_.settings();
+    const Settings& settings = engine_.settings();
     return turned_ != nullptr && turned_->usedBy(settings) ? *turned_ : sweptParameter(settings.method);
 }
 
@@ -120,16 +120,16 @@ void Tuning::usePreset(const Preset& preset) {
     panel_.setPreset(preset);
     memory_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
     change(preset.settings, false);
-    panel_.show(session_.settings());
+    panel_.show(engine_.settings());
 }
 
 void Tuning::useSettings(const Settings& settings) {
-    session_.setSettings(settings);
-    panel_.show(session_.settings());
+    engine_.setSettings(settings);
+    panel_.show(engine_.settings());
 }
 
 void Tuning::turn(const char* key, double value) {
-    Settings settings = session_.settings();
+    Settings settings = engine_.settings();
     findParameter(key)->set(settings, value);
     change(settings, false);
 }
@@ -161,7 +161,7 @@ void Tuning::askSavePreset() {
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;
     memory_.keepFolder("presets", path);
-    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", session_.settings(), path.toStdString()};
+    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", engine_.settings(), path.toStdString()};
     if (const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset)); written)
         usePreset(preset);
     else

@@ -3,7 +3,7 @@
 
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -20,7 +20,7 @@ class NoticeBar;
 class Tuning : public QObject {
     Q_OBJECT
 public:
-    Tuning(Session& session, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
@@ -43,7 +43,7 @@ private:
     void noteChange();
     void showResult();
 
-    Session& session_;
+    Engine& engine_;
     EdgesPanel& panel_;
     NoticeBar& notice_;
     Memory& memory_;

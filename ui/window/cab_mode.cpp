@@ -65,15 +65,15 @@ void CabMode::connectHead() {
         if (live.isVisible()) live.askAddress();
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.warnings(), &QToolButton::click);
-    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.session().cancel(); });
+    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.engine().cancel(); });
     connect(head.locked(), &HoldButton::held, this, &CabMode::leaveWanted);
     connect(head.locked(), &HoldButton::releasedEarly, this,
             [this] { window_.notice().showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, head.cancel(), &QWidget::show);
-    connect(&window_.session(), &Session::workStarted, this, [this] { cancelSoon_.start(); });
-    connect(&window_.session(), &Session::workEnded, this, [this, cancel = head.cancel()] {
+    connect(&window_.engine(), &Engine::workStarted, this, [this] { cancelSoon_.start(); });
+    connect(&window_.engine(), &Engine::workEnded, this, [this, cancel = head.cancel()] {
         cancelSoon_.stop();
         cancel->hide();
     });
@@ -95,7 +95,7 @@ void CabMode::follow() {
         showCorner();
     });
     connect(&window_, &MainWindow::originShown, this, &CabMode::showScan);
-    connect(&window_.session(), &Session::settingsChanged, this, &CabMode::showSettings);
+    connect(&window_.engine(), &Engine::settingsChanged, this, &CabMode::showSettings);
     connect(&window_.targets(), &Targets::cardChanged, this, [this] {
         showNumbers();
         showCorner();
@@ -144,7 +144,7 @@ void CabMode::lockDocks(bool on) {
 
 void CabMode::showScan() {
     if (!on_) return;
-    const Picture* picture = window_.session().picture().get();
+    const Picture* picture = window_.engine().picture().get();
     const PictureOrigin origin = originOf(picture, window_.live().scanner());
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);

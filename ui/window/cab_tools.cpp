@@ -105,11 +105,11 @@ void CabMode::addMeasures(QMenu& menu) {
 
 std::optional<QPoint> CabMode::markedPlace() const {
     const auto cell = window_.views().marked();
-    return cell && window_.session().picture() ? std::optional(window_.views().placeOf(*cell)) : std::nullopt;
+    return cell && window_.engine().picture() ? std::optional(window_.views().placeOf(*cell)) : std::nullopt;
 }
 
 void CabMode::showCorner() {
-    const bool some = on_ && window_.session().picture() != nullptr && shown_ != Corner::None;
+    const bool some = on_ && window_.engine().picture() != nullptr && shown_ != Corner::None;
     corner_->setVisible(some);
     window_.views().cloud().setCaptionRoom(some ? corner_->reach() : 0); // what is said of all rocks must be read
     if (!some) return;
@@ -131,7 +131,7 @@ void CabMode::swap() {
 
 void CabMode::showSettings() {
     if (!on_) return;
-    const Settings& settings = window_.session().settings();
+    const Settings& settings = window_.engine().settings();
     const Parameter& first = sweptParameter(settings.method);
     std::vector<SteppedSetting> shown;
     const auto add = [&](const Parameter& p) { shown.push_back({p.key, QObject::tr(p.label), window_.panel().valueText(p.key)}); };

@@ -47,7 +47,7 @@ void addChangeLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
     over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
     QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
-    const auto follow = [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); };
+    const auto follow = [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); };
     QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
     QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
 }
@@ -65,7 +65,7 @@ void addConfidenceLegend(MainWindow& w) {
     over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
     QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::giveWay);
     QObject::connect(&w.confidence(), &Confidence::changed, &w,
-                     [&w] { w.legend().setVisible(w.session().picture() != nullptr && w.views().edgesInstead() == nullptr); });
+                     [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); });
 }
 
 } // namespace edgescan::ui

@@ -70,15 +70,15 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
       targetsPanel_(new TargetsPanel), tools_(new ToolBar), origin_(new StateBadge), notice_(new NoticeBar), status_(new StatusLine),
       warnings_(new WarningButton), legend_(new EdgeLegend), changeLegend_(new ChangeLegend), confidenceLegend_(new ConfidenceLegend),
-      rail_(new DockRail), rangeWindow_(new RangeWindow), views_(session_, *gray_, *edges_, *cloud_),
-      files_(session_, *notice_, memory, undo_), opening_(session_, files_, *notice_), exports_(session_, files_, *notice_, memory),
-      tuning_(session_, *panel_, *notice_, memory, undo_), live_(session_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
-      explanation_(session_, views_, *notice_), rocks_(session_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
-      targets_(session_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
-      selection_(session_, views_, rocks_, *notice_, undo_),
-      comparing_(session_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
-      confidence_(session_, views_, targets_, *confidenceLegend_, memory), markedEdges_(session_, views_, targets_, undo_, *notice_),
-      report_(session_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), session_, views_, undo_, *notice_) {
+      rail_(new DockRail), rangeWindow_(new RangeWindow), views_(engine_, *gray_, *edges_, *cloud_),
+      files_(engine_, *notice_, memory, undo_), opening_(engine_, files_, *notice_), exports_(engine_, files_, *notice_, memory),
+      tuning_(engine_, *panel_, *notice_, memory, undo_), live_(engine_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
+      explanation_(engine_, views_, *notice_), rocks_(engine_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
+      targets_(engine_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
+      selection_(engine_, views_, rocks_, *notice_, undo_),
+      comparing_(engine_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
+      confidence_(engine_, views_, targets_, *confidenceLegend_, memory), markedEdges_(engine_, views_, targets_, undo_, *notice_),
+      report_(engine_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), engine_, views_, undo_, *notice_) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -87,7 +87,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     addChangeLegend(*this);
     addConfidenceLegend(*this);
     keepLegendsAside(*cloud_, views_);
-    look_ = new ScanLook(session_, views_, *new ScalePlate(cloud_), *rangeWindow_, memory_);
+    look_ = new ScanLook(engine_, views_, *new ScalePlate(cloud_), *rangeWindow_, memory_);
     look_->setParent(this);
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
@@ -115,7 +115,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(views_, this);
     connectSession();
-    sittings_ = sittingsOf(*this, memory_);
+    sessions_ = sessionsOf(*this, memory_);
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
@@ -211,7 +211,7 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOf(session_.picture().get(), live_.scanner());
+    const PictureOrigin origin = originOf(engine_.picture().get(), live_.scanner());
     const QSize before = origin_->sizeHint();
     origin_->showState(origin.sign, origin.badge);
     origin_->setToolTip(origin.more);
@@ -221,21 +221,21 @@ void MainWindow::showOrigin() {
 }
 
 void MainWindow::connectSession() {
-    connect(&session_, &Session::workStarted, status_, &StatusLine::startWork);
-    connect(&session_, &Session::workProgressed, status_, &StatusLine::showProgress);
-    connect(&session_, &Session::workEnded, status_, &StatusLine::endWork);
-    connect(status_, &StatusLine::cancelWanted, &session_, &Session::cancel);
-    connect(&session_, &Session::settingsChanged, this, [this] { status_->showSettings(session_.settings()); });
-    status_->showSettings(session_.settings());
-    connect(&session_, &Session::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
+    connect(&engine_, &Engine::workStarted, status_, &StatusLine::startWork);
+    connect(&engine_, &Engine::workProgressed, status_, &StatusLine::showProgress);
+    connect(&engine_, &Engine::workEnded, status_, &StatusLine::endWork);
+    connect(status_, &StatusLine::cancelWanted, &engine_, &Engine::cancel);
+    connect(&engine_, &Engine::settingsChanged, this, [this] { status_->showSettings(engine_.settings()); });
+    status_->showSettings(engine_.settings());
+    connect(&engine_, &Engine::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&views_, &LinkedViews::probed, status_, &StatusLine::showProbe);
     connect(&views_, &LinkedViews::boxed, status_, &StatusLine::showBox);
-    connect(&session_, &Session::pictureReady, this, [this] {
-        const Detection& detection = *session_.picture()->detection;
+    connect(&engine_, &Engine::pictureReady, this, [this] {
+        const Detection& detection = *engine_.picture()->detection;
         status_->showCounts(detection);
         status_->showPlace(*detection.scan);
         const ScannerLink& scanner = live_.scanner();
-        status_->showTimeOf(*detection.scan, scanner.connected() && session_.picture()->source.stream == scanner.stream());
+        status_->showTimeOf(*detection.scan, scanner.connected() && engine_.picture()->source.stream == scanner.stream());
         status_->showTime(tuning_.updateMs());
         legend_->showResult(detection);
         showWarnings();
@@ -247,11 +247,11 @@ void MainWindow::connectSession() {
 
 // Of the picture on the screen: a scanner's sweeps and those of a recording have names of their own.
 void MainWindow::showTitle() {
-    setWindowTitle(shownName(exactText(session_.picture()->detection->scan->name)) + files_.placeInSeries() + " - EdgeScan");
+    setWindowTitle(shownName(exactText(engine_.picture()->detection->scan->name)) + files_.placeInSeries() + " - EdgeScan");
 }
 
 void MainWindow::showWarnings() {
-    const Scan& scan = *session_.picture()->detection->scan;
+    const Scan& scan = *engine_.picture()->detection->scan;
     QStringList warnings;
     for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
         for (const std::string& warning : some) warnings << shownText(warning);
@@ -273,7 +273,7 @@ QImage MainWindow::screenshot() {
 
 bool MainWindow::mayClose() {
     const bool records = live_.scanner().recording();
-    if (!records && !session_.saving()) return true;
+    if (!records && !engine_.saving()) return true;
     QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
                     records ? tr("A recording is being written.") : tr("A file is still being written."), QMessageBox::Cancel, this);
     box.setObjectName("close-question");
@@ -303,7 +303,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
         if (url.isLocalFile()) paths << url.toLocalFile();
     }
     if (!paths.isEmpty()) event->acceptProposedAction();
-    sittings_->open(paths);
+    sessions_->open(paths);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
@@ -312,8 +312,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (session_.opening()) {
-        session_.cancel();
+    if (engine_.opening()) {
+        engine_.cancel();
         notice_->showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
     } else if (notice_->isVisible())
         notice_->hide();

@@ -45,7 +45,7 @@ class Pane;
 class RocksPanel;
 class RangeWindow;
 class RockTable;
-class Sittings;
+class Sessions;
 class ScanLook;
 class StateBadge;
 class StatusLine;
@@ -60,7 +60,7 @@ public:
     explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] Engine& engine() { return engine_; }
     [[nodiscard]] LinkedViews& views() { return views_; }
     [[nodiscard]] Files& files() { return files_; }
     [[nodiscard]] Opening& opening() { return opening_; }
@@ -82,7 +82,7 @@ public:
     [[nodiscard]] Confidence& confidence() { return confidence_; }
     [[nodiscard]] ConfidenceLegend& confidenceLegend() { return *confidenceLegend_; }
     [[nodiscard]] MarkedEdges& markedEdges() { return markedEdges_; }
-    [[nodiscard]] Sittings& sittings() { return *sittings_; }
+    [[nodiscard]] Sessions& sessions() { return *sessions_; }
     [[nodiscard]] ToolBar& tools() { return *tools_; }
     /// Where the picture comes from and of when: always in sight.
     [[nodiscard]] const StateBadge& origin() const { return *origin_; }
@@ -146,7 +146,7 @@ private:
 
     PlainWindow plain_; // before any widget
     Memory& memory_;
-    Session session_;
+    Engine engine_;
     QUndoStack undo_;
 
     // Children of the window once they are laid out.
@@ -200,7 +200,7 @@ private:
     bool framed_ = false;                        // the desktop has told how wide its frame is
     int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
     QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
-    std::unique_ptr<Sittings> sittings_;         // last: it goes before what it is about
+    std::unique_ptr<Sessions> sessions_;         // last: it goes before what it is about
 };
 
 } // namespace edgescan::ui

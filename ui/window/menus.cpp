@@ -73,7 +73,7 @@ Command fileMenu(MainWindow& w) {
                                         kLine,
                                         command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
                                     });
-    const std::vector<Command> sessions = sittingCommands(w);
+    const std::vector<Command> sessions = sessionCommands(w);
     menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // behind what opens scans
     return menu;
 }
@@ -199,7 +199,7 @@ Command viewMenu(MainWindow& w, Memory& memory) {
 }
 
 Command calibrateCommand(MainWindow& w, Memory& memory) {
-    auto* calibrating = new Calibrating(w.session(), w.files(), w.notice(), memory, &w);
+    auto* calibrating = new Calibrating(w.engine(), w.files(), w.notice(), memory, &w);
     QObject::connect(calibrating, &Calibrating::saved, &w.audit(),
                      [&w](const QString& path) { w.audit().noteExport("calibration", path); });
     return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
@@ -214,7 +214,7 @@ Command scanMenu(MainWindow& w, Memory& memory) {
         return linked(command(text, keys, [&live, lines] { live.timeline().stepBy(lines); }), playable);
     };
     const auto showProperties = [&w] {
-        if (w.session().picture()) showScanProperties(&w, *w.session().picture()->detection->scan);
+        if (w.engine().picture()) showScanProperties(&w, *w.engine().picture()->detection->scan);
     };
     const auto followStraightening = [&files](QAction& action) {
         action.setObjectName("straighten-beams");
@@ -250,7 +250,7 @@ Command scanMenu(MainWindow& w, Memory& memory) {
 Command edgesMenu(MainWindow& w) {
     Tuning& tuning = w.tuning();
     EdgesPanel& panel = w.panel();
-    auto* sheets = new ContactSheets(w.session(), tuning, w.notice(), &w);
+    auto* sheets = new ContactSheets(w.engine(), tuning, w.notice(), &w);
     Command presets = submenu("&Presets", {});
     for (const Preset& preset : builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),

@@ -14,8 +14,8 @@ namespace {
 QString rangeNote(MainWindow& window) {
     const RangeSpan ranges = window.views().rangesShown();
     QString note = Pane::tr("%1 to %2 m").arg(ranges.nearM, 0, 'f', 2).arg(ranges.farM, 0, 'f', 2);
-    const Growth& growth = window.session().picture()->source.growth;
-    if (growth.growing) note = Pane::tr("line %1").arg(window.session().picture()->detection->scan->lines()) + " · " + note;
+    const Growth& growth = window.engine().picture()->source.growth;
+    if (growth.growing) note = Pane::tr("line %1").arg(window.engine().picture()->detection->scan->lines()) + " · " + note;
     return note;
 }
 
@@ -38,7 +38,7 @@ QString cloudNote(MainWindow& window) {
     const std::size_t all = window.views().shown()->cloud->validCount, shown = cloud.geometryOfCloud()->validCount;
     QString note =
         shown == all ? Pane::tr("%1 points").arg(countText(all)) : Pane::tr("%1 of %2 points").arg(countText(shown), countText(all));
-    if (window.session().picture()->source.growth.growing) note += ", " + Pane::tr("growing");
+    if (window.engine().picture()->source.growth.growing) note += ", " + Pane::tr("growing");
     return note;
 }
 
@@ -52,7 +52,7 @@ QString cloudRemark(const CloudView& cloud) {
 
 void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     const auto tell = [&] {
-        if (!window.session().picture() || !window.views().shown()) return;
+        if (!window.engine().picture() || !window.views().shown()) return;
         range.setNote(rangeNote(window));
         edges.setNote(edgeNote(window));
         cloud.setNote(cloudNote(window));

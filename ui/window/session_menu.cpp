@@ -15,21 +15,21 @@
 
 namespace edgescan::ui {
 
-std::unique_ptr<Sittings> sittingsOf(MainWindow& w, Memory& memory) {
-    auto sittings = std::make_unique<Sittings>(Desk{w, w.session(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
+std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
+    auto sessions = std::make_unique<Sessions>(Desk{w, w.engine(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
                                                     w.rocks(), w.markedEdges(), w.comparing(), w.confidence(), w.look(), w.live(),
                                                     w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
                                                     [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
-    w.exports().setCarried([made = sittings.get()](const QImage& image, const QString& path) {
-        return withSitting(image, made->textFor(QFileInfo(path).absolutePath()));
+    w.exports().setCarried([made = sessions.get()](const QImage& image, const QString& path) {
+        return withSession(image, made->textFor(QFileInfo(path).absolutePath()));
     });
-    return sittings;
+    return sessions;
 }
 
-std::vector<Command> sittingCommands(MainWindow& w) {
-    return {command("Open Sess&ion…", "", [&w] { w.sittings().ask(); }),
-            command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sittings().askSaveAs(); }),
-            command("Go on with the &Last Session", "", [&w] { w.sittings().goOn(); })};
+std::vector<Command> sessionCommands(MainWindow& w) {
+    return {command("Open Sess&ion…", "", [&w] { w.sessions().ask(); }),
+            command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sessions().askSaveAs(); }),
+            command("Go on with the &Last Session", "", [&w] { w.sessions().goOn(); })};
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {

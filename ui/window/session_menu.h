@@ -9,9 +9,9 @@
 namespace edgescan::ui {
 
 class MainWindow;
-class Sittings;
+class Sessions;
 
-[[nodiscard]] std::unique_ptr<Sittings> sittingsOf(MainWindow& window, Memory& memory);
-[[nodiscard]] std::vector<Command> sittingCommands(MainWindow& window);
+[[nodiscard]] std::unique_ptr<Sessions> sessionsOf(MainWindow& window, Memory& memory);
+[[nodiscard]] std::vector<Command> sessionCommands(MainWindow& window);
 
 } // namespace edgescan::ui

@@ -83,9 +83,9 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         page->hide();
         w.live().panel().askAddress();
     });
-    QObject::connect(page, &StartPage::goOnWanted, &w, [&w] { w.sittings().goOn(); });
+    QObject::connect(page, &StartPage::goOnWanted, &w, [&w] { w.sessions().goOn(); });
     QObject::connect(page, &StartPage::demoWanted, &w, [&w] { w.files().openDemo(); });
-    QObject::connect(page, &StartPage::scanWanted, &w, [&w](const QString& path) { w.sittings().open({path}); });
+    QObject::connect(page, &StartPage::scanWanted, &w, [&w](const QString& path) { w.sessions().open({path}); });
     QObject::connect(page, &StartPage::locateWanted, &w, [&w, &memory, page](const QString& path) {
         const QString now =
             QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), memory.folder("scans"), Files::filters());
@@ -93,7 +93,7 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         memory.forgetRecentFile(path);
         memory.keepRecentFile(now);
         page->showRecent(memory.recentFiles());
-        w.sittings().open({now});
+        w.sessions().open({now});
     });
     QObject::connect(page, &StartPage::clearWanted, &w, [&memory, page] {
         memory.forgetRecentFiles();
@@ -103,9 +103,9 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
     });
     QObject::connect(page, &StartPage::keysWanted, &w, [&w] { showShortcuts(&w, w.actions()); });
-    QObject::connect(&w.session(), &Session::pictureReady, page, &QWidget::hide);
+    QObject::connect(&w.engine(), &Engine::pictureReady, page, &QWidget::hide);
     page->showRecent(memory.recentFiles());
-    page->showSession(w.sittings().toGoOn());
+    page->showSession(w.sessions().toGoOn());
     page->show();
     page->setFocus();
     return page;

@@ -21,18 +21,18 @@ ScanHead scanHead(const Scan& scan, int lines) {
     return {taken, sha256Hex(std::as_bytes(std::span(scan.rangeMm.cells).first(cells)))};
 }
 
-Sitting cutTo(Sitting sitting, std::size_t cells) {
+ViewerState cutTo(ViewerState state, std::size_t cells) {
     const auto gone = [cells](std::uint32_t cell) { return cell >= cells; };
     const auto someGone = [&gone](const auto& one) { return std::ranges::any_of(one.cells, gone); };
-    std::erase_if(sitting.notebook.targets, [&gone](const PinnedTarget& target) { return gone(target.cell); });
-    std::erase_if(sitting.notebook.measures, someGone);
-    if (sitting.active && gone(*sitting.active)) sitting.active.reset();
-    cut(sitting.selected, cells);
-    cut(sitting.hidden, cells);
-    std::erase_if(sitting.marks.wanted, gone);
-    std::erase_if(sitting.marks.unwanted, gone);
-    if (sitting.rocks) std::erase_if(sitting.rocks->edits, someGone);
-    return sitting;
+    std::erase_if(state.notebook.targets, [&gone](const PinnedTarget& target) { return gone(target.cell); });
+    std::erase_if(state.notebook.measures, someGone);
+    if (state.active && gone(*state.active)) state.active.reset();
+    cut(state.selected, cells);
+    cut(state.hidden, cells);
+    std::erase_if(state.marks.wanted, gone);
+    std::erase_if(state.marks.unwanted, gone);
+    if (state.rocks) std::erase_if(state.rocks->edits, someGone);
+    return state;
 }
 
 } // namespace edgescan

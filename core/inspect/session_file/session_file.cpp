@@ -22,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSittingFormat = "edgescan-session/1";
-constexpr JsonBounds kSittingJson{std::size_t{32} << 20U, 10, 100'000};
+constexpr const char* kSessionFormat = "edgescan-session/1";
+constexpr JsonBounds kSessionJson{std::size_t{32} << 20U, 10, 100'000};
 constexpr std::size_t kMostSwitches = 100;
 constexpr std::size_t kLongestLayout = std::size_t{1} << 16U; // bytes
 constexpr std::size_t kLongestPreset = 4096;
@@ -107,7 +107,7 @@ std::string shortPath(JsonFields& fields, const char* key) {
     return text;
 }
 
-Json cameraJson(const SittingCamera& camera) {
+Json cameraJson(const SessionCamera& camera) {
     return {{"position", vectorJson(camera.position)},
             {"focus", vectorJson(camera.focus)},
             {"up", vectorJson(camera.up)},
@@ -116,8 +116,8 @@ Json cameraJson(const SittingCamera& camera) {
 }
 
 /// A camera that a picture can be drawn with: it looks somewhere, and its upward direction is none of the view's.
-SittingCamera cameraFrom(JsonFields fields) {
-    SittingCamera camera;
+SessionCamera cameraFrom(JsonFields fields) {
+    SessionCamera camera;
     camera.position = fields.neededVector("position");
     camera.focus = fields.neededVector("focus");
     camera.up = fields.neededVector("up", {-1.0, 1.0});
@@ -139,108 +139,108 @@ Result<Settings> usableSettings(JsonFields& fields, const std::string& where) {
 }
 
 /// What has a reader of its own.
-Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSitting& read) {
-    Sitting& sitting = read.sitting;
-    const NotebookScan& of = sitting.scan.identity;
+Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSession& read) {
+    ViewerState& state = read.state;
+    const NotebookScan& of = state.scan.identity;
     const Result<Settings> settings = usableSettings(fields, where);
     if (!settings) return settings.error();
-    sitting.settings = *settings;
+    state.settings = *settings;
     if (const nlohmann::json& targets = fields.value("targets"); !targets.is_null()) {
         auto notebook = notebookFromText(jsonText(targets), of, where);
         if (!notebook) return notebook.error();
-        sitting.notebook = std::move(*notebook);
+        state.notebook = std::move(*notebook);
     }
     if (const nlohmann::json& rocks = fields.value("rocks"); !rocks.is_null()) {
         auto preset = rockPresetFromText(jsonText(rocks), of.lines, of.beams, of.sha256, where);
         if (!preset) return preset.error();
-        sitting.rocks = std::move(*preset);
+        state.rocks = std::move(*preset);
     }
     return Done{};
 }
 
 } // namespace
 
-std::string sittingText(const Sitting& sitting, const fs::path& folder, const std::string& savedUtc) {
-    const NotebookScan& of = sitting.scan.identity;
-    Json whole{{"format", kSittingFormat}, {"program", version()},
-               {"saved_utc", savedUtc},    {"scan", sittingScanJson(sitting.scan, folder)},
-               {"preset", sitting.preset}, {"settings", settingsToJson(sitting.settings)}};
+std::string sessionText(const ViewerState& state, const fs::path& folder, const std::string& savedUtc) {
+    const NotebookScan& of = state.scan.identity;
+    Json whole{{"format", kSessionFormat}, {"program", version()},
+               {"saved_utc", savedUtc},    {"scan", sessionScanJson(state.scan, folder)},
+               {"preset", state.preset},   {"settings", settingsToJson(state.settings)}};
     const auto text = [](const std::string& nested) {
         const auto json = parseOrderedJson(nested, "session");
         return json ? *json : Json();
     };
-    whole["targets"] = text(notebookText(sitting.notebook, of));
-    if (sitting.active) whole["active"] = *sitting.active;
-    whole["selected"] = runsJson(sitting.selected);
-    whole["hidden"] = runsJson(sitting.hidden);
-    if (sitting.rocks) whole["rocks"] = text(rockPresetText(*sitting.rocks, of.lines, of.beams));
-    whole["marked"] = {{"edge", sitting.marks.wanted}, {"no_edge", sitting.marks.unwanted}};
-    if (sitting.kept)
-        whole["kept"] = {{"scan", sittingScanJson(sitting.kept->scan, folder)}, {"settings", settingsToJson(sitting.kept->settings)}};
-    if (sitting.camera) whole["camera"] = cameraJson(*sitting.camera);
-    if (sitting.images) whole["images"] = {{"beam", sitting.images->beam}, {"line", sitting.images->line}, {"zoom", sitting.images->zoom}};
-    whole["switches"] = sitting.switches;
-    whole["looks"] = sitting.looks;
-    whole["layout"] = sitting.layout;
-    if (!sitting.keptIn.empty()) whole["kept_in"] = sitting.keptIn.string();
+    whole["targets"] = text(notebookText(state.notebook, of));
+    if (state.active) whole["active"] = *state.active;
+    whole["selected"] = runsJson(state.selected);
+    whole["hidden"] = runsJson(state.hidden);
+    if (state.rocks) whole["rocks"] = text(rockPresetText(*state.rocks, of.lines, of.beams));
+    whole["marked"] = {{"edge", state.marks.wanted}, {"no_edge", state.marks.unwanted}};
+    if (state.kept)
+        whole["kept"] = {{"scan", sessionScanJson(state.kept->scan, folder)}, {"settings", settingsToJson(state.kept->settings)}};
+    if (state.camera) whole["camera"] = cameraJson(*state.camera);
+    if (state.images) whole["images"] = {{"beam", state.images->beam}, {"line", state.images->line}, {"zoom", state.images->zoom}};
+    whole["switches"] = state.switches;
+    whole["looks"] = state.looks;
+    whole["layout"] = state.layout;
+    if (!state.keptIn.empty()) whole["kept_in"] = state.keptIn.string();
     return asciiJsonText(whole, 1) + "\n";
 }
 
-Result<ReadSitting> sittingFromText(std::string_view text, const fs::path& folder, const std::string& where) {
-    const auto object = parseJson(text, where, kSittingJson);
+Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folder, const std::string& where) {
+    const auto object = parseJson(text, where, kSessionJson);
     if (!object) return object.error();
-    if (!object->is_object() || !object->contains("format") || (*object)["format"] != kSittingFormat)
-        return Error{std::string("this is no session (") + kSittingFormat + ")", where, "choose a file that EdgeScan saved as a session"};
+    if (!object->is_object() || !object->contains("format") || (*object)["format"] != kSessionFormat)
+        return Error{std::string("this is no session (") + kSessionFormat + ")", where, "choose a file that EdgeScan saved as a session"};
     JsonFields fields(*object, where, "open another session, or the scan itself");
     (void)fields.text("format");
     (void)fields.text("program");
-    ReadSitting read;
-    Sitting& sitting = read.sitting;
+    ReadSession read;
+    ViewerState& state = read.state;
     read.savedUtc = fields.text("saved_utc");
     if (!read.savedUtc.empty() && !parseUtc(read.savedUtc)) fields.refuse("saved_utc", "must be a time such as 2026-11-20T10:15:30Z");
-    auto scan = sittingScanFrom(fields.object("scan"), folder, where);
+    auto scan = sessionScanFrom(fields.object("scan"), folder, where);
     if (!scan) return scan.error();
-    sitting.scan = std::move(scan->scan);
+    state.scan = std::move(scan->scan);
     read.places = std::move(scan->places);
-    const std::size_t cells = static_cast<std::size_t>(sitting.scan.identity.lines) * static_cast<std::size_t>(sitting.scan.identity.beams);
-    sitting.preset = shortPath(fields, "preset");
+    const std::size_t cells = static_cast<std::size_t>(state.scan.identity.lines) * static_cast<std::size_t>(state.scan.identity.beams);
+    state.preset = shortPath(fields, "preset");
     if (auto nested = nestedFrom(fields, where, read); !nested) return nested.error();
-    if (fields.has("active")) sitting.active = static_cast<std::uint32_t>(fields.wholeNumber("active", 0, cells - 1));
-    sitting.selected = runsFrom(fields, "selected", cells);
-    sitting.hidden = runsFrom(fields, "hidden", cells);
+    if (fields.has("active")) state.active = static_cast<std::uint32_t>(fields.wholeNumber("active", 0, cells - 1));
+    state.selected = runsFrom(fields, "selected", cells);
+    state.hidden = runsFrom(fields, "hidden", cells);
     JsonFields marked = fields.object("marked");
-    sitting.marks = {cellsFrom(marked, "edge", cells), cellsFrom(marked, "no_edge", cells)};
+    state.marks = {cellsFrom(marked, "edge", cells), cellsFrom(marked, "no_edge", cells)};
     marked.done();
     if (fields.has("kept")) {
         JsonFields kept = fields.object("kept");
-        auto of = sittingScanFrom(kept.object("scan"), folder, where);
+        auto of = sessionScanFrom(kept.object("scan"), folder, where);
         if (!of) return of.error();
         const Result<Settings> settings = usableSettings(kept, where);
         if (!settings) return settings.error();
         kept.done();
-        sitting.kept = SittingKept{std::move(of->scan), *settings};
+        state.kept = EarlierScan{std::move(of->scan), *settings};
         read.keptPlaces = std::move(of->places);
     }
-    if (fields.has("camera")) sitting.camera = cameraFrom(fields.object("camera"));
+    if (fields.has("camera")) state.camera = cameraFrom(fields.object("camera"));
     if (fields.has("images")) {
         JsonFields images = fields.object("images");
-        sitting.images = SittingImages{images.neededNumber("beam", {-1e9, 1e9}), images.neededNumber("line", {-1e9, 1e9}),
-                                       images.neededNumber("zoom", {1e-4, 1e4})};
+        state.images = SessionImages{images.neededNumber("beam", {-1e9, 1e9}), images.neededNumber("line", {-1e9, 1e9}),
+                                     images.neededNumber("zoom", {1e-4, 1e4})};
         images.done();
     }
-    sitting.switches = switchesFrom(fields, "switches");
-    sitting.looks = textsFrom(fields, "looks");
-    sitting.layout = textsFrom(fields, "layout");
-    sitting.keptIn = shortPath(fields, "kept_in");
+    state.switches = switchesFrom(fields, "switches");
+    state.looks = textsFrom(fields, "looks");
+    state.layout = textsFrom(fields, "layout");
+    state.keptIn = shortPath(fields, "kept_in");
     fields.done();
     if (fields.problem()) return *fields.problem();
     return read;
 }
 
-Result<ReadSitting> readSitting(const fs::path& path) {
-    const auto bytes = readWholeFile(path, kSittingJson.bytes);
+Result<ReadSession> readSession(const fs::path& path) {
+    const auto bytes = readWholeFile(path, kSessionJson.bytes);
     if (!bytes) return bytes.error();
-    return sittingFromText(textOf(*bytes), fs::absolute(path).parent_path(), path.string());
+    return sessionFromText(textOf(*bytes), fs::absolute(path).parent_path(), path.string());
 }
 
 } // namespace edgescan

@@ -31,7 +31,7 @@ struct ScanHead {
 [[nodiscard]] ScanHead scanHead(const Scan& scan, int lines = 16);
 
 /// A scan that a session is about: where it lay, how it was read, and by what it is known again.
-struct SittingScan {
+struct SessionScan {
     enum class Kind : std::uint8_t { File, Demo, DemoAfterBlast, Recording };
 
     Kind kind = Kind::File;
@@ -42,33 +42,33 @@ struct SittingScan {
 };
 
 /// Of a file, or of a recording that was being written.
-[[nodiscard]] constexpr bool hasPath(SittingScan::Kind kind) {
-    return kind == SittingScan::Kind::File || kind == SittingScan::Kind::Recording;
+[[nodiscard]] constexpr bool hasPath(SessionScan::Kind kind) {
+    return kind == SessionScan::Kind::File || kind == SessionScan::Kind::Recording;
 }
 
 /// A of A/B.
-struct SittingKept {
-    SittingScan scan;
+struct EarlierScan {
+    SessionScan scan;
     Settings settings;
 };
 
 /// Local metres of the cloud, as ui/views/cloud has it.
-struct SittingCamera {
+struct SessionCamera {
     Eigen::Vector3d position{0, 0, 0}, focus{0, 0, 1}, up{0, 1, 0};
     double viewAngleDeg = 45.0; ///< vertical
     bool parallel = false;
-    bool operator==(const SittingCamera&) const = default;
+    bool operator==(const SessionCamera&) const = default;
 };
 
 /// What part of the images is seen: x = beam, y = line.
-struct SittingImages {
+struct SessionImages {
     double beam = 0, line = 0; ///< in the middle
     double zoom = 1;           ///< pixels per line
-    bool operator==(const SittingImages&) const = default;
+    bool operator==(const SessionImages&) const = default;
 };
 
-struct Sitting {
-    SittingScan scan;
+struct ViewerState {
+    SessionScan scan;
     Settings settings;
     std::string preset; ///< name or path; empty: none
     Notebook notebook;
@@ -76,9 +76,9 @@ struct Sitting {
     std::vector<CellRun> selected, hidden; ///< in order, none empty
     std::optional<RockPreset> rocks;       ///< empty: rocks were not shown
     EdgeMarks marks;
-    std::optional<SittingKept> kept;
-    std::optional<SittingCamera> camera;
-    std::optional<SittingImages> images;       ///< empty: the whole image
+    std::optional<EarlierScan> kept;
+    std::optional<SessionCamera> camera;
+    std::optional<SessionImages> images;       ///< empty: the whole image
     std::map<std::string, bool> switches;      ///< of menus, by key
     std::map<std::string, std::string> looks;  ///< of the views, what is no switch: colours of the cloud, range window, size of points ...
     std::map<std::string, std::string> layout; ///< of docks and splitters: base64, by name
@@ -86,24 +86,24 @@ struct Sitting {
 };
 
 /// What of it names cells below `cells` alone: a recording may have lost its last lines in a crash.
-[[nodiscard]] Sitting cutTo(Sitting sitting, std::size_t cells);
+[[nodiscard]] ViewerState cutTo(ViewerState state, std::size_t cells);
 
-inline constexpr const char* kSittingEnding = ".edgescan-session.json";
+inline constexpr const char* kSessionEnding = ".edgescan-session.json";
 
 /// The text of a session file in `folder`: paths are relative to it where they lie in or below the folder above it, and absolute too.
 /// `savedUtc`: ISO 8601, or empty.
-[[nodiscard]] std::string sittingText(const Sitting& sitting, const std::filesystem::path& folder, const std::string& savedUtc);
+[[nodiscard]] std::string sessionText(const ViewerState& state, const std::filesystem::path& folder, const std::string& savedUtc);
 
 /// What a session file says, with the places where its files may lie.
-struct ReadSitting {
-    Sitting sitting;
+struct ReadSession {
+    ViewerState state;
     std::string savedUtc;
     std::vector<std::filesystem::path> places, keptPlaces; ///< of the scan and of A, the likeliest first; empty for the demo
 };
 /// `folder`: of the file, for its relative paths. Error: damaged, another format, unknown keys, cells that the scan does not have, numbers
 /// out of bounds; nothing is taken by halves.
-Result<ReadSitting> sittingFromText(std::string_view text, const std::filesystem::path& folder, const std::string& where);
+Result<ReadSession> sessionFromText(std::string_view text, const std::filesystem::path& folder, const std::string& where);
 /// The same from a file.
-Result<ReadSitting> readSitting(const std::filesystem::path& path);
+Result<ReadSession> readSession(const std::filesystem::path& path);
 
 } // namespace edgescan

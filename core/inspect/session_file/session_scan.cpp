@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestPath = 4096;
 constexpr int kMostSide = 1'000'000;
-constexpr std::uint64_t kMostSittingCells = std::uint64_t{1} << 28U;
-const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SittingScan::Kind
+constexpr std::uint64_t kMostSessionCells = std::uint64_t{1} << 28U;
+const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SessionScan::Kind
 
 /// Relative where it stays meaningful when both are moved together: from the folder above `folder` downwards. Else empty.
 std::string relativePath(const fs::path& path, const fs::path& folder) {
@@ -59,10 +59,10 @@ std::string pathThere(const std::vector<fs::path>& paths) {
 
 } // namespace
 
-nlohmann::ordered_json sittingScanJson(const SittingScan& scan, const fs::path& folder) {
+nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const fs::path& folder) {
     nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};
     if (hasPath(scan.kind)) json["path"] = pathJson(scan.path, folder);
-    if (scan.kind == SittingScan::Kind::Recording) json["head"] = {{"lines", scan.head.lines}, {"sha256", scan.head.sha256}};
+    if (scan.kind == SessionScan::Kind::Recording) json["head"] = {{"lines", scan.head.lines}, {"sha256", scan.head.sha256}};
     json["sha256"] = scan.identity.sha256;
     json["name"] = scan.identity.name;
     json["lines"] = scan.identity.lines;
@@ -75,12 +75,12 @@ nlohmann::ordered_json sittingScanJson(const SittingScan& scan, const fs::path& 
     return json;
 }
 
-Result<PlacedSittingScan> sittingScanFrom(JsonFields fields, const fs::path& folder, const std::string& where) {
-    PlacedSittingScan placed;
-    SittingScan& scan = placed.scan;
-    scan.kind = static_cast<SittingScan::Kind>(fields.choice("kind", kScanKinds));
+Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const fs::path& folder, const std::string& where) {
+    PlacedSessionScan placed;
+    SessionScan& scan = placed.scan;
+    scan.kind = static_cast<SessionScan::Kind>(fields.choice("kind", kScanKinds));
     if (hasPath(scan.kind)) placed.places = pathsFrom(fields.object("path"), folder);
-    if (scan.kind == SittingScan::Kind::Recording) {
+    if (scan.kind == SessionScan::Kind::Recording) {
         JsonFields head = fields.object("head");
         scan.head = {static_cast<int>(head.wholeNumber("lines", 1, kMostSide)), head.text("sha256")};
         head.done();
@@ -88,7 +88,7 @@ Result<PlacedSittingScan> sittingScanFrom(JsonFields fields, const fs::path& fol
     scan.path = pathThere(placed.places);
     scan.identity = {fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, kMostSide)),
                      static_cast<int>(fields.wholeNumber("beams", 1, kMostSide))};
-    if (static_cast<std::uint64_t>(scan.identity.lines) * static_cast<std::uint64_t>(scan.identity.beams) > kMostSittingCells)
+    if (static_cast<std::uint64_t>(scan.identity.lines) * static_cast<std::uint64_t>(scan.identity.beams) > kMostSessionCells)
         fields.refuse("lines", "must be those of a scan of at most 2^28 cells");
     if (const nlohmann::json& reading = fields.value("reading"); !reading.is_null()) {
         auto options = parseReadingOptions(jsonText(reading), where);

@@ -6,13 +6,13 @@
 
 namespace edgescan {
 
-[[nodiscard]] nlohmann::ordered_json sittingScanJson(const SittingScan& scan, const std::filesystem::path& folder);
+[[nodiscard]] nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const std::filesystem::path& folder);
 
-struct PlacedSittingScan {
-    SittingScan scan;                          ///< with the likeliest of the paths
+struct PlacedSessionScan {
+    SessionScan scan;                          ///< with the likeliest of the paths
     std::vector<std::filesystem::path> places; ///< all, the likeliest first
 };
-/// Error: as sittingFromText().
-Result<PlacedSittingScan> sittingScanFrom(JsonFields fields, const std::filesystem::path& folder, const std::string& where);
+/// Error: as sessionFromText().
+Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const std::filesystem::path& folder, const std::string& where);
 
 } // namespace edgescan

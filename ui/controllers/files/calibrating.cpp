@@ -13,9 +13,9 @@
 #include "ui/base/step_name.h"
 #include "ui/controllers/files/calibration_words.h"
 #include "ui/controllers/files/files.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/in_background.h"
 #include "ui/engine/worker_bridge/memory.h"
-#include "ui/engine/worker_bridge/session.h"
 #include "ui/panels/dialogs/calibration_card.h"
 
 #include <QDir>
@@ -64,19 +64,19 @@ Result<CalibrationSource> sourceOf(const std::string& file) {
 
 } // namespace
 
-Calibrating::Calibrating(Session& session, Files& files, NoticeBar& notice, Memory& memory, QObject* parent)
-    : QObject(parent), session_(session), files_(files), notice_(notice), memory_(memory),
+Calibrating::Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent)
+    : QObject(parent), engine_(engine), files_(files), notice_(notice), memory_(memory),
       worker_(
           this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { take(answer); },
           [this](const QString& what) {
               wanted_ = 0;
               if (card_ != nullptr) card_->refuse(tr("It failed (%1); close other programs or use a smaller scan.").arg(what));
           }) {
-    connect(&session_, &Session::streamChanged, this, &Calibrating::followScreen);
+    connect(&engine_, &Engine::streamChanged, this, &Calibrating::followScreen);
 }
 
 void Calibrating::show() {
-    if (!session_.picture()) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (!engine_.picture()) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
     if (files_.path().isEmpty())
         return notice_.showNotice(
             NoticeBar::Kind::Warning,
@@ -146,8 +146,8 @@ void Calibrating::setBase(const QString& path) {
 }
 
 void Calibrating::start() {
-    if (card_ == nullptr || !session_.picture() || files_.path() != screenPath_) return;
-    Question question{++questions_, session_.picture()->detection, others_, files_.options(), base_};
+    if (card_ == nullptr || !engine_.picture() || files_.path() != screenPath_) return;
+    Question question{++questions_, engine_.picture()->detection, others_, files_.options(), base_};
     question.reading.pose.clear(); // of the scan on the screen alone
     question.reading.calibration.clear();
     found_.reset();
@@ -299,7 +299,7 @@ void Calibrating::saveTo(const QString& path) {
 
 // A calibration alone gives no place (docs/coordinates.md).
 QString Calibrating::whyNotApplied() const {
-    const Scan& scan = *session_.picture()->detection->scan;
+    const Scan& scan = *engine_.picture()->detection->scan;
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
     if (!files_.options().pose.empty() || (recorded && scan.placement)) return {};
     return tr(

@@ -25,13 +25,13 @@ class CalibrationCard;
 class Files;
 class Memory;
 class NoticeBar;
-class Session;
+class Engine;
 
 /// GUI thread only. What it is given must outlive it.
 class Calibrating : public QObject {
     Q_OBJECT
 public:
-    Calibrating(Session& session, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
+    Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
     ~Calibrating() override { wanted_ = 0; }
 
     /// The card, with the scan on the screen.
@@ -89,7 +89,7 @@ private:
     void followScreen();
     [[nodiscard]] QString whyNotApplied() const;
 
-    Session& session_;
+    Engine& engine_;
     Files& files_;
     NoticeBar& notice_;
     Memory& memory_;

@@ -71,9 +71,9 @@ Result<Done> savePng(const QImage& image, const QString& path) {
     return writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
-Exports::Exports(Session& session, const Files& files, NoticeBar& notice, Memory& memory)
-    : session_(session), files_(files), notice_(notice), memory_(memory) {
-    connect(&session_, &Session::saved, this, &Exports::tellSaved);
+Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory)
+    : engine_(engine), files_(files), notice_(notice), memory_(memory) {
+    connect(&engine_, &Engine::saved, this, &Exports::tellSaved);
 }
 
 void Exports::ask(ExportContent wanted) { askOf(wanted, false); }
@@ -88,11 +88,11 @@ void Exports::askSelected() {
 }
 
 void Exports::askOf(ExportContent wanted, bool selectedOnly) {
-    if (!session_.picture()) {
+    if (!engine_.picture()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
     }
-    const std::shared_ptr<const Detection> detection = session_.picture()->detection;
+    const std::shared_ptr<const Detection> detection = engine_.picture()->detection;
     ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = isCloud(dialog.content());
@@ -111,7 +111,7 @@ void Exports::askOf(ExportContent wanted, bool selectedOnly) {
     // The record beside the file is replaced with it.
     question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
-    if (!path.isEmpty()) session_.save(dialog.content(), path, dialog.options());
+    if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
 }
 
 void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
@@ -138,8 +138,8 @@ Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {
 }
 
 void Exports::copyCommand() {
-    if (!session_.picture() || session_.picture()->detection->scan->path.empty()) return;
-    const Detection& detection = *session_.picture()->detection;
+    if (!engine_.picture() || engine_.picture()->detection->scan->path.empty()) return;
+    const Detection& detection = *engine_.picture()->detection;
     const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
     // Beside this program where it is not on the PATH.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";

@@ -1,7 +1,7 @@
 // What leaves the program: exports of scan and edges, pictures of the window, the command that computes the same edges.
 #pragma once
 
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QImage>
 #include <QObject>
@@ -22,7 +22,7 @@ Result<Done> savePng(const QImage& image, const QString& path);
 class Exports : public QObject {
     Q_OBJECT
 public:
-    Exports(Session& session, const Files& files, NoticeBar& notice, Memory& memory);
+    Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory);
 
     /// Asks what, in which coordinates and where to.
     void ask(ExportContent wanted);
@@ -43,7 +43,7 @@ private:
     void askOf(ExportContent wanted, bool selectedOnly);
     void tellSaved(ExportContent what, const QString& path, qint64 count);
 
-    Session& session_;
+    Engine& engine_;
     const Files& files_;
     NoticeBar& notice_;
     Memory& memory_;

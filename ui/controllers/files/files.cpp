@@ -62,14 +62,14 @@ private:
     ReadingOptions before_, after_;
 };
 
-Files::Files(Session& session, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : session_(session), notice_(notice), memory_(memory), undo_(undo) {
-    connect(&session_, &Session::opened, this, &Files::noteOpened);
+Files::Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : engine_(engine), notice_(notice), memory_(memory), undo_(undo) {
+    connect(&engine_, &Engine::opened, this, &Files::noteOpened);
     // What was refused or given up leaves what is on the screen as it was read.
-    connect(&session_, &Session::workEnded, this, [this] {
-        if (!session_.opening()) setOptions(shownOptions_);
+    connect(&engine_, &Engine::workEnded, this, [this] {
+        if (!engine_.opening()) setOptions(shownOptions_);
     });
-    connect(&session_, &Session::streamChanged, this, &Files::tellWarnings);
+    connect(&engine_, &Engine::streamChanged, this, &Files::tellWarnings);
 }
 
 void Files::open(const QStringList& paths, const ReadingOptions& options) {
@@ -77,14 +77,14 @@ void Files::open(const QStringList& paths, const ReadingOptions& options) {
     series_ = paths;
     place_ = 0;
     setOptions(options);
-    session_.open(paths.front(), options);
+    engine_.open(paths.front(), options);
 }
 
 void Files::openDemo(bool afterBlast) {
     series_.clear();
     setOptions({});
     wantedDemo_ = afterBlast;
-    session_.openDemo(afterBlast);
+    engine_.openDemo(afterBlast);
 }
 
 // "All supported" first, then one entry per kind.
@@ -103,7 +103,7 @@ QString Files::filters() {
 void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), memory_.folder("scans"), filters())); }
 
 void Files::reload() {
-    if (!path_.isEmpty()) session_.open(path_, options_);
+    if (!path_.isEmpty()) engine_.open(path_, options_);
 }
 
 void Files::step(int files) {
@@ -122,7 +122,7 @@ void Files::step(int files) {
         return;
     }
     place_ = place;
-    session_.open(series_[place], options_);
+    engine_.open(series_[place], options_);
 }
 
 void Files::setOptions(const ReadingOptions& options) {
@@ -183,7 +183,7 @@ void Files::noteOpened(const QString& path) {
 }
 
 void Files::tellWarnings() {
-    const Picture& picture = *session_.picture();
+    const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << shownText(warning);

@@ -1,7 +1,7 @@
 // Which file is on the screen: opening, the series, recent files, reading it again with straightened beams.
 #pragma once
 
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
 #include <QStringList>
@@ -18,7 +18,7 @@ class NoticeBar;
 class Files : public QObject {
     Q_OBJECT
 public:
-    Files(Session& session, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     /// Opens the first; the others follow with step().
     void open(const QStringList& paths, const ReadingOptions& options = {});
@@ -62,7 +62,7 @@ private:
     void noteOpened(const QString& path);
     void tellWarnings();
 
-    Session& session_;
+    Engine& engine_;
     NoticeBar& notice_;
     Memory& memory_;
     QString path_;                // on the screen; empty: the demo or a scanner

@@ -5,7 +5,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/step_name.h"
 #include "ui/controllers/files/files.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/opening_card.h"
 
 #include <QFileInfo>
@@ -16,19 +16,19 @@
 
 namespace edgescan::ui {
 
-Opening::Opening(Session& session, Files& files, NoticeBar& notice)
-    : session_(session), files_(files), notice_(notice),
+Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
+    : engine_(engine), files_(files), notice_(notice),
       worker_(
           this,
           [](const Question& asked) {
               return Answer{asked.scan, asked.scan ? openingCheck(*asked.scan, asked.options) : std::vector<OpeningPoint>()};
           },
           [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // not known: nothing is said
-    connect(&session_, &Session::streamChanged, this, &Opening::follow);
+    connect(&engine_, &Engine::streamChanged, this, &Opening::follow);
 }
 
 void Opening::follow() {
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     const bool sameFile = path_ == files_.path();
     if (before_ && sameFile && card_ != nullptr && card_->isVisible()) return; // the preview of one of them
     before_.reset();
@@ -40,7 +40,7 @@ void Opening::follow() {
 }
 
 void Opening::take(Answer answer) {
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     if (!picture || !answer.scan || picture->detection->scan != answer.scan || before_) return;
     points_ = std::move(answer.points);
     if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();

@@ -16,13 +16,13 @@ namespace edgescan::ui {
 class Files;
 class NoticeBar;
 class OpeningCard;
-class Session;
+class Engine;
 
 /// GUI thread only. What it is given must outlive it.
 class Opening : public QObject {
     Q_OBJECT
 public:
-    Opening(Session& session, Files& files, NoticeBar& notice);
+    Opening(Engine& engine, Files& files, NoticeBar& notice);
 
     /// The card about the file on the screen.
     void show();
@@ -48,7 +48,7 @@ private:
     void closed();
     [[nodiscard]] const OtherReading* otherAt(int point, int other) const;
 
-    Session& session_;
+    Engine& engine_;
     Files& files_;
     NoticeBar& notice_;
     OpeningCard* card_ = nullptr;

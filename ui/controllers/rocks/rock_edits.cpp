@@ -16,14 +16,14 @@ namespace {
 
 class RockEditStep : public QUndoCommand {
 public:
-    RockEditStep(const QString& name, Rocks& rocks, const Session& session, RockByHand after)
-        : QUndoCommand(name), rocks_(rocks), session_(session), stream_(streamNow()), before_(rocks.byHand()), after_(std::move(after)) {}
+    RockEditStep(const QString& name, Rocks& rocks, const Engine& engine, RockByHand after)
+        : QUndoCommand(name), rocks_(rocks), engine_(engine), stream_(streamNow()), before_(rocks.byHand()), after_(std::move(after)) {}
 
     void undo() override { apply(before_); }
     void redo() override { apply(after_); }
 
 private:
-    [[nodiscard]] std::uint64_t streamNow() const { return session_.picture() ? session_.picture()->source.stream : 0; }
+    [[nodiscard]] std::uint64_t streamNow() const { return engine_.picture() ? engine_.picture()->source.stream : 0; }
     void apply(const RockByHand& byHand) {
         if (streamNow() == stream_)
             rocks_.setByHand(byHand);
@@ -32,7 +32,7 @@ private:
     }
 
     Rocks& rocks_;
-    const Session& session_;
+    const Engine& engine_;
     std::uint64_t stream_;
     RockByHand before_, after_;
 };
@@ -111,7 +111,7 @@ void Rocks::setByHand(const RockByHand& byHand) {
     emit changed();
 }
 
-void Rocks::pushByHand(const QString& name, RockByHand after) { undo_.push(new RockEditStep(name, *this, session_, std::move(after))); }
+void Rocks::pushByHand(const QString& name, RockByHand after) { undo_.push(new RockEditStep(name, *this, engine_, std::move(after))); }
 
 void Rocks::push(const QString& name, RockEdit edit) {
     RockByHand after = byHand();

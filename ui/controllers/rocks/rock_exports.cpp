@@ -73,7 +73,7 @@ void Rocks::exportTo(const QString& path) {
     ExportOptions options;
     if (file->hasFrame) options.frame = usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const RockStudy>(picture_, &picture_->study);
-    session_.save(file->content, path, options);
+    engine_.save(file->content, path, options);
 }
 
 } // namespace edgescan::ui

@@ -25,13 +25,13 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 
 } // namespace
 
-Rocks::Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : session_(session), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
+Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
       beside_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::follow);
-    connect(&session_, &Session::pictureReady, this, &Rocks::follow);
+    connect(&engine_, &Engine::pictureReady, this, &Rocks::follow);
     connect(&finder_, &RockFinder::found, this, &Rocks::take);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
@@ -100,13 +100,13 @@ void Rocks::forget() {
     show();
 }
 
-bool Rocks::ofAnotherPicture() const { return !picture_ || !session_.picture() || picture_->detection != session_.picture()->detection; }
+bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() || picture_->detection != engine_.picture()->detection; }
 
-bool Rocks::behind() const { return on_ && session_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
+bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
 
 // A new picture is on the screen.
 void Rocks::follow() {
-    const std::shared_ptr<const Picture>& shown = session_.picture();
+    const std::shared_ptr<const Picture>& shown = engine_.picture();
     if (!shown) return;
     if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {
         edits_.clear();
@@ -132,8 +132,8 @@ void Rocks::follow() {
 }
 
 void Rocks::ask() {
-    if (!on_ || !session_.picture()) return;
-    asked_ = session_.picture()->detection;
+    if (!on_ || !engine_.picture()) return;
+    asked_ = engine_.picture()->detection;
     finder_.ask({asked_, settings_, edits_});
 }
 
@@ -154,7 +154,7 @@ void Rocks::takePreset(const RockPreset& preset) {
 
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     // An answer about another scan, or after rocks were switched off, is no longer wanted.
-    if (!on_ || !session_.picture() || (finder_.behind() && picture->detection->scan != session_.picture()->detection->scan)) return;
+    if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
     picture_ = picture;
     show();
     emit rocksShown();
@@ -162,11 +162,11 @@ void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
 
 QString Rocks::remark() const {
     QStringList words;
-    if (session_.picture() && session_.picture()->source.growth.growing && picture_)
+    if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
-    if (on_ && session_.picture() && !picture_) words << tr("being worked out …");
+    if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
     if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
-    if (on_ && !session_.picture()) words << tr("open a scan first");
+    if (on_ && !engine_.picture()) words << tr("open a scan first");
     return words.join(" · ");
 }
 
@@ -180,9 +180,9 @@ void Rocks::show() {
 void Rocks::showFaces() {
     const bool stale = picture_ && ofAnotherPicture();
     const bool away = views_.flipped(); // another picture is shown for a moment: these are not its rocks
-    const QString told = !on_ || !session_.picture() ? QString()
-                                                     : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
-                                                           (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
+    const QString told = !on_ || !engine_.picture() ? QString()
+                                                    : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
+                                                          (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         view->setFaces(picture_ && !away ? picture_->faces : nullptr, stale);
         view->setTitle(told);

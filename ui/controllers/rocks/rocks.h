@@ -4,7 +4,7 @@
 #include "core/rocks/selection/strokes.h"
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/engine/linked_views/cell_drag.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/rocks/rock_finder.h"
 
 #include <QObject>
@@ -46,7 +46,7 @@ struct RockByHand {
 class Rocks : public QObject {
     Q_OBJECT
 public:
-    Rocks(Session& session, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     /// Nothing is worked out while they are not shown.
     void setShown(bool on);
@@ -124,7 +124,7 @@ private:
     [[nodiscard]] bool ofAnotherPicture() const;
     [[nodiscard]] QString remark() const;
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     RocksPanel& panel_;
     RockTable& table_;

@@ -23,7 +23,7 @@ Autosaves::Autosaves(const QString& folder) : folder_(folder) {
     // Several windows of one process are told apart by a number.
     for (int n = 0; n < 100 && own_.isEmpty(); ++n) {
         const QString path =
-            folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) + kSittingEnding;
+            folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) + kSessionEnding;
         auto lock = std::make_unique<QLockFile>(lockOf(path));
         lock->setStaleLockTime(0);
         if (QFile::exists(path) || !lock->tryLock(0)) continue; // of a process before that had the same number
@@ -48,7 +48,7 @@ bool Autosaves::isRunning(const QString& path) const {
 QStringList Autosaves::leftBehind() const {
     QStringList left;
     if (folder_.isEmpty()) return left;
-    for (const QFileInfo& file : QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + kSittingEnding}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo& file : QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + kSessionEnding}, QDir::Files, QDir::Time)) {
         const QString path = file.absoluteFilePath();
         if (!takenUp_.contains(path) && !isRunning(path)) left << path;
     }
@@ -56,7 +56,7 @@ QStringList Autosaves::leftBehind() const {
 }
 
 QString Autosaves::last() const {
-    const QString path = folder_ + "/last" + kSittingEnding;
+    const QString path = folder_ + "/last" + kSessionEnding;
     return !folder_.isEmpty() && QFile::exists(path) ? path : QString();
 }
 
@@ -68,7 +68,7 @@ void Autosaves::takenUp(const QString& path) {
 
 void Autosaves::end() {
     if (own_.isEmpty() || !QFile::exists(own_)) return;
-    const QString last = folder_ + "/last" + kSittingEnding;
+    const QString last = folder_ + "/last" + kSessionEnding;
     QFile::remove(last);
     QFile::rename(own_, last);
     for (const QString& path : takenUp_) QFile::remove(path);

@@ -36,13 +36,13 @@ ReadingOptions kept(ReadingOptions reading) {
     return reading;
 }
 
-SittingScan::Kind kindOf(std::optional<bool> demo) {
-    if (!demo) return SittingScan::Kind::File;
-    return *demo ? SittingScan::Kind::DemoAfterBlast : SittingScan::Kind::Demo;
+SessionScan::Kind kindOf(std::optional<bool> demo) {
+    if (!demo) return SessionScan::Kind::File;
+    return *demo ? SessionScan::Kind::DemoAfterBlast : SessionScan::Kind::Demo;
 }
 
-SittingScan scanIn(const QString& path, std::optional<bool> demo, const ReadingOptions& reading, const Scan& scan) {
-    SittingScan of;
+SessionScan scanIn(const QString& path, std::optional<bool> demo, const ReadingOptions& reading, const Scan& scan) {
+    SessionScan of;
     of.kind = kindOf(demo);
     of.path = absolutePath(path.toStdString());
     of.identity = notebookScan(scan);
@@ -50,22 +50,22 @@ SittingScan scanIn(const QString& path, std::optional<bool> demo, const ReadingO
     return of;
 }
 
-std::optional<SittingKept> keptOf(const Comparing& comparing) {
+std::optional<EarlierScan> keptOf(const Comparing& comparing) {
     const std::optional<KeptFrom>& from = comparing.keptFrom();
     if (!from || !comparing.kept()) return std::nullopt;
-    return SittingKept{scanIn(from->path, from->demo, from->reading, *comparing.kept()->detection->scan), from->settings};
+    return EarlierScan{scanIn(from->path, from->demo, from->reading, *comparing.kept()->detection->scan), from->settings};
 }
 
 /// Empty: it can not be opened again.
-std::optional<SittingScan> scanOf(const Desk& desk, const Picture& picture) {
+std::optional<SessionScan> scanOf(const Desk& desk, const Picture& picture) {
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep >= 0) {
         const QString recording = desk.live.recordingOf(picture.source.stream);
         if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
         NotebookScan identity = notebookScan(scan);
         identity.sha256.clear(); // of a file that grows
-        SittingScan of;
-        of.kind = SittingScan::Kind::Recording;
+        SessionScan of;
+        of.kind = SessionScan::Kind::Recording;
         of.path = absolutePath(recording.toStdString());
         of.identity = std::move(identity);
         of.head = scanHead(scan);
@@ -85,80 +85,80 @@ void forSwitches(const QWidget& window, const Act& act) {
 
 } // namespace
 
-std::optional<Sitting> taken(const Desk& desk) {
-    const std::shared_ptr<const Picture>& picture = desk.session.picture();
+std::optional<ViewerState> taken(const Desk& desk) {
+    const std::shared_ptr<const Picture>& picture = desk.engine.picture();
     if (!picture) return std::nullopt;
     auto of = scanOf(desk, *picture);
     if (!of) return std::nullopt;
-    Sitting sitting;
-    sitting.scan = std::move(*of);
-    sitting.settings = desk.session.settings();
+    ViewerState state;
+    state.scan = std::move(*of);
+    state.settings = desk.engine.settings();
     const Preset& preset = desk.panel.preset();
-    sitting.preset = preset.path.empty() ? preset.name : preset.path;
-    sitting.notebook = desk.targets.notebook();
-    if (const PinnedTarget* active = desk.targets.active()) sitting.active = active->cell;
-    sitting.selected = runsOf(desk.selection.cells());
-    sitting.hidden = runsOf(desk.selection.hidden());
-    if (desk.rocks.shown()) sitting.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), sitting.scan.identity.sha256};
-    sitting.marks = desk.marked.marks();
-    sitting.kept = keptOf(desk.comparing);
+    state.preset = preset.path.empty() ? preset.name : preset.path;
+    state.notebook = desk.targets.notebook();
+    if (const PinnedTarget* active = desk.targets.active()) state.active = active->cell;
+    state.selected = runsOf(desk.selection.cells());
+    state.hidden = runsOf(desk.selection.hidden());
+    if (desk.rocks.shown()) state.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), state.scan.identity.sha256};
+    state.marks = desk.marked.marks();
+    state.kept = keptOf(desk.comparing);
     const CameraPose pose = desk.views.cloud().camera();
-    sitting.camera = SittingCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
+    state.camera = SessionCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
     if (const ViewPort& port = *desk.views.gray().viewPort(); !port.fitted())
-        sitting.images = SittingImages{port.centre().x(), port.centre().y(), port.zoom()};
-    forSwitches(desk.window, [&](const QAction& action, const std::string& key) { sitting.switches[key] = action.isChecked(); });
-    sitting.looks = looksOf(desk);
-    sitting.layout = desk.layout();
-    return sitting;
+        state.images = SessionImages{port.centre().x(), port.centre().y(), port.zoom()};
+    forSwitches(desk.window, [&](const QAction& action, const std::string& key) { state.switches[key] = action.isChecked(); });
+    state.looks = looksOf(desk);
+    state.layout = desk.layout();
+    return state;
 }
 
-void layOut(const Desk& desk, const Sitting& sitting) {
-    if (const auto preset = findPreset(sitting.preset); preset && !sitting.preset.empty()) desk.panel.setPreset(*preset);
-    desk.tuning.useSettings(sitting.settings);
+void layOut(const Desk& desk, const ViewerState& state) {
+    if (const auto preset = findPreset(state.preset); preset && !state.preset.empty()) desk.panel.setPreset(*preset);
+    desk.tuning.useSettings(state.settings);
     forSwitches(desk.window, [&](QAction& action, const std::string& key) {
-        if (const auto found = sitting.switches.find(key); found != sitting.switches.end() && found->second != action.isChecked())
+        if (const auto found = state.switches.find(key); found != state.switches.end() && found->second != action.isChecked())
             action.trigger();
     });
-    useLooks(desk, sitting.looks);
-    desk.useLayout(sitting.layout);
+    useLooks(desk, state.looks);
+    desk.useLayout(state.layout);
 }
 
-bool isShown(const Desk& desk, const SittingScan& scan) {
-    if (!desk.session.picture()) return false;
-    const Scan& shown = *desk.session.picture()->detection->scan;
-    if (scan.kind == SittingScan::Kind::Recording)
+bool isShown(const Desk& desk, const SessionScan& scan) {
+    if (!desk.engine.picture()) return false;
+    const Scan& shown = *desk.engine.picture()->detection->scan;
+    if (scan.kind == SessionScan::Kind::Recording)
         return shown.beams() == scan.identity.beams && scanHead(shown, scan.head.lines) == scan.head &&
                (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
     return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
 }
 
-void layOutOnScan(const Desk& desk, const Sitting& whole) {
-    const std::size_t cells = desk.session.picture()->detection->scan->cells();
-    const Sitting sitting = cutTo(whole, cells);
-    desk.targets.restore(sitting.notebook);
-    desk.selection.restore(cellsOf(sitting.selected, cells), cellsOf(sitting.hidden, cells));
-    desk.marked.restore(sitting.marks);
-    if (sitting.rocks) desk.rocks.restore(*sitting.rocks);
-    if (sitting.active) desk.views.pin(*sitting.active);
+void layOutOnScan(const Desk& desk, const ViewerState& whole) {
+    const std::size_t cells = desk.engine.picture()->detection->scan->cells();
+    const ViewerState state = cutTo(whole, cells);
+    desk.targets.restore(state.notebook);
+    desk.selection.restore(cellsOf(state.selected, cells), cellsOf(state.hidden, cells));
+    desk.marked.restore(state.marks);
+    if (state.rocks) desk.rocks.restore(*state.rocks);
+    if (state.active) desk.views.pin(*state.active);
     ViewPort& port = *desk.views.gray().viewPort();
-    if (sitting.images) {
-        const QPointF centre(sitting.images->beam, sitting.images->line);
-        port.zoomAt(centre, sitting.images->zoom / port.zoom());
+    if (state.images) {
+        const QPointF centre(state.images->beam, state.images->line);
+        port.zoomAt(centre, state.images->zoom / port.zoom());
         port.centreOn(centre);
     } else {
         port.fit();
     }
-    if (sitting.camera) {
-        const SittingCamera& camera = *sitting.camera;
+    if (state.camera) {
+        const SessionCamera& camera = *state.camera;
         desk.views.cloud().setCamera({camera.position, camera.focus, camera.up, camera.viewAngleDeg, camera.parallel});
     }
-    useLooksOfScan(desk, sitting.looks);
-    if (sitting.kept) {
-        const SittingScan& scan = sitting.kept->scan;
+    useLooksOfScan(desk, state.looks);
+    if (state.kept) {
+        const SessionScan& scan = state.kept->scan;
         std::optional<bool> demo;
-        if (scan.kind != SittingScan::Kind::File) demo = scan.kind == SittingScan::Kind::DemoAfterBlast;
+        if (scan.kind != SessionScan::Kind::File) demo = scan.kind == SessionScan::Kind::DemoAfterBlast;
         desk.comparing.restore(
-            {exactText(scan.path.string()), demo, scan.reading, sitting.kept->settings, scan.identity.sha256, scan.identity.name});
+            {exactText(scan.path.string()), demo, scan.reading, state.kept->settings, scan.identity.sha256, scan.identity.name});
     } else if (desk.comparing.kept()) {
         desk.comparing.forget();
     }

@@ -23,14 +23,14 @@ class NoticeBar;
 class Rocks;
 class ScanLook;
 class Selection;
-class Session;
+class Engine;
 class Targets;
 class Tuning;
 
 /// All of them outlive it.
 struct Desk {
     QWidget& window; ///< with the switches of its menus as actions
-    Session& session;
+    Engine& engine;
     Files& files;
     Tuning& tuning;
     EdgesPanel& panel;
@@ -52,12 +52,12 @@ struct Desk {
 
 /// Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not being recorded. GUI
 /// thread.
-[[nodiscard]] std::optional<Sitting> taken(const Desk& desk);
+[[nodiscard]] std::optional<ViewerState> taken(const Desk& desk);
 /// What needs no scan: settings, switches, the layout of the window.
-void layOut(const Desk& desk, const Sitting& sitting);
+void layOut(const Desk& desk, const ViewerState& state);
 /// The rest, on the scan on the screen, which is the session's.
-void layOutOnScan(const Desk& desk, const Sitting& sitting);
+void layOutOnScan(const Desk& desk, const ViewerState& state);
 /// That the scan on the screen is that one.
-[[nodiscard]] bool isShown(const Desk& desk, const SittingScan& scan);
+[[nodiscard]] bool isShown(const Desk& desk, const SessionScan& scan);
 
 } // namespace edgescan::ui

@@ -11,12 +11,12 @@
 namespace edgescan::ui {
 
 /// Whether the name says so.
-[[nodiscard]] bool isSittingName(const QString& path);
+[[nodiscard]] bool isSessionName(const QString& path);
 /// The picture with the session of these words in it.
-[[nodiscard]] QImage withSitting(QImage picture, const std::string& text);
+[[nodiscard]] QImage withSession(QImage picture, const std::string& text);
 /// What a picture carries; empty: nothing. For any thread.
-[[nodiscard]] std::string sittingIn(const QString& picture);
+[[nodiscard]] std::string sessionIn(const QString& picture);
 /// From a session file or a picture that carries one; empty: the file is neither. For any thread.
-[[nodiscard]] std::optional<Result<ReadSitting>> sittingOf(const QString& path);
+[[nodiscard]] std::optional<Result<ReadSession>> sessionOf(const QString& path);
 
 } // namespace edgescan::ui

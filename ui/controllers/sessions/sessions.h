@@ -15,12 +15,12 @@
 namespace edgescan::ui {
 
 /// GUI thread only; files are read and written on threads of their own.
-class Sittings : public QObject {
+class Sessions : public QObject {
     Q_OBJECT
 public:
-    explicit Sittings(const Desk& desk);
+    explicit Sessions(const Desk& desk);
     /// What was not written yet is written now.
-    ~Sittings() override;
+    ~Sessions() override;
 
     /// Files that were dropped or named: a session or a picture that carries one is gone on with, anything else is opened as scans.
     void open(const QStringList& paths, const ReadingOptions& options = {});
@@ -49,7 +49,7 @@ signals:
 
 private:
     struct Job {
-        Sitting sitting;
+        ViewerState state;
         QString own, file;   ///< where to; either may be empty
         bool closed = false; ///< the recording of the sweep: it has its hash by now
         std::uint64_t number = 0;
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] Written write(const Job& job); // worker's thread
     void take(const Written& written);
     void save();
-    void restore(ReadSitting read, const QString& file);
+    void restore(ReadSession read, const QString& file);
     void openNextPlace();
     void followStream();
     void askForPlace(const QString& sentence);
@@ -73,7 +73,7 @@ private:
     Autosaves autosaves_;
     QString file_; // the person's; of the scan below
     NotebookScan filed_;
-    std::optional<ReadSitting> wanted_; // waits for its scan
+    std::optional<ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
     std::size_t place_ = 0;
     bool reading_ = false;

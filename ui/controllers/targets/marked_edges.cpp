@@ -8,7 +8,7 @@
 #include "ui/base/step_name.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/proposals_card.h"
 
 #include <QMenu>
@@ -22,14 +22,14 @@ namespace {
 
 class AdoptedSettings : public QUndoCommand {
 public:
-    AdoptedSettings(Session& session, const Settings& after)
-        : QUndoCommand(stepName("Settings for These Marks")), session_(session), before_(session.settings()), after_(after) {}
+    AdoptedSettings(Engine& engine, const Settings& after)
+        : QUndoCommand(stepName("Settings for These Marks")), engine_(engine), before_(engine.settings()), after_(after) {}
 
-    void undo() override { session_.setSettings(before_); }
-    void redo() override { session_.setSettings(after_); }
+    void undo() override { engine_.setSettings(before_); }
+    void redo() override { engine_.setSettings(after_); }
 
 private:
-    Session& session_;
+    Engine& engine_;
     Settings before_, after_;
 };
 
@@ -57,8 +57,8 @@ private:
     EdgeMarks before_, after_;
 };
 
-MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
-    : session_(session), views_(views), targets_(targets), undo_(undo), notice_(notice),
+MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
+    : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
       worker_(
           this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { tell(answer); },
           [this](const QString& what) {
@@ -66,8 +66,8 @@ MarkedEdges::MarkedEdges(Session& session, LinkedViews& views, Targets& targets,
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
-    connect(&session_, &Session::pictureReady, this, [this] {
-        if (std::exchange(stream_, session_.picture()->source.stream) != session_.picture()->source.stream) use({});
+    connect(&engine_, &Engine::pictureReady, this, [this] {
+        if (std::exchange(stream_, engine_.picture()->source.stream) != engine_.picture()->source.stream) use({});
     });
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
@@ -121,23 +121,23 @@ void MarkedEdges::show() {
 }
 
 void MarkedEdges::propose() {
-    if (marks_.empty() || session_.picture() == nullptr) {
+    if (marks_.empty() || engine_.picture() == nullptr) {
         notice_.showNotice(NoticeBar::Kind::Warning,
                            tr("Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none."));
         return;
     }
-    if (session_.picture()->source.growth.growing) {
+    if (engine_.picture()->source.growth.growing) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("The sweep is still growing: wait for its end, or hold it."));
         return;
     }
     if (card_ == nullptr) makeCard();
-    const Settings before = before_.value_or(session_.settings());
+    const Settings before = before_.value_or(engine_.settings());
     putBack();
     working_ = true;
     wanted_ = ++questions_;
     card_->begin();
     showStage(questions_, 0);
-    worker_.post({questions_, session_.picture()->detection->scan, before, marks_});
+    worker_.post({questions_, engine_.picture()->detection->scan, before, marks_});
 }
 
 // One question per method: what it asks says how far the work is.
@@ -162,14 +162,14 @@ void MarkedEdges::showStage(std::uint64_t number, int method) {
 void MarkedEdges::makeCard() {
     card_ = new ProposalsCard(notice_.window());
     connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
-        if (!before_ || session_.settings() != previewed_) before_ = session_.settings();
+        if (!before_ || engine_.settings() != previewed_) before_ = engine_.settings();
         previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
-        session_.setSettings(previewed_);
+        engine_.setSettings(previewed_);
     });
     connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
         const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // so that undo leads back to what was set before the preview
-        undo_.push(new AdoptedSettings(session_, adopted));
+        undo_.push(new AdoptedSettings(engine_, adopted));
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {
@@ -181,7 +181,7 @@ void MarkedEdges::makeCard() {
 void MarkedEdges::tell(const Answer& answer) {
     working_ = false;
     if (answer.asked.number != wanted_) return;
-    if (marks_.empty() || session_.picture()->detection->scan != answer.asked.scan) return card_->hide();
+    if (marks_.empty() || engine_.picture()->detection->scan != answer.asked.scan) return card_->hide();
     putBack();
     proposals_ = answer.proposals;
     QStringList rows;
@@ -194,7 +194,7 @@ void MarkedEdges::tell(const Answer& answer) {
 
 void MarkedEdges::putBack() {
     const auto before = std::exchange(before_, std::nullopt);
-    if (before && session_.settings() == previewed_) session_.setSettings(*before); // what was turned since is the user's
+    if (before && engine_.settings() == previewed_) engine_.setSettings(*before); // what was turned since is the user's
 }
 
 } // namespace edgescan::ui

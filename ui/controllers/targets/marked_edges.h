@@ -17,14 +17,14 @@ namespace edgescan::ui {
 class LinkedViews;
 class NoticeBar;
 class ProposalsCard;
-class Session;
+class Engine;
 class Targets;
 
 /// GUI thread only. What it is given must outlive it.
 class MarkedEdges : public QObject {
     Q_OBJECT
 public:
-    MarkedEdges(Session& session, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
+    MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
 
     /// The cell that is pinned or pointed at; the same mark again takes it away.
     void mark(std::optional<std::size_t> cell, bool isEdge);
@@ -63,7 +63,7 @@ private:
     void show();
     void putBack();
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     Targets& targets_;
     QUndoStack& undo_;

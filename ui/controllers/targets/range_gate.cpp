@@ -3,7 +3,7 @@
 #include "ui/base/step_name.h"
 #include "ui/controllers/targets/selection.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/range_gate_dialog.h"
 
 #include <limits>
@@ -19,7 +19,7 @@ void Selection::hideToo(const QString& what, const CellSet& cells) {
 }
 
 void Selection::tellOfGrowth() {
-    if (!session_.picture() || !session_.picture()->source.growth.growing) return;
+    if (!engine_.picture() || !engine_.picture()->source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning,
                        tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
 }
@@ -27,12 +27,12 @@ void Selection::tellOfGrowth() {
 void Selection::restore(CellSet selected, CellSet hidden) { change(stepName("Open Session"), {std::move(selected), std::move(hidden)}); }
 
 void Selection::hideBeyond(double nearM, double farM) {
-    if (session_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*session_.picture()->detection->scan, nearM, farM));
+    if (engine_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*engine_.picture()->detection->scan, nearM, farM));
 }
 
 std::optional<double> Selection::rangeAt(std::optional<std::size_t> cell) {
-    if (session_.picture() && cell && *cell < session_.picture()->detection->scan->cells()) {
-        const Scan& scan = *session_.picture()->detection->scan;
+    if (engine_.picture() && cell && *cell < engine_.picture()->detection->scan->cells()) {
+        const Scan& scan = *engine_.picture()->detection->scan;
         if (scan.state[*cell] == CellState::Valid) return static_cast<double>(scan.rangeMm[*cell]) / 1000.0;
     }
     notice_.showNotice(NoticeBar::Kind::Warning, tr("No range is known there: click a cell, or point at one that has a range, first."));
@@ -48,8 +48,8 @@ void Selection::hideNearerThan(std::optional<std::size_t> cell) {
 }
 
 void Selection::askRangeGate() {
-    if (!session_.picture()) return;
-    const RangeLimits limits = rangeLimits(*session_.picture()->detection->scan);
+    if (!engine_.picture()) return;
+    const RangeLimits limits = rangeLimits(*engine_.picture()->detection->scan);
     const auto gate =
         askForRangeGate(notice_.window(), static_cast<double>(limits.minMm) / 1000.0, static_cast<double>(limits.maxMm) / 1000.0);
     if (gate) hideBeyond(gate->nearM, gate->farM);
@@ -57,7 +57,7 @@ void Selection::askRangeGate() {
 
 void Selection::clipToSelected() {
     if (!needSelection()) return;
-    const Scan& scan = *session_.picture()->detection->scan;
+    const Scan& scan = *engine_.picture()->detection->scan;
     const CellSet outside = cellsOutsideBoxOf(scan, state_.selected);
     // The selection was the corner stones of the box; what it holds is what is looked at now.
     if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);

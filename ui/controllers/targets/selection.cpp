@@ -7,7 +7,7 @@
 #include "ui/base/step_name.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
@@ -65,8 +65,8 @@ private:
     Selection::State before_, after_;
 };
 
-Selection::Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo)
-    : session_(session), views_(views), rocks_(rocks), notice_(notice), undo_(undo),
+Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo)
+    : engine_(engine), views_(views), rocks_(rocks), notice_(notice), undo_(undo),
       worker_(
           this,
           [](const Question& question) {
@@ -76,7 +76,7 @@ Selection::Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeB
               if (answer.cloud == views_.cloud().geometryOfCloud()) combine(std::move(answer.cells), answer.modifiers);
           },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); }) {
-    connect(&session_, &Session::pictureReady, this, &Selection::followPicture);
+    connect(&engine_, &Engine::pictureReady, this, &Selection::followPicture);
     connect(&views_, &LinkedViews::imageOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         const Scan& scan = *views_.shown()->detection->scan;
         std::vector<Eigen::Vector2d> way;
@@ -99,7 +99,7 @@ Selection::Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeB
 }
 
 void Selection::followPicture() {
-    const Picture& picture = *session_.picture();
+    const Picture& picture = *engine_.picture();
     if (std::exchange(stream_, picture.source.stream) != picture.source.stream) {
         state_ = {};
         emit changed();
@@ -155,7 +155,7 @@ void Selection::hideSelected() {
 
 void Selection::isolateSelected() {
     if (needSelection())
-        change(stepName("Isolate"), {state_.selected, allBut(state_.selected, session_.picture()->detection->scan->cells())});
+        change(stepName("Isolate"), {state_.selected, allBut(state_.selected, engine_.picture()->detection->scan->cells())});
 }
 
 void Selection::showAll() {
@@ -164,13 +164,13 @@ void Selection::showAll() {
 
 void Selection::zoomTo() {
     if (!needSelection()) return;
-    const int beams = session_.picture()->detection->scan->beams();
+    const int beams = engine_.picture()->detection->scan->beams();
     QRect around;
     for (const std::uint32_t k : state_.selected) {
         const QPoint at = views_.placeOf(k);
         around = around.united(QRect(at, QSize(1, 1)));
     }
-    views_.gray().viewPort()->fitTo(QRectF(around.intersected(QRect(0, 0, beams, session_.picture()->detection->scan->lines()))));
+    views_.gray().viewPort()->fitTo(QRectF(around.intersected(QRect(0, 0, beams, engine_.picture()->detection->scan->lines()))));
     views_.cloud().zoomToCells(state_.selected);
 }
 
@@ -185,8 +185,8 @@ void Selection::use(const State& state) {
 }
 
 void Selection::show() {
-    if (!session_.picture()) return;
-    const Picture& picture = *session_.picture();
+    if (!engine_.picture()) return;
+    const Picture& picture = *engine_.picture();
     // Where nothing else is left to be seen it needs no colour of its own.
     const bool isolated = state_.selected.size() + state_.hidden.size() >= picture.detection->scan->cells();
     const CellSet coloured = isolated ? CellSet() : state_.selected;
@@ -206,8 +206,8 @@ void Selection::show() {
 
 QString Selection::words() const {
     QString words;
-    if (!state_.selected.empty() && session_.picture()) {
-        const Detection& detection = *session_.picture()->detection;
+    if (!state_.selected.empty() && engine_.picture()) {
+        const Detection& detection = *engine_.picture()->detection;
         std::size_t points = 0, edges = 0;
         for (const std::uint32_t k : state_.selected) {
             if (k >= detection.scan->cells()) continue;

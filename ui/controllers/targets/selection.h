@@ -19,13 +19,13 @@ namespace edgescan::ui {
 class LinkedViews;
 class NoticeBar;
 class Rocks;
-class Session;
+class Engine;
 
 /// GUI thread only. What it is given must outlive it.
 class Selection : public QObject {
     Q_OBJECT
 public:
-    Selection(Session& session, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
+    Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
 
     [[nodiscard]] const CellSet& cells() const { return state_.selected; }
     [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
@@ -85,7 +85,7 @@ private:
     void hideToo(const QString& what, const CellSet& cells);
     [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     Rocks& rocks_;
     NoticeBar& notice_;

@@ -6,8 +6,8 @@
 #include "ui/base/step_name.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
-#include "ui/engine/worker_bridge/session.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 
@@ -44,16 +44,15 @@ private:
     Notebook before_, after_;
 };
 
-Targets::Targets(Session& session, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory,
-                 QUndoStack& undo)
-    : session_(session), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
+Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+    : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
       store_(memory.ownFolder().isEmpty() ? QString() : memory.ownFolder() + "/targets"),
       worker_(
           this, [this](const Question& question) { return workOut(question); }, [this](KnownTargets known) { take(std::move(known)); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
           }) {
-    connect(&session_, &Session::pictureReady, this, &Targets::followPicture);
+    connect(&engine_, &Engine::pictureReady, this, &Targets::followPicture);
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::letGoOf, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &PinnedTarget::cell);
@@ -107,13 +106,13 @@ QString Targets::keyOf(const Picture& picture) const {
 }
 
 void Targets::followPicture() {
-    const QString key = keyOf(*session_.picture());
+    const QString key = keyOf(*engine_.picture());
     if (key != key_) {
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
         rockPin_ = 0;
         notebook_ = {};
-        const NotebookScan scan = notebookScan(*session_.picture()->detection->scan);
+        const NotebookScan scan = notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
         panel_.showNote(path.isEmpty() ? tr("Not kept: this picture is of no file, or nothing is remembered.") : QString());
         if (const auto other = others_.find(key); other != others_.end()) {
@@ -137,7 +136,7 @@ void Targets::followPin(std::optional<std::size_t> cell) {
 }
 
 void Targets::pin(std::size_t cell) {
-    if (!session_.picture() || std::ranges::any_of(notebook_.targets, [&](const PinnedTarget& target) { return target.cell == cell; }))
+    if (!engine_.picture() || std::ranges::any_of(notebook_.targets, [&](const PinnedTarget& target) { return target.cell == cell; }))
         return emit pinned();
     const bool onRock = views_.pinnedByClick() && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
     if (onRock && moveRockPin(cell)) return emit pinned();
@@ -237,19 +236,17 @@ void Targets::use(const Notebook& notebook) {
 }
 
 void Targets::keep() {
-    if (session_.picture()) store_.save(notebook_, notebookScan(*session_.picture()->detection->scan));
+    if (engine_.picture()) store_.save(notebook_, notebookScan(*engine_.picture()->detection->scan));
 }
 
-QString Targets::keptIn() const {
-    return session_.picture() ? store_.pathOf(notebookScan(*session_.picture()->detection->scan)) : QString();
-}
+QString Targets::keptIn() const { return engine_.picture() ? store_.pathOf(notebookScan(*engine_.picture()->detection->scan)) : QString(); }
 
 void Targets::ask() {
-    if (session_.picture()) worker_.post({session_.picture(), notebook_});
+    if (engine_.picture()) worker_.post({engine_.picture(), notebook_});
 }
 
 bool Targets::settled() const {
-    if (known_.picture != session_.picture()) return notebook_.empty() && session_.picture() == nullptr;
+    if (known_.picture != engine_.picture()) return notebook_.empty() && engine_.picture() == nullptr;
     return std::ranges::all_of(notebook_.targets, [&](const PinnedTarget& target) { return knownOf(target.cell) != nullptr; }) &&
            known_.measures.size() == notebook_.measures.size();
 }
@@ -271,13 +268,13 @@ KnownTargets Targets::workOut(const Question& question) {
 }
 
 void Targets::take(KnownTargets known) {
-    if (!session_.picture() || known.picture->detection->scan->beams() != session_.picture()->detection->scan->beams()) return;
+    if (!engine_.picture() || known.picture->detection->scan->beams() != engine_.picture()->detection->scan->beams()) return;
     known_ = std::move(known);
     // What the card says first is what was pinned.
     bool more = false;
     for (PinnedTarget& target : notebook_.targets) {
         const CellTarget* now = knownOf(target.cell);
-        if (!target.asPinned.empty() || now == nullptr || known_.picture != session_.picture()) continue;
+        if (!target.asPinned.empty() || now == nullptr || known_.picture != engine_.picture()) continue;
         target.asPinned = rowsToKeep(*now, around(target.cell));
         pinnedOn_[{target.number, target.cell}] = known_.picture;
         more = true;

@@ -24,7 +24,7 @@ class LinkedViews;
 class Memory;
 class NoticeBar;
 class Rocks;
-class Session;
+class Engine;
 class TargetsPanel;
 
 /// What is known of all that is in a notebook, on one picture.
@@ -47,7 +47,7 @@ struct KnownConfidence {
 class Targets : public QObject {
     Q_OBJECT
 public:
-    Targets(Session& session, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
     [[nodiscard]] const Notebook& notebook() const { return notebook_; }
     /// The file that the notebook is kept in; empty: none.
@@ -121,7 +121,7 @@ private:
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const PinnedTarget& target) const;
 
-    Session& session_;
+    Engine& engine_;
     LinkedViews& views_;
     Rocks& rocks_;
     TargetsPanel& panel_;

@@ -3,7 +3,7 @@
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 

@@ -15,13 +15,13 @@
 
 namespace edgescan::ui {
 
-LinkedViews::LinkedViews(const Session& session, ImageView& gray, ImageView& edges, CloudView& cloud)
-    : session_(session), images_{&gray, &edges}, cloud_(cloud) {
+LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges, CloudView& cloud)
+    : engine_(engine), images_{&gray, &edges}, cloud_(cloud) {
     for (ImageView* view : images_) view->setNote(tr("Open a scan: Ctrl+O, or drop a file here"));
     cloud_.setPointSizeFollows(true);
     linkImages();
     linkCloud();
-    connect(&session_, &Session::pictureReady, this, &LinkedViews::show);
+    connect(&engine_, &Engine::pictureReady, this, &LinkedViews::show);
 }
 
 void LinkedViews::linkImages() {
@@ -126,7 +126,7 @@ void LinkedViews::lookAtBox(const QRect& cells) {
 
 void LinkedViews::show() {
     if (flipped_) flipTo(nullptr);
-    const std::shared_ptr<const Picture> last = std::exchange(shown_, session_.picture());
+    const std::shared_ptr<const Picture> last = std::exchange(shown_, engine_.picture());
     const bool newScan = !last || last->detection->scan != shown_->detection->scan;
     if (!last || last->source.stream != shown_->source.stream)
         showNewScan();

@@ -3,7 +3,7 @@
 
 #include "core/edges/explain/probe.h"
 #include "ui/base/gestures.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/camera_motion.h"
 
 #include <QObject>
@@ -38,7 +38,7 @@ struct EdgesInstead {
 class LinkedViews : public QObject {
     Q_OBJECT
 public:
-    LinkedViews(const Session& session, ImageView& gray, ImageView& edges, CloudView& cloud);
+    LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges, CloudView& cloud);
 
     /// What all views show; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return shown_; }
@@ -136,7 +136,7 @@ private:
     void showRanges();
     void applyAspect();
 
-    const Session& session_;
+    const Engine& engine_;
     std::array<ImageView*, 2> images_; // gray, edges
     CloudView& cloud_;
     std::shared_ptr<const Picture> shown_;

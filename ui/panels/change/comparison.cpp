@@ -6,7 +6,7 @@
 #include "core/files/open_save/open_as_asked.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include <algorithm>
@@ -174,7 +174,7 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
 Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     try {
         if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
-        return makePicture(detectEdges(scan, settings), {Session::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
+        return makePicture(detectEdges(scan, settings), {Engine::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for a second picture", scan->path, "close other programs or choose a smaller scan"};
     }

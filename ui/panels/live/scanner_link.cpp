@@ -14,19 +14,19 @@ constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
 
 } // namespace
 
-ScannerLink::ScannerLink(Session& session, QObject* parent) : QObject(parent), session_(session) {
+ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine) {
     timer_.setInterval(kLinkTickMs);
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
-    connect(&session_, &Session::pictureReady, this, [this] {
-        if (!awaiting_ || session_.picture()->source.stream != stream_) return;
+    connect(&engine_, &Engine::pictureReady, this, [this] {
+        if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
         awaiting_ = false;
-        if (session_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
+        if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
         // As long as it took to make it, the worker is left to the sliders.
         restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
     });
-    connect(&session_, &Session::failed, this, [this] { awaiting_ = false; });
+    connect(&engine_, &Engine::failed, this, [this] { awaiting_ = false; });
     // Another file was opened: it is not to be pushed aside by the next line.
-    connect(&session_, &Session::opened, this, [this] { follow(false); });
+    connect(&engine_, &Engine::opened, this, [this] { follow(false); });
 }
 
 ScannerLink::~ScannerLink() = default;
@@ -37,7 +37,7 @@ void ScannerLink::runAside(std::function<std::function<void()>()> work) {
 
 void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
     hangUp();
-    stream_ = Session::newStream();
+    stream_ = Engine::newStream();
     recordingPath_.clear();
     recordingClosed_ = false;
     heldNumber_ = -1;
@@ -103,7 +103,7 @@ void ScannerLink::follow(bool on) {
 }
 
 bool ScannerLink::showsStale() const {
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     return following_ && health_.stale() && picture && picture->source.stream == stream_;
 }
 
@@ -111,7 +111,7 @@ void ScannerLink::tick() {
     if (!feed_) return;
     const LiveStatus status = feed_->status();
     noticeTroubles(status);
-    const auto& picture = session_.picture();
+    const auto& picture = engine_.picture();
     const bool shown = picture && picture->source.stream == stream_;
     const bool grows = shown && following_ && picture->source.growth.growing && shown_.growing;
     LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
@@ -131,7 +131,7 @@ void ScannerLink::noticeTroubles(const LiveStatus& status) {
 
 /// The newest of the sweep, when the last picture is out and its time of rest is over.
 void ScannerLink::showSweep() {
-    if (!following_ || session_.opening() || (awaiting_ && session_.behind()) || sincePost_.elapsed() < restMs_) return;
+    if (!following_ || engine_.opening() || (awaiting_ && engine_.behind()) || sincePost_.elapsed() < restMs_) return;
     if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
     if (!news_->exchange(false) && posted_.scan) return;
     const SweepSoFar sweep = feed_->sweep();
@@ -154,7 +154,7 @@ void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
     posted_ = sweep;
     awaiting_ = true;
     sincePost_.restart();
-    session_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});
+    engine_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});
 }
 
 void ScannerLink::startRecording(const QString& path) {

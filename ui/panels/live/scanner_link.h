@@ -3,7 +3,7 @@
 
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/live_feed/live_health.h"
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -20,7 +20,7 @@ class ScannerLink : public QObject {
     Q_OBJECT
 public:
     /// `session` must outlive this.
-    explicit ScannerLink(Session& session, QObject* parent = nullptr);
+    explicit ScannerLink(Engine& engine, QObject* parent = nullptr);
     ~ScannerLink() override;
 
     /// Hangs up first where there is a connection. Reads and a subscription are all that is sent.
@@ -72,7 +72,7 @@ private:
     void noticeTroubles(const LiveStatus& status);
     void runAside(std::function<std::function<void()>()> work); // on a thread of its own; what it returns is called here
 
-    Session& session_;
+    Engine& engine_;
     std::shared_ptr<LiveFeed> feed_;
     std::shared_ptr<std::atomic<bool>> news_ = std::make_shared<std::atomic<bool>>(false);
     LiveHealth health_;

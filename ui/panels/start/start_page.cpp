@@ -199,12 +199,12 @@ void StartPage::showSession(const QString& path) {
     inBackground(
         this,
         [this, path]() -> std::function<void()> {
-            const auto read = readSitting(path.toStdString());
+            const auto read = readSession(path.toStdString());
             QString words;
             if (read)
                 words = tr("%1, %2 targets, %3 UTC")
-                            .arg(shownName(exactText(read->sitting.scan.identity.name)))
-                            .arg(read->sitting.notebook.targets.size())
+                            .arg(shownName(exactText(read->state.scan.identity.name)))
+                            .arg(read->state.notebook.targets.size())
                             .arg(shownText(read->savedUtc).left(16).replace('T', ' '));
             return [this, words] { words.isEmpty() ? session_->setEnabled(false) : session_->setDescription(words); };
         },

@@ -23,7 +23,7 @@ void expectWhole(const Error& error, const std::filesystem::path& file) {
     EXPECT_EQ(error.sentence().find('\n'), std::string::npos);
 }
 
-bool isOpened(const SeedFile& seed) { return seed.reader != "sitting" && seed.reader != "place" && seed.reader != "scan_telegram"; }
+bool isOpened(const SeedFile& seed) { return seed.reader != "session" && seed.reader != "place" && seed.reader != "scan_telegram"; }
 
 } // namespace
 

@@ -23,11 +23,11 @@
 namespace edgescan::ui {
 
 /// GUI thread only. What is on the screen stays until the next scan has its first picture.
-class Session : public QObject {
+class Engine : public QObject {
     Q_OBJECT
 public:
-    explicit Session(QObject* parent = nullptr);
-    ~Session() override;
+    explicit Engine(QObject* parent = nullptr);
+    ~Engine() override;
 
     /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
     void open(const QString& path, const ReadingOptions& options = {});

@@ -1,5 +1,5 @@
 // The one bridge between the window and the core's threads.
-#include "ui/engine/worker_bridge/session.h"
+#include "ui/engine/worker_bridge/engine.h"
 
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance/provenance.h"
@@ -24,14 +24,14 @@ Error outOfMemory(const QString& where) {
 }
 
 QString itFailed(const QString& title, const QString& what) {
-    return Session::tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what);
+    return Engine::tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what);
 }
 
 constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 
 } // namespace
 
-Session::Session(QObject* parent)
+Engine::Engine(QObject* parent)
     : QObject(parent),
       worker_(
           this, [this](const Asked& asked) { return run(asked); },
@@ -44,9 +44,9 @@ Session::Session(QObject* parent)
           this, [this](const Opening& opening) { return read(opening); }, [this](const Opened& opened) { takeOpened(opened); },
           [](const QString&) {}) {}
 
-Session::~Session() { cancel(); }
+Engine::~Engine() { cancel(); }
 
-void Session::open(const QString& path, const ReadingOptions& options) {
+void Engine::open(const QString& path, const ReadingOptions& options) {
     const std::string file = path.toStdString();
     startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const Progress& progress) {
         ReadingOptions withProgress = options;
@@ -58,43 +58,43 @@ void Session::open(const QString& path, const ReadingOptions& options) {
     });
 }
 
-void Session::openDemo(bool afterBlast) {
+void Engine::openDemo(bool afterBlast) {
     startOpening(tr("Making the demo draw-bell"), QString(),
                  [afterBlast](const Progress& progress) { return demoScan(progress, afterBlast); });
 }
 
-void Session::cancel() { wantedOpening_ = 0; }
+void Engine::cancel() { wantedOpening_ = 0; }
 
-std::uint64_t Session::newStream() {
+std::uint64_t Engine::newStream() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
 }
 
-void Session::follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
+void Engine::follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
     cancel();
     post(scan, source);
 }
 
-void Session::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
+void Engine::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
     asked_.scan = scan;
     asked_.source = source;
     worker_.post(asked_);
 }
 
-void Session::setSettings(const Settings& settings) {
+void Engine::setSettings(const Settings& settings) {
     if (settings == asked_.settings) return;
     asked_.settings = settings;
     if (asked_.scan) worker_.post(asked_);
     emit settingsChanged();
 }
 
-bool Session::behind() const {
+bool Engine::behind() const {
     if (asked_.scan == nullptr) return false;
     return picture_ == nullptr || picture_->detection->scan != asked_.scan || !(picture_->asked == asked_.settings) ||
            !(picture_->source == asked_.source);
 }
 
-void Session::save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options) {
+void Engine::save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options) {
     if (picture_ == nullptr) return;
     const auto detection = picture_->detection;
     ExportOptions how = options.value_or(ExportOptions{});
@@ -125,18 +125,18 @@ void Session::save(ExportContent what, const QString& path, const std::optional<
         });
 }
 
-void Session::endWork() {
+void Engine::endWork() {
     if (!working()) emit workEnded();
 }
 
-void Session::startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read) {
+void Engine::startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read) {
     wantedOpening_ = ++openings_;
     opening_ = true;
     emit workStarted(title);
     opener_.post({openings_, path, std::move(read)});
 }
 
-Session::Opened Session::read(const Opening& opening) {
+Engine::Opened Engine::read(const Opening& opening) {
     const auto wanted = [this, &opening] { return wantedOpening_ == opening.number; };
     const Error givenUp{"cancelled", opening.path.toStdString(), ""};
     if (!wanted()) return {opening.number, opening.path, givenUp, nullptr};
@@ -169,7 +169,7 @@ Session::Opened Session::read(const Opening& opening) {
     }
 }
 
-void Session::takeOpened(const Opened& opened) {
+void Engine::takeOpened(const Opened& opened) {
     if (opened.number != openings_) return; // the newest follows
     opening_ = false;
     if (opened.number == wantedOpening_) {
@@ -184,7 +184,7 @@ void Session::takeOpened(const Opened& opened) {
     endWork();
 }
 
-std::shared_ptr<const Picture> Session::run(const Asked& asked) {
+std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     std::vector<std::shared_ptr<const Picture>> retired;
     {
         const std::lock_guard lock(retiredMutex_);
@@ -209,7 +209,7 @@ std::shared_ptr<const Picture> Session::run(const Asked& asked) {
     }
 }
 
-void Session::takePicture(std::shared_ptr<const Picture> newest) {
+void Engine::takePicture(std::shared_ptr<const Picture> newest) {
     std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();

@@ -3,8 +3,8 @@
 
 #include "core/base/whole_file.h"
 #include "tests/support/damage.h"
+#include "tests/support/example_session.h"
 #include "tests/support/run_program.h"
-#include "tests/support/sittings.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Sitting, IsReadBackAsItWasWritten) {
+TEST(SessionFile, IsReadBackAsItWasWritten) {
     const test::TemporaryFolder folder;
-    const Sitting before = test::exampleSitting(folder.path() / "scans" / "bell.json");
-    const std::string text = sittingText(before, folder.path() / "sessions", "2026-11-21T08:00:00Z");
-    const auto read = sittingFromText(text, folder.path() / "sessions", "test");
+    const ViewerState before = test::exampleSession(folder.path() / "scans" / "bell.json");
+    const std::string text = sessionText(before, folder.path() / "sessions", "2026-11-21T08:00:00Z");
+    const auto read = sessionFromText(text, folder.path() / "sessions", "test");
     ASSERT_TRUE(bool(read)) << read.error().sentence();
-    const Sitting& now = read->sitting;
+    const ViewerState& now = read->state;
     EXPECT_EQ(read->savedUtc, "2026-11-21T08:00:00Z");
     EXPECT_EQ(now.settings, before.settings);
     EXPECT_EQ(now.notebook, before.notebook);
@@ -41,44 +41,44 @@ TEST(Sitting, IsReadBackAsItWasWritten) {
     EXPECT_EQ(now.layout, before.layout);
     EXPECT_EQ(now.scan.reading.unitMm, 2.5);
     EXPECT_EQ(now.scan.reading.pose, before.scan.reading.pose);
-    EXPECT_EQ(sittingText(now, folder.path() / "sessions", "2026-11-21T08:00:00Z"), text);
+    EXPECT_EQ(sessionText(now, folder.path() / "sessions", "2026-11-21T08:00:00Z"), text);
 }
 
-TEST(Sitting, IsFoundAgainWhenItMovedWithItsScan) {
+TEST(SessionFile, IsFoundAgainWhenItMovedWithItsScan) {
     const test::TemporaryFolder folder;
     const fs::path old = folder.path() / "old", moved = folder.path() / "moved";
     fs::create_directories(old / "scans");
     ASSERT_TRUE(bool(writeWholeFile(old / "scans" / "bell.json", std::string("{}"))));
-    const std::string path = (old / ("day" + std::string(kSittingEnding))).string();
-    ASSERT_TRUE(bool(writeWholeFile(path, sittingText(test::exampleSitting(old / "scans" / "bell.json"), old, ""))));
-    const auto there = readSitting(path);
+    const std::string path = (old / ("day" + std::string(kSessionEnding))).string();
+    ASSERT_TRUE(bool(writeWholeFile(path, sessionText(test::exampleSession(old / "scans" / "bell.json"), old, ""))));
+    const auto there = readSession(path);
     ASSERT_TRUE(bool(there));
-    EXPECT_EQ(there->sitting.scan.path, old / "scans" / "bell.json");
+    EXPECT_EQ(there->state.scan.path, old / "scans" / "bell.json");
     fs::rename(old, moved);
-    const auto after = readSitting(moved / ("day" + std::string(kSittingEnding)));
+    const auto after = readSession(moved / ("day" + std::string(kSessionEnding)));
     ASSERT_TRUE(bool(after));
-    EXPECT_EQ(after->sitting.scan.path, moved / "scans" / "bell.json");
+    EXPECT_EQ(after->state.scan.path, moved / "scans" / "bell.json");
     ASSERT_EQ(after->places.size(), 2U); // else where it was
     EXPECT_EQ(after->places.back(), old / "scans" / "bell.json");
     // A session elsewhere has the whole path alone.
-    const auto far = sittingFromText(sittingText(test::exampleSitting(moved / "scans" / "bell.json"), "/some/where/else", ""), "/", "test");
+    const auto far = sessionFromText(sessionText(test::exampleSession(moved / "scans" / "bell.json"), "/some/where/else", ""), "/", "test");
     ASSERT_TRUE(bool(far));
     EXPECT_EQ(far->places, std::vector<fs::path>{moved / "scans" / "bell.json"});
 }
 
-TEST(Sitting, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
+TEST(SessionFile, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     Scan scan;
     scan.rangeMm = Grid<float>(40, 30);
     for (std::size_t k = 0; k < scan.cells(); ++k) scan.rangeMm[k] = static_cast<float>(1000 + k);
-    Sitting before = test::exampleSitting("/recordings/sweep.mcap");
-    before.scan.kind = SittingScan::Kind::Recording;
+    ViewerState before = test::exampleSession("/recordings/sweep.mcap");
+    before.scan.kind = SessionScan::Kind::Recording;
     before.scan.identity.sha256.clear();
     before.scan.head = scanHead(scan);
     EXPECT_EQ(before.scan.head.lines, 16);
-    const auto read = sittingFromText(sittingText(before, "/sessions", ""), "/sessions", "test");
+    const auto read = sessionFromText(sessionText(before, "/sessions", ""), "/sessions", "test");
     ASSERT_TRUE(bool(read)) << read.error().sentence();
-    EXPECT_EQ(read->sitting.scan.kind, SittingScan::Kind::Recording);
-    EXPECT_EQ(read->sitting.scan.head, before.scan.head);
+    EXPECT_EQ(read->state.scan.kind, SessionScan::Kind::Recording);
+    EXPECT_EQ(read->state.scan.head, before.scan.head);
     EXPECT_EQ(read->places, std::vector<fs::path>{"/recordings/sweep.mcap"});
     // Lines that came later change nothing, another sweep does.
     Scan longer = scan;
@@ -88,9 +88,9 @@ TEST(Sitting, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     longer.rangeMm[3] += 1.0F;
     EXPECT_NE(scanHead(longer, 16), before.scan.head);
     // Cells that were lost are named no more.
-    const Sitting whole = cutTo(before, 120000);
-    EXPECT_EQ(sittingText(whole, "/sessions", ""), sittingText(before, "/sessions", ""));
-    const Sitting cut = cutTo(before, 100);
+    const ViewerState whole = cutTo(before, 120000);
+    EXPECT_EQ(sessionText(whole, "/sessions", ""), sessionText(before, "/sessions", ""));
+    const ViewerState cut = cutTo(before, 100);
     EXPECT_EQ(cut.notebook.targets.size(), 1U);
     EXPECT_TRUE(cut.notebook.measures.empty());
     EXPECT_EQ(cut.active, 77U);
@@ -102,14 +102,14 @@ TEST(Sitting, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     EXPECT_TRUE(cutTo(before, 9).marks.wanted == std::vector<std::uint32_t>{3} && cutTo(before, 9).marks.unwanted.empty());
 }
 
-TEST(Sitting, RefusesWhatDoesNotFitItsScan) {
-    const std::string text = sittingText(test::exampleSitting("/scans/bell.json"), "/sessions", "");
+TEST(SessionFile, RefusesWhatDoesNotFitItsScan) {
+    const std::string text = sessionText(test::exampleSession("/scans/bell.json"), "/sessions", "");
     const auto refused = [&text](const std::string& what, const std::string& instead, const std::string& word) {
         std::string damaged = text;
         const auto at = damaged.find(what);
         ASSERT_NE(at, std::string::npos) << what;
         damaged.replace(at, what.size(), instead);
-        const auto read = sittingFromText(damaged, "/sessions", "test");
+        const auto read = sessionFromText(damaged, "/sessions", "test");
         ASSERT_FALSE(bool(read)) << instead;
         EXPECT_NE(read.error().sentence().find(word), std::string::npos) << read.error().sentence();
     };
@@ -125,11 +125,11 @@ TEST(Sitting, RefusesWhatDoesNotFitItsScan) {
     refused("\"view_angle_deg\": 40.0", "\"view_angle_deg\": 0", "view_angle_deg");
 }
 
-TEST(Sitting, DamagedOnesGiveASentence) {
-    const std::string text = sittingText(test::exampleSitting("/scans/bell.json"), "/sessions", "");
+TEST(SessionFile, DamagedOnesGiveASentence) {
+    const std::string text = sessionText(test::exampleSession("/scans/bell.json"), "/sessions", "");
     std::mt19937 random(7);
     for (int round = 0; round < 400; ++round) {
-        const auto read = sittingFromText(test::damaged(text, random, round), "/sessions", "test");
+        const auto read = sessionFromText(test::damaged(text, random, round), "/sessions", "test");
         EXPECT_TRUE(read || read.error().sentence().ends_with("."));
     }
 }

@@ -15,7 +15,7 @@
 using namespace edgescan;
 using namespace edgescan::ui;
 
-class LiveSittingTest : public QObject {
+class LiveSessionTest : public QObject {
     Q_OBJECT
     static constexpr int kLines = 120;
     static constexpr int kBeams = 381;
@@ -32,7 +32,7 @@ class LiveSittingTest : public QObject {
         return made ? std::move(*made) : nullptr;
     }
     static int lines(WindowFixture& on) {
-        const auto& picture = on.window.session().picture();
+        const auto& picture = on.window.engine().picture();
         return picture ? picture->detection->scan->lines() : 0;
     }
     static void clickCell(WindowFixture& on, int line, int beam) {
@@ -47,14 +47,14 @@ class LiveSittingTest : public QObject {
         std::error_code none;
         for (const auto& entry : std::filesystem::directory_iterator(sessions, none)) {
             const std::string name = entry.path().filename().string();
-            if (name.starts_with("running-") && name.ends_with(kSittingEnding)) return entry.path();
+            if (name.starts_with("running-") && name.ends_with(kSessionEnding)) return entry.path();
         }
         return std::nullopt;
     }
-    [[nodiscard]] static std::optional<Sitting> saved(const std::filesystem::path& sessions) {
+    [[nodiscard]] static std::optional<ViewerState> saved(const std::filesystem::path& sessions) {
         const auto path = savedIn(sessions);
-        auto read = path ? readSitting(*path) : Result<ReadSitting>(Error{});
-        return read ? std::optional(read->sitting) : std::nullopt;
+        auto read = path ? readSession(*path) : Result<ReadSession>(Error{});
+        return read ? std::optional(read->state) : std::nullopt;
     }
     bool connectAndRecord(WindowFixture& on, const EmulatedScanner& scanner, const std::filesystem::path& home) {
         on.window.live().setRecordingFolder(QString::fromStdString((home / "recordings").string()));
@@ -89,10 +89,12 @@ private slots:
             clickCell(on, 20, 150);
             clickCell(on, 40, 200);
             // The session says which recording the sweep is in; a file that grows has no hash.
-            QVERIFY(eventually([&] {
-                const auto now = saved(home / "sessions");
-                return now && now->notebook.targets.size() == 2 && now->scan.kind == SittingScan::Kind::Recording;
-            }));
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    const auto now = saved(home / "sessions");
+                    return now && now->notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
+                },
+                20000));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
             // What a kill leaves behind: the files as they are at this moment.
@@ -109,7 +111,7 @@ private slots:
         QVERIFY(on.show());
         const auto session = savedIn(left / "sessions");
         QVERIFY(session);
-        on.window.sittings().openSession(QString::fromStdString(session->string()));
+        on.window.sessions().openSession(QString::fromStdString(session->string()));
         QVERIFY(on.settled());
         QVERIFY2(eventually([&] { return on.window.targets().notebook().targets.size() == 2; }), qPrintable(on.window.notice().text()));
         // The recording beside the session that was taken, not the one that went on; its line and beam are what was clicked.
@@ -137,21 +139,23 @@ private slots:
             WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
             QVERIFY(connectAndRecord(on, *scanner, home));
             clickCell(on, 20, 150);
-            QVERIFY(eventually([&] {
-                const auto now = saved(home / "sessions");
-                return now && now->notebook.targets.size() == 1;
-            }));
-            Sitting other = *saved(home / "sessions");
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    const auto now = saved(home / "sessions");
+                    return now && now->notebook.targets.size() == 1;
+                },
+                20000));
+            ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
-            session = home / "sessions" / (std::string("other") + kSittingEnding);
-            QVERIFY(bool(writeWholeFile(session, sittingText(other, session.parent_path(), ""))));
+            session = home / "sessions" / (std::string("other") + kSessionEnding);
+            QVERIFY(bool(writeWholeFile(session, sessionText(other, session.parent_path(), ""))));
             press(on, "live-record");
             QVERIFY(eventually([&] { return on.window.live().scanner().recordingClosed(); }));
             on.window.live().scanner().hangUp();
         }
         WindowFixture on;
         QVERIFY(on.show());
-        on.window.sittings().openSession(QString::fromStdString(session.string()));
+        on.window.sessions().openSession(QString::fromStdString(session.string()));
         QVERIFY(on.settled());
         QVERIFY2(eventually([&] { return on.window.notice().text().contains("is not the scan of this session"); }),
                  qPrintable(on.window.notice().text()));
@@ -159,5 +163,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LiveSittingTest>(argc, argv); }
-#include "live_sitting_test.moc"
+int main(int argc, char** argv) { return runWindowTest<LiveSessionTest>(argc, argv); }
+#include "live_session_test.moc"

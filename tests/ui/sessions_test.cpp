@@ -31,18 +31,20 @@
 using namespace edgescan;
 using namespace edgescan::ui;
 
-class SittingsTest : public QObject {
+class SessionsTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
     std::string boxes_, other_;
 
     [[nodiscard]] QString inFolder(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
     static bool atRest(WindowFixture& on) {
-        return eventually([&] {
-            MainWindow& w = on.window;
-            return w.session().picture() != nullptr && !w.session().behind() && !w.session().working() && !w.rocks().behind() &&
-                   w.comparing().settled() && w.targets().settled() && w.sittings().settled();
-        });
+        return QTest::qWaitFor(
+            [&] {
+                MainWindow& w = on.window;
+                return w.engine().picture() != nullptr && !w.engine().behind() && !w.engine().working() && !w.rocks().behind() &&
+                       w.comparing().settled() && w.targets().settled() && w.sessions().settled();
+            },
+            30000);
     }
     static void drop(MainWindow& window, const QString& path) {
         QMimeData data;
@@ -74,7 +76,7 @@ class SittingsTest : public QObject {
         QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
         QTest::keyClick(&w, Qt::Key_K);                    // rocks
         QTest::keyClick(&w, Qt::Key_O);                    // edges over the range image
-        Settings other = w.session().settings();
+        Settings other = w.engine().settings();
         other.classes = kClassConvex;
         w.tuning().useSettings(other);
         QVERIFY(atRest(on));
@@ -99,8 +101,8 @@ class SittingsTest : public QObject {
     }
     /// Of the window: what a session says, but when.
     static std::string state(WindowFixture& on) {
-        auto read = sittingFromText(on.window.sittings().textFor("/"), "/", "test");
-        return read ? sittingText(read->sitting, "/", "") : std::string();
+        auto read = sessionFromText(on.window.sessions().textFor("/"), "/", "test");
+        return read ? sessionText(read->state, "/", "") : std::string();
     }
 
 private slots:
@@ -121,7 +123,7 @@ private slots:
             WindowFixture on;
             on.window.resize(1300, 850);
             QVERIFY(on.showWith(boxes_) && on.activate());
-            on.window.sittings().saveAs(file);
+            on.window.sessions().saveAs(file);
             // Told once it is on the disk, with its size.
             QTRY_VERIFY2(QRegularExpression("day.*changes, [1-9][0-9]* kB").match(on.window.notice().text()).hasMatch(),
                          qPrintable(on.window.notice().text()));
@@ -129,17 +131,17 @@ private slots:
             before = state(on);
             // It is saved as it changes.
             QTRY_VERIFY(QFile::exists(file));
-            const auto saved = readSitting(file.toStdString());
+            const auto saved = readSession(file.toStdString());
             QVERIFY(bool(saved));
-            QCOMPARE(QString::fromStdString(sittingText(saved->sitting, "/", "")), QString::fromStdString(before));
-            QCOMPARE(int(saved->sitting.notebook.targets.size()), 2);
-            QVERIFY(saved->sitting.kept && saved->sitting.rocks && saved->sitting.camera && saved->sitting.images);
+            QCOMPARE(QString::fromStdString(sessionText(saved->state, "/", "")), QString::fromStdString(before));
+            QCOMPARE(int(saved->state.notebook.targets.size()), 2);
+            QVERIFY(saved->state.kept && saved->state.rocks && saved->state.camera && saved->state.images);
         }
         WindowFixture on;
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, file);
-        QVERIFY(eventually([&] { return on.window.sittings().path() == file; }));
+        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
         QVERIFY(atRest(on));
         QTRY_VERIFY(on.window.comparing().kept() != nullptr);
         QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // read once
@@ -152,9 +154,9 @@ private slots:
         // Another scan leaves the file as it is.
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
-        QVERIFY(on.window.sittings().path().isEmpty());
-        const auto left = readSitting(file.toStdString());
-        QCOMPARE(QString::fromStdString(left->sitting.scan.path.string()), QString::fromStdString(boxes_));
+        QVERIFY(on.window.sessions().path().isEmpty());
+        const auto left = readSession(file.toStdString());
+        QCOMPARE(QString::fromStdString(left->state.scan.path.string()), QString::fromStdString(boxes_));
     }
 
     void aSessionChangesNoHabitAndComesBackFromACab() {
@@ -174,15 +176,15 @@ private slots:
             QWidget* title = on.window.views().edges().parentWidget()->findChild<QLabel*>()->parentWidget();
             QTest::mouseDClick(title, Qt::LeftButton); // it has all the room
             QVERIFY(!on.window.views().cloud().isVisible());
-            on.window.sittings().saveAs(file);
+            on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));
             QTRY_VERIFY(QFile::exists(file));
         }
         WindowFixture on;
         on.window.resize(1300, 850);
         QVERIFY(on.show());
-        on.window.sittings().openSession(file);
-        QVERIFY(eventually([&] { return on.window.sittings().path() == file; }));
+        on.window.sessions().openSession(file);
+        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
         QVERIFY(!on.window.views().cloud().isVisible() && on.window.views().edges().isVisible());
@@ -202,7 +204,7 @@ private slots:
             WindowFixture on;
             QVERIFY(on.showWith(scan));
             on.window.views().pin(on.window.views().cellAt(20, 30));
-            on.window.sittings().saveAs(file);
+            on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));
         }
         const std::string before = std::string(textOf(*readWholeFile(file.toStdString())));
@@ -210,24 +212,24 @@ private slots:
         for (const char* name : {"moves.json", "moves.u16"}) QVERIFY(QFile::rename(inFolder(name), inFolder("elsewhere") + "/" + name));
         WindowFixture on;
         QVERIFY(on.show());
-        on.window.sittings().openSession(file);
+        on.window.sessions().openSession(file);
         QTRY_VERIFY2(on.window.notice().isVisible() && on.window.notice().text().contains("is not there"),
                      qPrintable(on.window.notice().text()));
         auto* locate = on.window.findChild<QToolButton*>("notice-action");
         QVERIFY(locate->isVisible());
         QCOMPARE(locate->text(), QString("Locate…"));
         // Another scan is none of its.
-        on.window.sittings().locate(QString::fromStdString(other_));
+        on.window.sessions().locate(QString::fromStdString(other_));
         QVERIFY(on.settled());
         QTRY_VERIFY2(on.window.notice().text().contains("is not the scan of this session"), qPrintable(on.window.notice().text()));
         QVERIFY(on.window.targets().notebook().empty());
         QCOMPARE(QString::fromStdString(std::string(textOf(*readWholeFile(file.toStdString())))), QString::fromStdString(before));
-        on.window.sittings().locate(inFolder("elsewhere/moves.json"));
+        on.window.sessions().locate(inFolder("elsewhere/moves.json"));
         QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 1);
-        QTRY_COMPARE(on.window.sittings().path(), file);
+        QTRY_COMPARE(on.window.sessions().path(), file);
         // A damaged file is one sentence, and nothing changes.
         QVERIFY(bool(writeWholeFile(file.toStdString(), before.substr(0, before.size() / 2))));
-        on.window.sittings().openSession(file);
+        on.window.sessions().openSession(file);
         QTRY_VERIFY(on.window.notice().kind() == NoticeBar::Kind::Error);
         QCOMPARE(int(on.window.targets().notebook().targets.size()), 1);
     }
@@ -245,22 +247,22 @@ private slots:
             QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
         }
         QVERIFY(!QImage(picture).isNull());
-        QVERIFY(!sittingIn(picture).empty());
+        QVERIFY(!sessionIn(picture).empty());
         WindowFixture on;
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, picture);
         QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.window.comparing().kept() != nullptr && on.window.sittings().settled());
+        QTRY_VERIFY(on.window.comparing().kept() != nullptr && on.window.sessions().settled());
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
-        QVERIFY(on.window.sittings().path().isEmpty());
+        QVERIFY(on.window.sessions().path().isEmpty());
         // A picture of ranges is still a scan.
         const QString ranges = inFolder("plain.png");
         QImage plain(30, 20, QImage::Format_Grayscale16);
         plain.fill(3000);
         QVERIFY(plain.save(ranges));
-        QVERIFY(sittingIn(ranges).empty());
+        QVERIFY(sessionIn(ranges).empty());
     }
 
     void afterAKillTheNextStartGoesOn() {
@@ -271,16 +273,16 @@ private slots:
         const QString sessions = home + "/config/edgescan/sessions";
         const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
         const auto saved = [&](const QProcess& process) {
-            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSittingEnding;
-            const auto read = QFile::exists(path) ? readSitting(path.toStdString()) : Result<ReadSitting>(Error{});
+            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSessionEnding;
+            const auto read = QFile::exists(path) ? readSession(path.toStdString()) : Result<ReadSession>(Error{});
             return read ? std::optional(*read) : std::nullopt;
         };
-        const auto isWhole = [](const std::optional<ReadSitting>& read) {
-            return read && read->sitting.notebook.targets.size() == 2 && read->sitting.kept &&
-                   !read->sitting.notebook.targets[1].asPinned.empty();
+        const auto isWhole = [](const std::optional<ReadSession>& read) {
+            return read && read->state.notebook.targets.size() == 2 && read->state.kept &&
+                   !read->state.notebook.targets[1].asPinned.empty();
         };
         std::string before;
-        const auto textOfAll = [](const ReadSitting& read) { return sittingText(read.sitting, "/", ""); };
+        const auto textOfAll = [](const ReadSession& read) { return sessionText(read.state, "/", ""); };
         {
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
@@ -309,13 +311,13 @@ private slots:
         // A window says so, and goes on by its button.
         WindowFixture on(home + "/config/edgescan/viewer.ini");
         QVERIFY(on.show());
-        on.window.sittings().offerToGoOn();
+        on.window.sessions().offerToGoOn();
         auto* button = on.window.findChild<QToolButton*>("notice-action");
         QTRY_VERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QVERIFY(on.window.sittings().autosaves().leftBehind().size() <= 1); // the first one; the second is taken up
+        QVERIFY(on.window.sessions().autosaves().leftBehind().size() <= 1); // the first one; the second is taken up
     }
 
     void theStartPageIsUsedByKeys() {
@@ -384,14 +386,13 @@ private slots:
         QTRY_VERIFY(w.comparing().kept() != nullptr);
         QVERIFY(atRest(on));
         // Where the mouse's cell is, is no act.
-        auto again = sittingFromText(state(on), "/", "test"), first = sittingFromText(after, "/", "test");
-        again->sitting.active = first->sitting.active;
-        QCOMPARE(QString::fromStdString(sittingText(again->sitting, "/", "")),
-                 QString::fromStdString(sittingText(first->sitting, "/", "")));
+        auto again = sessionFromText(state(on), "/", "test"), first = sessionFromText(after, "/", "test");
+        again->state.active = first->state.active;
+        QCOMPARE(QString::fromStdString(sessionText(again->state, "/", "")), QString::fromStdString(sessionText(first->state, "/", "")));
         // The log has the words of the sources, whatever the window speaks.
         QCOMPARE(w.undoStack().text(0), QString("Keep as A"));
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<SittingsTest>(argc, argv); }
-#include "sittings_test.moc"
+int main(int argc, char** argv) { return runWindowTest<SessionsTest>(argc, argv); }
+#include "sessions_test.moc"
