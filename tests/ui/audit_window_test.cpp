@@ -51,7 +51,7 @@ private slots:
             QVERIFY(on.use(settings));
             QSignalSpy saved(&on.window.engine(), &Engine::saved);
             on.window.engine().save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
-            QVERIFY(saved.wait(10000));
+            QVERIFY(saved.wait(kPatienceMs));
             QSignalSpy reported(&on.window.report(), &ScanReport::ended);
             on.window.report().writeTo(QString::fromStdString((place / "report.html").string()));
             QVERIFY(reported.wait(kPatienceMs));

@@ -98,8 +98,8 @@ private slots:
         QVERIFY(on.show());
         window.live().connectTo("127.0.0.1", emulated->port(), sweep());
         for (int n = 0; n < 3; ++n) {
-            QTRY_VERIFY_WITH_TIMEOUT(!window.live().scanner().following(), 20000); // held at the end of a sweep
-            QTRY_VERIFY_WITH_TIMEOUT(!window.engine().behind(), 10000);
+            QTRY_VERIFY(!window.live().scanner().following()); // held at the end of a sweep
+            QTRY_VERIFY(!window.engine().behind());
             const QString name = QString::fromStdString(on.picture().detection->scan->name);
             QVERIFY2(window.windowTitle().startsWith(name + " "), qPrintable(window.windowTitle() + " for " + name));
             press(window, "live-follow");
@@ -226,21 +226,21 @@ private slots:
         window.files().open({QString::fromStdString(path)});
         const auto geometry = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry); };
         Timeline& timeline = window.live().timeline();
-        QTRY_VERIFY_WITH_TIMEOUT(timeline.active() && !window.engine().behind(), 10000);
+        QTRY_VERIFY(timeline.active() && !window.engine().behind());
         QVERIFY(geometry().axis == Axis::Spin);
         ReadingOptions options = window.files().options();
         options.axis = Axis::Sweep;
         options.lineStartDeg = -80.0;
         options.lineStepDeg = 1.25;
         window.files().readAgain(options, "mounting");
-        QTRY_VERIFY_WITH_TIMEOUT(!window.engine().opening() && timeline.active() && geometry().axis == Axis::Sweep, 10000);
+        QTRY_VERIFY(!window.engine().opening() && timeline.active() && geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
         timeline.goTo(40);
         QTRY_VERIFY(lines(window) == 40);
         QVERIFY(geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
         window.undoStack().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(!window.engine().opening() && geometry().axis == Axis::Spin, 10000);
+        QTRY_VERIFY(!window.engine().opening() && geometry().axis == Axis::Spin);
     }
 };
 

@@ -89,12 +89,10 @@ private slots:
             clickCell(on, 20, 150);
             clickCell(on, 40, 200);
             // The session says which recording the sweep is in; a file that grows has no hash.
-            QVERIFY(QTest::qWaitFor(
-                [&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
-                },
-                20000));
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
+            }));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
             // What a kill leaves behind: the files as they are at this moment.
@@ -139,12 +137,10 @@ private slots:
             WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
             QVERIFY(connectAndRecord(on, *scanner, home));
             clickCell(on, 20, 150);
-            QVERIFY(QTest::qWaitFor(
-                [&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->notebook.targets.size() == 1;
-                },
-                20000));
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->notebook.targets.size() == 1;
+            }));
             ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
             session = home / "sessions" / (std::string("other") + kSessionEnding);

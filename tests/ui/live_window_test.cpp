@@ -167,15 +167,15 @@ private slots:
         QSlider* slider = on.slider("lower");
         slider->setValue(slider->value() + 7);
         const double wanted = window.engine().settings().lower;
-        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->settings.lower == wanted; }, 5000));
+        QVERIFY(eventually([&] { return window.engine().picture()->detection->settings.lower == wanted; }));
         QVERIFY2(window.engine().picture()->source.growth.growing, "the slider works while the sweep grows");
         QVERIFY(waitForLines(window, before + 30));
         QVERIFY(window.views().cloud().camera() == pose);
         QCOMPARE(window.views().gray().viewPort()->zoom(), zoom);
         slider->setValue(slider->value() - 7);
 
-        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }, 20000));
-        QVERIFY(QTest::qWaitFor([&] { return !window.engine().behind(); }, 5000));
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.engine().behind(); }));
         QCOMPARE(shownMask(window), maskOf(bell_));
         QVERIFY2(lines.size() > 8, "line by line, not all at once");
         QVERIFY2(windows.size() <= 6, "the range window stays while the sweep grows");
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(!window.live().scanner().following());
         QVERIFY(window.views().gray().note().startsWith("Held: sweep 1"));
         press(window, "live-follow");
-        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->source.growth.growing; }, 5000));
+        QVERIFY(eventually([&] { return window.engine().picture()->source.growth.growing; }));
         QVERIFY(window.views().cloud().camera() == pose);
     }
 
@@ -285,8 +285,8 @@ private slots:
         window.live().connectTo("127.0.0.1", served.port(), sweep());
         press(window, "live-record"); // before the first line comes
         QVERIFY(window.live().scanner().recording());
-        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }, 20000));
-        QVERIFY(QTest::qWaitFor([&] { return !window.engine().behind(); }, 5000));
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.engine().behind(); }));
         const std::string live = shownMask(window);
         press(window, "live-keep");
         QVERIFY(eventually([&] { return QDir(folder).entryList({"last-minute_*.mcap"}).size() == 1; }));
@@ -302,7 +302,7 @@ private slots:
 
         window.files().open({path});
         Timeline& timeline = window.live().timeline();
-        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.engine().behind(); }, 10000));
+        QVERIFY(eventually([&] { return timeline.active() && !window.engine().behind(); }));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
@@ -335,7 +335,7 @@ private slots:
         QVERIFY(!timeline.playing());
         timeline.setSpeed(10.0);
         QTest::keyClick(&window, Qt::Key_Space);
-        QVERIFY(QTest::qWaitFor([&] { return !timeline.playing() && !window.engine().behind() && linesShown(window) == kLines; }, 20000));
+        QVERIFY(eventually([&] { return !timeline.playing() && !window.engine().behind() && linesShown(window) == kLines; }));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(window.engine().picture()->detection->scan->path, path.toStdString());
         window.files().open({QString::fromStdString(bell_)});
@@ -356,7 +356,7 @@ private slots:
         QVERIFY(on.show());
         window.files().open({QString::fromStdString(path)});
         Timeline& timeline = window.live().timeline();
-        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.engine().behind(); }, 10000));
+        QVERIFY(eventually([&] { return timeline.active() && !window.engine().behind(); }));
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
         const std::string opened = shownMask(window);
@@ -369,13 +369,12 @@ private slots:
             Replay fresh(*recording);
             fresh.seek(line);
             const auto expected = fresh.snapshot();
-            QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.engine().behind(); }, 5000));
+            QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.engine().behind(); }));
             QVERIFY(window.engine().picture()->detection->scan->rangeMm == expected->rangeMm);
             QVERIFY(window.engine().picture()->detection->scan->state == expected->state);
         }
         timeline.goTo(timeline.home());
-        QVERIFY(
-            QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->path == path && !window.engine().behind(); }, 5000));
+        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->path == path && !window.engine().behind(); }));
         QCOMPARE(shownMask(window), opened);
     }
 };

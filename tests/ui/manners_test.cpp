@@ -154,7 +154,7 @@ private slots:
             const std::string path = (folder_ / name).string();
             on.window.engine().save(ExportContent::EdgeCloud, exactText(path),
                                     ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
-            QVERIFY2(saved.wait(20000), name);
+            QVERIFY2(saved.wait(kPatienceMs), name);
             const auto verified = verifyExport(path);
             QVERIFY2(bool(verified), name);
             QVERIFY2(verified->identical, verificationText(*verified).c_str());

@@ -151,13 +151,13 @@ private slots:
                 on.window.views().pin(on.window.views().cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-                QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sessions().settled(); }, 20000));
+                QVERIFY(eventually([&] { return QFile::exists(file) && on.window.sessions().settled(); }));
                 QVERIFY(hand.asked.isEmpty());
             }
             WindowFixture on;
             QVERIFY(on.show());
             on.window.sessions().open({file});
-            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 1; }, 20000));
+            QVERIFY(eventually([&] { return on.window.targets().notebook().targets.size() == 1; }));
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());

@@ -38,13 +38,11 @@ class SessionsTest : public QObject {
 
     [[nodiscard]] QString inFolder(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
     static bool atRest(WindowFixture& on) {
-        return QTest::qWaitFor(
-            [&] {
-                MainWindow& w = on.window;
-                return w.engine().picture() != nullptr && !w.engine().behind() && !w.engine().working() && !w.rocks().behind() &&
-                       w.comparing().settled() && w.targets().settled() && w.sessions().settled();
-            },
-            30000);
+        return eventually([&] {
+            MainWindow& w = on.window;
+            return w.engine().picture() != nullptr && !w.engine().behind() && !w.engine().working() && !w.rocks().behind() &&
+                   w.comparing().settled() && w.targets().settled() && w.sessions().settled();
+        });
     }
     static void drop(MainWindow& window, const QString& path) {
         QMimeData data;
@@ -141,7 +139,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
         QTRY_VERIFY(on.window.comparing().kept() != nullptr);
         QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // read once
@@ -184,7 +182,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         on.window.sessions().openSession(file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
         QVERIFY(!on.window.views().cloud().isVisible() && on.window.views().edges().isVisible());

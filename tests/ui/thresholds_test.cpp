@@ -197,7 +197,7 @@ private slots:
         between.lower = 58.5;
         use(between);
         CountCurve* curve = window_->panel().curve("lower");
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const auto edges = static_cast<qulonglong>(window_->engine().picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));

@@ -37,8 +37,8 @@ struct WindowFixture {
     }
     /// Until what is shown belongs to the settings and the scan wanted last.
     [[nodiscard]] bool settled() {
-        return QTest::qWaitFor(
-            [this] { return window.engine().picture() != nullptr && !window.engine().behind() && !window.engine().working(); }, 20000);
+        return eventually(
+            [this] { return window.engine().picture() != nullptr && !window.engine().behind() && !window.engine().working(); });
     }
     [[nodiscard]] bool open(const std::string& path) {
         window.files().open({QString::fromStdString(path)});
