@@ -19,6 +19,15 @@ namespace edgescan::test {
 
 using namespace std::chrono_literals;
 
+/// Waits that no busy machine makes too short, for tests of a scanner that answers.
+inline ScannerTimeouts patient() {
+    ScannerTimeouts timeouts;
+    timeouts.connect = timeouts.answer = timeouts.firstScan = timeouts.silence = kPatience;
+    timeouts.detect = 3s; // a dialect that the scanner does not speak costs so long
+    timeouts.rests = {20ms, 40ms};
+    return timeouts;
+}
+
 /// Short waits, so that a test of failures is quick.
 inline ScannerTimeouts hasty() {
     ScannerTimeouts timeouts;
@@ -41,15 +50,15 @@ public:
 
     /// True as soon as `done` is, which sees this listener locked.
     template <class Condition>
-    [[nodiscard]] bool waitFor(Condition done, std::chrono::milliseconds timeout = 20s) {
+    [[nodiscard]] bool waitFor(Condition done) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, timeout, [&] { return done(*this); });
+        return changed_.wait_for(lock, kPatience, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, timeout);
+    [[nodiscard]] bool waitForPhase(SessionPhase phase) {
+        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; });
     }
-    [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([count](const Listener& l) { return l.scans_ >= count; }, timeout);
+    [[nodiscard]] bool waitForScans(std::size_t count) {
+        return waitFor([count](const Listener& l) { return l.scans_ >= count; });
     }
 
     // After the session is gone, or inside waitFor.
@@ -121,11 +130,11 @@ inline std::unique_ptr<EmulatedScanner> served(const Scan& scan, const EmulatedS
     return std::move(*scanner);
 }
 
-inline SessionSettings settingsFor(const EmulatedScanner& scanner) {
+inline SessionSettings settingsFor(const EmulatedScanner& scanner, const ScannerTimeouts& timeouts = patient()) {
     SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
-    settings.timeouts = hasty();
+    settings.timeouts = timeouts;
     return settings;
 }
 

@@ -150,14 +150,14 @@ private slots:
         QTRY_VERIFY(lines(window) > 10);
         int asked = 0;
         const auto close = [&](const QString& button) {
-            QTimer::singleShot(200, &window, [&asked, button] {
+            const Meanwhile hand([&asked, button] {
                 auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-                if (box == nullptr || box->objectName() != "close-question") return;
+                if (box == nullptr || box->objectName() != "close-question" || !box->isVisible()) return false;
                 ++asked;
                 for (QAbstractButton* each : box->buttons()) {
-                    if (each->objectName() == button) return QTest::mouseClick(each, Qt::LeftButton);
+                    if (each->objectName() == button) return QTest::mouseClick(each, Qt::LeftButton), true;
                 }
-                QTest::keyClick(box, Qt::Key_Escape);
+                return QTest::keyClick(box, Qt::Key_Escape), true;
             });
             return window.close();
         };
@@ -199,10 +199,11 @@ private slots:
         const int before = lines(window);
         auto* button = window.live().panel().findChild<QToolButton*>("live-sweep");
         QVERIFY(button->isEnabled());
-        QTimer::singleShot(300, &window, [&] {
+        const Meanwhile hand([&] {
             auto* menu = button->menu();
+            if (!menu->isVisible()) return false;
             for (auto* list : menu->findChildren<QComboBox*>()) list->setCurrentIndex(list->findData(static_cast<int>(Axis::Sweep)));
-            menu->close();
+            return menu->close();
         });
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_VERIFY(axis() == Axis::Sweep);

@@ -79,6 +79,7 @@ private slots:
         window.tuning().usePreset(*findPreset("log"));
         QVERIFY(on.showWith(real_));
         compareWithCommandLine(on);
+        QTRY_VERIFY(window.views().cloud().atRest()); // the plates over the cloud have found their places
         const QImage edgesBefore = *window.views().edges().image();
         const int greenBefore = greenPixels(window.views().cloud().grabFrame(CloudView::Points::All));
         const QString countsBefore = window.statusLine().countsShown();
@@ -111,6 +112,7 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(*window.views().edges().image(), edgesBefore);
         QCOMPARE(window.statusLine().countsShown(), countsBefore);
+        QTRY_VERIFY(window.views().cloud().atRest());
         QCOMPARE(greenPixels(window.views().cloud().grabFrame(CloudView::Points::All)), greenBefore);
     }
 

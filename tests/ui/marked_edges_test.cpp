@@ -145,11 +145,13 @@ private slots:
         const CellSet beyond = cellsBeyond(scan, 4.0, 6.0);
         QVERIFY(beyond.size() > 100);
         const auto edges = on.picture().detection->edges->size();
-        QTimer::singleShot(0, this, [] {
+        const Meanwhile hand([] {
             auto* dialog = QApplication::activeModalWidget();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
             dialog->findChild<QDoubleSpinBox*>("gate-near")->setValue(4.0);
             dialog->findChild<QDoubleSpinBox*>("gate-far")->setValue(6.0);
             QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+            return true;
         });
         QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
         QVERIFY(on.window.selection().hidden() == beyond);

@@ -1,7 +1,11 @@
-// How long a test of the window waits for a condition, and the words for it.
+// How a test of the window waits for a condition.
 #pragma once
 
+#include <QTimer>
 #include <QtTest>
+
+#include <functional>
+#include <utility>
 
 namespace edgescan::ui {
 
@@ -13,6 +17,25 @@ template <class Condition>
 [[nodiscard]] bool eventually(Condition done) {
     return QTest::qWaitFor(done, kPatienceMs);
 }
+
+/// For what runs an event loop of its own, a menu or a modal dialog: tries `act` again and again until it returns true.
+class Meanwhile {
+public:
+    explicit Meanwhile(std::function<bool()> act) : act_(std::move(act)) {
+        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] {
+            if (std::exchange(acting_, true)) return; // from a loop inside of it
+            if (act_()) timer_.stop();
+            acting_ = false;
+        });
+        timer_.start(10);
+    }
+    [[nodiscard]] bool done() const { return !timer_.isActive(); }
+
+private:
+    std::function<bool()> act_;
+    bool acting_ = false;
+    QTimer timer_;
+};
 
 } // namespace edgescan::ui
 

@@ -118,11 +118,12 @@ private slots:
         QVERIFY(on.show());
         QVERIFY(on.open(placed_));
         bool asked = false;
-        QTimer::singleShot(300, &window, [&] {
-            if (auto* dialog = window.findChild<ExportDialog*>()) {
-                asked = dialog->content() == ExportContent::EdgeCloud;
-                dialog->reject();
-            }
+        const Meanwhile hand([&] {
+            auto* dialog = window.findChild<ExportDialog*>();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
+            asked = dialog->content() == ExportContent::EdgeCloud;
+            dialog->reject();
+            return true;
         });
         QSignalSpy saved(&window.engine(), &Engine::saved);
         const auto actions = window.actions();

@@ -65,6 +65,12 @@ private:
     bool typed_ = false;
 };
 
+bool acceptExport() {
+    auto* dialog = shownDialog<ExportDialog>();
+    if (dialog != nullptr) dialog->accept();
+    return dialog != nullptr;
+}
+
 } // namespace
 
 class SavingTest : public QObject {
@@ -172,9 +178,7 @@ private slots:
         record.write("precious");
         record.close();
         const auto ask = [&](const QStringList& answers) {
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             Hand hand(path("e"), answers);
             on.window.exports().ask(ExportContent::EdgeCloud);
             return hand.asked;
@@ -202,9 +206,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         const auto proposed = [&] {
             QString name;
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             QTimer look;
             connect(&look, &QTimer::timeout, this, [&name] {
                 if (auto* dialog = shownDialog<QFileDialog>()) {

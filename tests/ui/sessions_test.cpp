@@ -270,8 +270,8 @@ private slots:
         environment.insert("XDG_CACHE_HOME", home + "/cache");
         const QString sessions = home + "/config/edgescan/sessions";
         const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
-        const auto saved = [&](const QProcess& process) {
-            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSessionEnding;
+        const auto saved = [&](qint64 process) {
+            const QString path = sessions + "/running-" + QString::number(process) + "-0" + kSessionEnding;
             const auto read = QFile::exists(path) ? readSession(path.toStdString()) : Result<ReadSession>(Error{});
             return read ? std::optional(*read) : std::nullopt;
         };
@@ -279,19 +279,21 @@ private slots:
             return read && read->state.notebook.targets.size() == 2 && read->state.kept &&
                    !read->state.notebook.targets[1].asPinned.empty();
         };
-        std::string before;
-        const auto textOfAll = [](const ReadSession& read) { return sessionText(read.state, "/", ""); };
+        const auto textOfAll = [](const std::optional<ReadSession>& read) {
+            return read ? QString::fromStdString(sessionText(read->state, "/", "")) : QString();
+        };
+        QString before;
         {
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {QString::fromStdString(boxes_), "--method", "canny", "--lower", "7", "--pin", "20,30", "--pin", "60,80",
                                    "--compare", QString::fromStdString(other_), "--unit", "mm"});
             QVERIFY(viewer.waitForStarted(kPatienceMs));
-            QVERIFY(eventually([&] { return isWhole(saved(viewer)); }));
-            QTest::qWait(1500); // the last frame is drawn
-            before = textOfAll(*saved(viewer));
-            QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), SIGKILL), 0);
+            const qint64 process = viewer.processId();
+            QVERIFY(eventually([&] { return isWhole(saved(process)); }));
+            QCOMPARE(::kill(static_cast<pid_t>(process), SIGKILL), 0);
             QVERIFY(viewer.waitForFinished(kPatienceMs));
+            before = textOfAll(saved(process));
         }
         // The pins are in the session, not only where the viewer keeps those of scans.
         QDir(home + "/config/edgescan/targets").removeRecursively();
@@ -300,9 +302,8 @@ private slots:
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {"--continue"});
             QVERIFY(viewer.waitForStarted(kPatienceMs));
-            QVERIFY(eventually([&] { return isWhole(saved(viewer)); }));
-            QTest::qWait(1500);
-            QCOMPARE(QString::fromStdString(textOfAll(*saved(viewer))), QString::fromStdString(before));
+            QVERIFY(eventually([&] { return isWhole(saved(viewer.processId())); }));
+            QTRY_COMPARE(textOfAll(saved(viewer.processId())), before);
             ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
             QVERIFY(viewer.waitForFinished(kPatienceMs));
         }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace edgescan;
@@ -303,6 +304,7 @@ TEST(Mcap, AfterDamageTheRestIsReadWhateverLiesBetween) {
 }
 
 TEST(Mcap, CompressedChunksBehindDamageAreFound) {
+    if (std::ranges::none_of(kPacked, [](const auto& each) { return builtWith(each.first); })) GTEST_SKIP() << "built without lz4 and zstd";
     const Bytes plain = plainRecords();
     for (const auto& [name, hex] : kPacked) {
         if (!builtWith(name)) continue;

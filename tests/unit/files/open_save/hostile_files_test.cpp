@@ -48,8 +48,6 @@ TEST(HostileFiles, EachIsRefusedOrTakenWithAWord) {
         const std::string name = entry.path().filename().string();
         if (name == "README.md") continue;
         seen.insert(name);
-        const auto expected = kSaid.find(name);
-        if (expected == kSaid.end()) continue; // a newer one: it must not crash
         const std::string extension = entry.path().extension().string();
         ReadingOptions options;
         if (extension == ".png" || extension == ".tif") options = seedOptions();
@@ -58,6 +56,8 @@ TEST(HostileFiles, EachIsRefusedOrTakenWithAWord) {
         if (scan) {
             for (const std::string& warning : scan->warnings) said += warning + " ";
         }
+        const auto expected = kSaid.find(name);
+        if (expected == kSaid.end()) continue; // a newer one: it did not crash
         if (expected->second.empty())
             EXPECT_TRUE(scan) << name << ": " << said;
         else

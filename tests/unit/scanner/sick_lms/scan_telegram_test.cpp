@@ -247,6 +247,7 @@ TEST(ScanTelegramDecode, FlippedBytesNeverCrash) {
     for (const Dialect dialect : {Dialect::A, Dialect::B})
         frames.push_back({dialect, framed(encodeScanTelegram(fullTelegram(), dialect), dialect), {}, 0, 0});
     std::mt19937 random(11);
+    int decoded = 0, refused = 0;
     for (const ColaFrame& frame : frames) {
         const Bytes payload(frame.payload().begin(), frame.payload().end());
         for (std::size_t at = 0; at < payload.size(); ++at) {
@@ -254,6 +255,7 @@ TEST(ScanTelegramDecode, FlippedBytesNeverCrash) {
                 Bytes damaged = payload;
                 damaged[at] = static_cast<std::uint8_t>(value);
                 const auto telegram = decodeScanTelegram(damaged, frame.dialect);
+                ++(telegram ? decoded : refused);
                 if (!telegram) continue;
                 for (const ScanChannel& channel : telegram->channels16) {
                     const ChannelRanges ranges = rangesMm(channel);
@@ -265,6 +267,8 @@ TEST(ScanTelegramDecode, FlippedBytesNeverCrash) {
             }
         }
     }
+    EXPECT_GT(decoded, 1000);
+    EXPECT_GT(refused, 100);
 }
 
 TEST(ScanTelegramDecode, ToleratesWhatOthersSend) {
