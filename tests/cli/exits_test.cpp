@@ -1,6 +1,7 @@
 // What the programs say and write, whatever is given to them: no text of a file or name reaches a terminal as it is, every number has
 // limits, pipes and failures leave nothing hanging and nothing behind.
 #include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -243,8 +244,8 @@ TEST(Exits, HundredThousandCharactersAreToldShort) {
 }
 
 TEST(Exits, WhatHostileFilesHoldReachesNoTerminal) {
-    const fs::path hostile = fs::path(EDGESCAN_SHARED_DIR) / "data/hostile";
-    if (!fs::exists(hostile)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/hostile");
+    const fs::path hostile = test::sharedFolder() / "data/hostile";
     for (const char* name : {"m_esc_meta.mcap", "p_36.pcd", "g_format_1.json", "p_18.pcd"}) {
         for (const char* command : {"info ", "detect ", "detect --json - ", "replay ", "verify ", "why --line 0 --beam 0 "}) {
             const auto run = runCli(command + (hostile / name).string());

@@ -4,6 +4,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
 #include "tests/ui/patience.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/tuning/edges_panel.h"
@@ -60,7 +61,7 @@ struct WindowFixture {
 
 /// A real corridor scan, or a simulated one in `folder` where ../shared is absent.
 [[nodiscard]] inline std::string usualScan(const edgescan::test::TemporaryFolder& folder) {
-    const std::string real = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/scan000.json";
+    const std::string real = (edgescan::test::sharedFolder() / "data/lms200_corridor/scan000.json").string();
     if (std::filesystem::exists(real)) return real;
     qWarning("../shared is absent: a simulated scan stands in for the real one");
     SimulationSettings settings;

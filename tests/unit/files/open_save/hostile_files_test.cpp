@@ -3,6 +3,7 @@
 #include "core/files/open_save/open_as_asked.h"
 #include "core/scan/grid/scan.h"
 #include "tests/support/seed_files.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using namespace edgescan::test;
 
 namespace {
 
-const std::filesystem::path kHostile = std::string(EDGESCAN_SHARED_DIR) + "/data/hostile";
+const std::filesystem::path kHostile = edgescan::test::sharedFolder() / "data/hostile";
 
 /// What must be said of a file; empty: it opens, and what was wrong with it was elsewhere (compare, a terminal).
 const std::map<std::string, std::string> kSaid{
@@ -42,7 +43,7 @@ const std::map<std::string, std::string> kSaid{
 } // namespace
 
 TEST(HostileFiles, EachIsRefusedOrTakenWithAWord) {
-    if (!std::filesystem::exists(kHostile)) GTEST_SKIP() << "no hostile files at " << kHostile;
+    EDGESCAN_NEEDS_SHARED("data/hostile");
     std::set<std::string> seen;
     for (const auto& entry : std::filesystem::directory_iterator(kHostile)) {
         const std::string name = entry.path().filename().string();

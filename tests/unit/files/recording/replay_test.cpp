@@ -6,6 +6,7 @@
 #include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ using namespace edgescan::test;
 
 namespace {
 
-const std::string kDemo = std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/sweep_demo.mcap";
+const std::string kDemo = (edgescan::test::sharedFolder() / "protocol/vectors/sweep_demo.mcap").string();
 
 bool warns(const Scan& scan, const std::string& words) {
     return std::any_of(scan.warnings.begin(), scan.warnings.end(),
@@ -103,7 +104,7 @@ TEST(Replay, AnySpeedAndOrderGivesWhatTheFileGives) {
 }
 
 TEST(Replay, TheDemoOpensWithItsAngles) {
-    if (!std::filesystem::exists(kDemo)) GTEST_SKIP() << "no reference recording at " << kDemo;
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
     const auto scan = openScan(kDemo);
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->lines(), 24);
