@@ -23,12 +23,12 @@ class LiveSessionTest : public QObject {
     test::TemporaryFolder folder_;
     Scan scan_;
 
-    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner() const {
-        auto telegrams = telegramsOf(scan_);
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner() const {
+        auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
-        EmulatedScannerSettings settings;
+        scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 40;
-        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
         return made ? std::move(*made) : nullptr;
     }
     static int lines(WindowFixture& on) {
@@ -47,19 +47,19 @@ class LiveSessionTest : public QObject {
         std::error_code none;
         for (const auto& entry : std::filesystem::directory_iterator(sessions, none)) {
             const std::string name = entry.path().filename().string();
-            if (name.starts_with("running-") && name.ends_with(kSessionEnding)) return entry.path();
+            if (name.starts_with("running-") && name.ends_with(inspect::kSessionEnding)) return entry.path();
         }
         return std::nullopt;
     }
-    [[nodiscard]] static std::optional<ViewerState> saved(const std::filesystem::path& sessions) {
+    [[nodiscard]] static std::optional<inspect::ViewerState> saved(const std::filesystem::path& sessions) {
         const auto path = savedIn(sessions);
-        auto read = path ? readSession(*path) : Result<ReadSession>(Error{});
+        auto read = path ? inspect::readSession(*path) : Result<inspect::ReadSession>(Error{});
         return read ? std::optional(read->state) : std::nullopt;
     }
-    bool connectAndRecord(WindowFixture& on, const EmulatedScanner& scanner, const std::filesystem::path& home) {
+    bool connectAndRecord(WindowFixture& on, const scanner::EmulatedScanner& scanner, const std::filesystem::path& home) {
         on.window.live().setRecordingFolder(QString::fromStdString((home / "recordings").string()));
         if (!on.show() || !on.activate()) return false;
-        SweepSettings sweep;
+        scanner::SweepSettings sweep;
         sweep.expectedLines = kLines;
         sweep.degPerLine = 180.0 / kLines;
         sweep.firstLineDeg = -90;
@@ -71,10 +71,10 @@ class LiveSessionTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = kLines;
         settings.beams = kBeams;
-        scan_ = simulate(settings)->scan;
+        scan_ = sim::simulate(settings)->scan;
     }
 
     void afterAKillInTheMiddleOfASweepItsRecordingOpensWithItsPins() {
@@ -90,9 +90,9 @@ private slots:
             clickCell(on, 40, 200);
             // The session names the recording of the sweep; a growing file has no hash.
             QVERIFY(eventually([&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
-                }));
+                const auto now = saved(home / "sessions");
+                return now && now->notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
+            }));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
             // The state after a kill: the files at this moment.
@@ -103,7 +103,7 @@ private slots:
                 const auto now = saved(home / "sessions");
                 return now && now->scan.identity.sha256.size() == 64;
             }));
-            on.window.live().scanner().hangUp();
+            on.window.live().scanner().disconnectScanner();
         }
         WindowFixture on(QString::fromStdString((folder_ / "later.ini").string()));
         QVERIFY(on.show());
@@ -111,8 +111,7 @@ private slots:
         QVERIFY(session);
         on.window.sessions().openSession(QString::fromStdString(session->string()));
         QVERIFY(on.settled());
-        QVERIFY2(eventually([&] { return on.window.targets().notebook().targets.size() == 2; }),
-                 qPrintable(on.window.notice().text()));
+        QVERIFY2(eventually([&] { return on.window.targets().notebook().targets.size() == 2; }), qPrintable(on.window.notice().text()));
         // The recording next to the copied session, not the one that continued; line and beam are those of the click.
         QVERIFY2(on.window.files().path().startsWith(QString::fromStdString(left.string())), qPrintable(on.window.files().path()));
         QVERIFY(lines(on) >= 41 && lines(on) < kLines);
@@ -142,13 +141,13 @@ private slots:
                 const auto now = saved(home / "sessions");
                 return now && now->notebook.targets.size() == 1;
             }));
-            ViewerState other = *saved(home / "sessions");
+            inspect::ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
-            session = home / "sessions" / (std::string("other") + kSessionEnding);
-            QVERIFY(bool(writeWholeFile(session, sessionText(other, session.parent_path(), ""))));
+            session = home / "sessions" / (std::string("other") + inspect::kSessionEnding);
+            QVERIFY(bool(writeWholeFile(session, inspect::sessionText(other, session.parent_path(), ""))));
             press(on, "live-record");
             QVERIFY(eventually([&] { return on.window.live().scanner().recordingClosed(); }));
-            on.window.live().scanner().hangUp();
+            on.window.live().scanner().disconnectScanner();
         }
         WindowFixture on;
         QVERIFY(on.show());

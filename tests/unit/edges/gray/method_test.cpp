@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // ThreadSanitizer reports OpenCV's pool, not us.
@@ -283,4 +283,4 @@ TEST(Methods, EdgesLieOnValidCellsOnlyWhenMissingDataIsMasked) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

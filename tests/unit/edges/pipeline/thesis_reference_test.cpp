@@ -13,11 +13,11 @@
 #include <fstream>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 void expectReference(const std::filesystem::path& file, const std::filesystem::path& referenceFile) {
-    const Result<Scan> scan = openScan(file);
+    const Result<Scan> scan = files::openScan(file);
     ASSERT_TRUE(scan) << scan.error().sentence();
     const auto reference = nlohmann::json::parse(std::ifstream(referenceFile));
     EXPECT_EQ(countCells(*scan)[0], reference["valid"].get<std::size_t>());
@@ -52,4 +52,4 @@ TEST(Reference, EveryMaskOfTwoRealScansIsIdentical) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -13,6 +13,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
