@@ -15,7 +15,7 @@ constexpr int kPatienceMs = 120000;
 /// The window works until `done` holds; false if it never does.
 template <class Condition>
 [[nodiscard]] bool eventually(Condition done) {
-    return eventually(done);
+    return QTest::qWaitFor(done, kPatienceMs);
 }
 
 /// For what runs an event loop of its own, a menu or a modal dialog: tries `act` again and again until it returns true.
@@ -43,6 +43,6 @@ private:
 #undef QTRY_VERIFY
 #undef QTRY_VERIFY2
 #undef QTRY_COMPARE
-#define QTRY_VERIFY(holds) QTRY_VERIFY((holds))
-#define QTRY_VERIFY2(holds, words) QTRY_VERIFY2((holds), (words))
-#define QTRY_COMPARE(actual, expected) QTRY_COMPARE((actual), (expected))
+#define QTRY_VERIFY(holds) QTRY_VERIFY_WITH_TIMEOUT((holds), edgescan::ui::kPatienceMs)
+#define QTRY_VERIFY2(holds, words) QTRY_VERIFY2_WITH_TIMEOUT((holds), (words), edgescan::ui::kPatienceMs)
+#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT((actual), (expected), edgescan::ui::kPatienceMs)
